@@ -1,0 +1,93 @@
+//! Cameras: where primary rays start and where they go.
+
+use glam::{Mat4, Vec3};
+
+/// A camera in world space. With x right and y up in [-1, 1] over the frame's height (x scaled by the aspect
+/// ratio), a pixel's ray is `origin + spread_origin` along `forward + spread_direction`, where the spread is
+/// `x right + y up` and goes to the direction (perspective) or to the origin (orthographic).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// World-space eye (perspective) or centre of the near side (orthographic).
+    pub origin: Vec3,
+    /// Half a frame height to the right.
+    pub right: Vec3,
+    /// Half a frame height up.
+    pub up: Vec3,
+    /// The view direction: unit length unless the lens is shifted.
+    pub forward: Vec3,
+    /// Parallel rays.
+    pub orthographic: bool,
+}
+
+impl Camera {
+    /// A perspective camera from a camera-to-world matrix (glTF: looks along -Z, Y up) and a vertical field of
+    /// view in radians.
+    ///
+    /// # Errors
+    /// [`crate::Error::Scene`] where the matrix has no axes or the field of view is not inside (0, pi).
+    pub fn perspective(world_from_camera: &Mat4, vertical_fov: f32) -> crate::Result<Self> {
+        if !(vertical_fov > 0.0 && vertical_fov < std::f32::consts::PI) {
+            return Err(crate::Error::scene(
+                "camera",
+                format!("expected a vertical field of view inside (0, pi) radians, found {vertical_fov}"),
+            ));
+        }
+        let tan = (0.5 * f64::from(vertical_fov)).tan() as f32;
+        Self::from_axes(world_from_camera, tan, false)
+    }
+
+    /// An orthographic camera that shows `2 half_height` world units from bottom to top.
+    ///
+    /// # Errors
+    /// [`crate::Error::Scene`] where the matrix has no axes or the height is not positive and finite.
+    pub fn orthographic(world_from_camera: &Mat4, half_height: f32) -> crate::Result<Self> {
+        if !(half_height > 0.0 && half_height.is_finite()) {
+            return Err(crate::Error::scene(
+                "camera",
+                format!("expected a positive orthographic height, found {half_height}"),
+            ));
+        }
+        Self::from_axes(world_from_camera, half_height, true)
+    }
+
+    fn from_axes(world_from_camera: &Mat4, half_height: f32, orthographic: bool) -> crate::Result<Self> {
+        let axis = |i: usize| world_from_camera.col(i).truncate().try_normalize();
+        let origin = world_from_camera.w_axis.truncate();
+        match (axis(0), axis(1), axis(2)) {
+            (Some(x), Some(y), Some(z)) if origin.is_finite() => {
+                Ok(Self { origin, right: x * half_height, up: y * half_height, forward: -z, orthographic })
+            }
+            _ => Err(crate::Error::scene("camera", "its node's matrix is singular or not finite".to_owned())),
+        }
+    }
+
+    /// A camera at `eye` that looks at `target`, world Y up, with a vertical field of view in radians.
+    ///
+    /// # Errors
+    /// As [`Camera::perspective`]; also where `eye` is `target` or the view is vertical.
+    pub fn look_at(eye: Vec3, target: Vec3, vertical_fov: f32) -> crate::Result<Self> {
+        let forward = (target - eye).normalize_or_zero();
+        let right = forward.cross(Vec3::Y).normalize_or_zero();
+        let up = right.cross(forward);
+        let matrix =
+            Mat4::from_cols(right.extend(0.0), up.extend(0.0), (-forward).extend(0.0), eye.extend(1.0));
+        Self::perspective(&matrix, vertical_fov)
+    }
+
+    /// A camera with a field of view of 45 degrees that sees the whole box from the front, slightly above.
+    #[must_use]
+    pub fn framing(low: Vec3, high: Vec3) -> Self {
+        let center = 0.5 * (low + high);
+        let radius = (0.5 * (high - low).length()).max(f32::MIN_POSITIVE.sqrt());
+        let half_fov = 22.5_f32.to_radians();
+        let back = Vec3::new(0.35, 0.3, 0.886_942);
+        let eye = center + back * (radius / half_fov.sin());
+        Self::look_at(eye, center, 2.0 * half_fov).unwrap_or(Self {
+            origin: center + Vec3::Z,
+            right: Vec3::X * half_fov.tan(),
+            up: Vec3::Y * half_fov.tan(),
+            forward: -Vec3::Z,
+            orthographic: false,
+        })
+    }
+}

@@ -1,0 +1,63 @@
+//! What can go wrong, once and for all: bad input, a device that cannot, a shader that does not compile.
+
+/// The error of every fallible function of this crate.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The scene cannot be used. `what` names the file's element (`mesh 3 primitive 0, POSITION`),
+    /// `reason` says what was expected and what was found.
+    #[error("{what}: {reason}")]
+    Scene {
+        /// The element of the scene.
+        what: String,
+        /// What was expected and what was found.
+        reason: String,
+    },
+    /// A wish that cannot be granted (`--size 0x0`).
+    #[error("{what}: {reason}")]
+    Setting {
+        /// The setting.
+        what: String,
+        /// What was expected and what was found.
+        reason: String,
+    },
+    /// No adapter fits; the text lists those that are there.
+    #[error("no graphics adapter: {0}")]
+    NoAdapter(String),
+    /// The adapter lacks something that this scene or frame needs.
+    #[error("{what} needs {need}, the adapter `{adapter}` has {have}")]
+    Missing {
+        /// What needs it.
+        what: String,
+        /// How much of it.
+        need: String,
+        /// How much there is.
+        have: String,
+        /// The adapter's name.
+        adapter: String,
+    },
+    /// A kernel does not compile or is bound wrongly.
+    #[error(transparent)]
+    Shader(#[from] crate::gpu::shader::ShaderError),
+    /// The device failed at run time (lost, out of memory, validation).
+    #[error("the graphics device failed: {0}")]
+    Device(String),
+    /// An image cannot be read or written.
+    #[error("image: {0}")]
+    Image(#[from] image::ImageError),
+}
+
+impl Error {
+    /// An error about an element of the scene.
+    pub fn scene(what: impl Into<String>, reason: impl Into<String>) -> Self {
+        Self::Scene { what: what.into(), reason: reason.into() }
+    }
+
+    /// An error about a setting.
+    pub fn setting(what: impl Into<String>, reason: impl Into<String>) -> Self {
+        Self::Setting { what: what.into(), reason: reason.into() }
+    }
+}
+
+/// The result of every fallible function of this crate.
+pub type Result<T, E = Error> = std::result::Result<T, E>;

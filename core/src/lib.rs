@@ -1,0 +1,23 @@
+//! Glimpse: realtime adaptive ray tracing on wgpu.
+
+mod camera;
+mod error;
+pub mod gpu;
+mod image;
+pub mod metrics;
+mod renderer;
+pub mod scene;
+mod settings;
+mod stats;
+
+pub use camera::Camera;
+pub use error::{Error, Result};
+pub use gpu::Gpu;
+pub use image::{DisplayImage, LinearImage, to_exr, to_png};
+pub use renderer::{GpuScene, Renderer};
+pub use scene::{Features, Scene};
+pub use settings::{Linking, MAX_DEPTH, Method, Settings, Tolerances};
+pub use stats::{
+    CHECK_NAMES, Cost, Counts, FailedChecks, FrameTime, Inspection, Memory, Origin, PassTime, PixelRecord,
+    Rays, Samples,
+};

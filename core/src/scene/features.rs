@@ -1,0 +1,72 @@
+//! What a scene needs: the facts that decide which pieces of the shaders are linked at all.
+
+use super::Scene;
+
+/// Facts of a scene. `false` means that the piece is left out of every kernel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Features {
+    /// Some object shows a texture: coordinates are stored and check TX is linked.
+    pub textures: bool,
+    /// Some object has vertex colours.
+    pub vertex_colors: bool,
+    /// Some object has holes cut by alpha.
+    pub alpha_mask: bool,
+    /// Some object lets shadow rays pass.
+    pub shadow_filter: bool,
+    /// There are analytic spheres.
+    pub spheres: bool,
+    /// Some material reflects like a mirror.
+    pub reflection: bool,
+    /// Some material is transparent.
+    pub refraction: bool,
+    /// There are lights: shadow rays and check SH are linked.
+    pub lights: bool,
+}
+
+impl Features {
+    /// What this scene needs.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Self {
+        let used = || scene.objects.iter().filter_map(|o| scene.materials.get(o.material as usize));
+        Self {
+            textures: used().any(|m| m.textures().next().is_some()),
+            vertex_colors: !scene.colors.is_empty(),
+            alpha_mask: used().any(|m| m.alpha_cutoff.is_some()),
+            shadow_filter: used().any(|m| !m.casts_shadow),
+            spheres: !scene.spheres.is_empty(),
+            reflection: used().any(|m| m.reflects()),
+            refraction: used().any(|m| m.refracts()),
+            lights: !scene.lights.is_empty(),
+        }
+    }
+
+    /// Everything, needed or not.
+    #[must_use]
+    pub fn all() -> Self {
+        Self {
+            textures: true,
+            vertex_colors: true,
+            alpha_mask: true,
+            shadow_filter: true,
+            spheres: true,
+            reflection: true,
+            refraction: true,
+            lights: true,
+        }
+    }
+
+    /// Every feature with its name in the statistics.
+    #[must_use]
+    pub fn list(&self) -> [(&'static str, bool); 8] {
+        [
+            ("textures", self.textures),
+            ("vertex_colors", self.vertex_colors),
+            ("alpha_mask", self.alpha_mask),
+            ("shadow_filter", self.shadow_filter),
+            ("spheres", self.spheres),
+            ("reflection", self.reflection),
+            ("refraction", self.refraction),
+            ("lights", self.lights),
+        ]
+    }
+}

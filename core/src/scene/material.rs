@@ -1,0 +1,114 @@
+//! Materials in Whitted's terms.
+//!
+//! A glTF material (base colour c, metallic m, roughness r, transmission tau, index n) means, with the Fresnel
+//! reflectance F of the view angle:
+//!
+//! ```text
+//! g         = max(0, 1 - 2 r)                          the share of the specular lobe that is traced as a mirror
+//! F         = fresnel_dielectric(n) (1 - m) + schlick(c) m
+//! diffuse   = c (1 - m)(1 - tau)(1 - F0)
+//! mirror    = F g                                      radiance of the reflection ray
+//! refracted = c tau (1 - F)                            radiance of the refraction ray (solid) or of the straight ray (thin)
+//! lobe      = F0 D(r), Blinn-Phong, exponent 2 / r^4 - 2   reflection of the lights
+//! ambient   = (diffuse + F (1 - g)) x ambient radiance
+//! ```
+
+use glam::Vec3;
+
+/// What a surface does with light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// For messages.
+    pub name: String,
+    /// Linear RGB; multiplied by the texture and the vertex colours.
+    pub base_color: Vec3,
+    /// 0 dielectric, 1 metal.
+    pub metallic: f32,
+    /// glTF roughness (alpha = roughness^2).
+    pub roughness: f32,
+    /// Emitted radiance, linear RGB.
+    pub emission: Vec3,
+    /// Share of the light that is not reflected and passes through.
+    pub transmission: f32,
+    /// Index of refraction, at least 1.
+    pub ior: f32,
+    /// A pane without thickness: light passes straight on.
+    pub thin: bool,
+    /// Base colour as it is, without lighting (KHR_materials_unlit).
+    pub unlit: bool,
+    /// Texels whose alpha is lower are holes.
+    pub alpha_cutoff: Option<f32>,
+    /// Alpha factor that multiplies the texture's alpha before the cut.
+    pub alpha: f32,
+    /// False where shadow rays pass (transmissive surfaces, after import).
+    pub casts_shadow: bool,
+    /// sRGB colour and alpha.
+    pub base_color_texture: Option<u32>,
+    /// Green is roughness, blue is metallic.
+    pub metallic_roughness_texture: Option<u32>,
+    /// sRGB.
+    pub emissive_texture: Option<u32>,
+    /// Where the shares are given instead of following from Fresnel's equations (Heckbert's minray).
+    pub weights: Option<Weights>,
+}
+
+/// Constant shares of local, reflected and transmitted light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Weights {
+    /// Times base colour: the local diffuse part.
+    pub diffuse: f32,
+    /// Times white: the reflected ray.
+    pub mirror: f32,
+    /// Times white: the refracted ray; lost on total internal reflection.
+    pub refraction: f32,
+}
+
+impl Default for Material {
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            base_color: Vec3::ONE,
+            metallic: 0.0,
+            roughness: 1.0,
+            emission: Vec3::ZERO,
+            transmission: 0.0,
+            ior: 1.5,
+            thin: false,
+            unlit: false,
+            alpha_cutoff: None,
+            alpha: 1.0,
+            casts_shadow: true,
+            base_color_texture: None,
+            metallic_roughness_texture: None,
+            emissive_texture: None,
+            weights: None,
+        }
+    }
+}
+
+impl Material {
+    /// The textures it reads.
+    pub fn textures(&self) -> impl Iterator<Item = u32> {
+        [self.base_color_texture, self.metallic_roughness_texture, self.emissive_texture]
+            .into_iter()
+            .flatten()
+    }
+
+    /// Whether some view angle makes a reflection ray worth tracing.
+    #[must_use]
+    pub fn reflects(&self) -> bool {
+        match self.weights {
+            Some(weights) => weights.mirror > 0.0,
+            None => !self.unlit && (self.roughness < 0.5 || self.metallic_roughness_texture.is_some()),
+        }
+    }
+
+    /// Whether light passes through.
+    #[must_use]
+    pub fn refracts(&self) -> bool {
+        match self.weights {
+            Some(weights) => weights.refraction > 0.0,
+            None => !self.unlit && self.transmission > 0.0,
+        }
+    }
+}

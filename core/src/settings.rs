@@ -1,0 +1,105 @@
+//! Wishes: every knob, with what more and less of it costs and buys.
+
+use serde::Serialize;
+
+/// How a frame is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Method {
+    /// One ray through every pixel: the reference.
+    Full,
+    /// Kim 2016, section 3: rays where the seven similarity checks ask for them, interpolation elsewhere.
+    Adaptive,
+}
+
+/// Which pieces of the shaders are linked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Linking {
+    /// Only what the scene needs.
+    Auto,
+    /// Everything: the check that leaving out changes nothing.
+    All,
+}
+
+/// The tolerances of the similarity checks (Kim 2016, section 6). A pair of reference pixels passes a check
+/// while its difference stays *below* the tolerance; stricter means more rays and less error.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Tolerances {
+    /// G2, distance of the hit points in units of the scene's longest box side. 0 traces every pixel.
+    pub pos: f32,
+    /// G3, least cosine between the normals.
+    pub norm: f32,
+    /// TX, width of the border zone of the texture, [0, 0.5].
+    pub tex: f32,
+    /// GC, distance of the secondary radiances in linear RGB.
+    pub gcol: f32,
+}
+
+impl Default for Tolerances {
+    fn default() -> Self {
+        Self { pos: 0.03, norm: 0.9, tex: 0.3, gcol: 0.15 }
+    }
+}
+
+/// Everything that can be wished of a frame besides its size and camera.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Settings {
+    /// How the frame is made.
+    pub method: Method,
+    /// When to trace.
+    pub tolerances: Tolerances,
+    /// Levels of rays: 1 is primary rays alone. More shows more mirrors in mirrors, 1 to [`MAX_DEPTH`].
+    pub depth: u32,
+    /// Rays that would contribute less than this share of the pixel are not traced. 0 follows them all.
+    pub min_weight: f32,
+    /// Which pieces are linked.
+    pub features: Linking,
+}
+
+/// The deepest recursion: what the ray stack of the refraction kernels is sized for.
+pub const MAX_DEPTH: u32 = 64;
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            method: Method::Adaptive,
+            tolerances: Tolerances::default(),
+            depth: 3,
+            min_weight: 0.05,
+            features: Linking::Auto,
+        }
+    }
+}
+
+impl Settings {
+    /// Checks every value.
+    ///
+    /// # Errors
+    /// [`crate::Error::Setting`] names the option, what was expected and what was found.
+    pub fn validate(&self) -> crate::Result<()> {
+        let t = &self.tolerances;
+        let ranges = [
+            ("--t-pos", t.pos, 0.0, f32::MAX),
+            ("--t-norm", t.norm, -1.0, 2.0),
+            ("--t-tex", t.tex, 0.0, 0.5),
+            ("--t-gcol", t.gcol, 0.0, f32::MAX),
+            ("--min-weight", self.min_weight, 0.0, 1.0),
+        ];
+        for (name, value, low, high) in ranges {
+            if !(low..=high).contains(&value) {
+                return Err(crate::Error::setting(
+                    name,
+                    format!("expected a number from {low} to {high}, found {value}"),
+                ));
+            }
+        }
+        if !(1..=MAX_DEPTH).contains(&self.depth) {
+            return Err(crate::Error::setting(
+                "--depth",
+                format!("expected 1 to {MAX_DEPTH}, found {}", self.depth),
+            ));
+        }
+        Ok(())
+    }
+}
