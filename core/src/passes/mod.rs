@@ -11,6 +11,9 @@
 //! | compact_a2 | Kim 2016, Step-III-b | `passes/compact.wgsl` |
 //! | trace_a2 | Kim 2016, Step-III-c | `passes/trace_a2.wgsl` |
 
+#[cfg(test)]
+mod tests;
+
 use std::fmt::Write as _;
 
 use crate::{
