@@ -13,7 +13,7 @@ mod stats;
 pub use camera::Camera;
 pub use error::{Error, Result};
 pub use gpu::Gpu;
-pub use image::{DisplayImage, LinearImage, to_exr, to_png};
+pub use image::{DisplayImage, LinearImage, Picture, encode_display, to_exr, to_png};
 pub use renderer::{GpuScene, Renderer};
 pub use scene::{Features, Scene};
 pub use settings::{Linking, MAX_DEPTH, Method, Settings, Tolerances};
