@@ -20,7 +20,7 @@ pub use camera::Camera;
 pub use error::{Error, Result};
 pub use gpu::Gpu;
 pub use gpu_scene::GpuScene;
-pub use image::{DisplayImage, LinearImage, to_exr, to_png};
+pub use image::{DisplayImage, LinearImage, Picture, encode_display, to_exr, to_png};
 pub use renderer::Renderer;
 pub use scene::{Features, Scene};
 pub use settings::{Linking, MAX_DEPTH, Method, Settings, Tolerances};
