@@ -60,8 +60,8 @@ pub fn compare(
 ) -> Result<Difference, String> {
     let difference = difference(actual, expected, tolerance.threshold)?;
     let bad = difference.failed_pixels > tolerance.max_failed_pixels
-        // Written so that a NaN fails.
-        || !(difference.worst_tile_rmse <= tolerance.worst_tile_rmse);
+        || tolerance.worst_tile_rmse.is_nan()
+        || difference.worst_tile_rmse > tolerance.worst_tile_rmse;
     if bad { Err(format!("{difference}\nallowed: {tolerance:?}")) } else { Ok(difference) }
 }
 
