@@ -1,1 +1,159 @@
+//! The harness of the headless tests: what they share, and nothing of what they test.
+//!
+//! `tests/no_gpu.rs` needs no graphics driver; `tests/gpu.rs` renders on the best adapter there is (lavapipe where
+//! there is no other), and fails without one: `desktop/setup.sh` installs it.
 
+pub mod builder;
+pub mod compare;
+pub mod golden;
+pub mod minray;
+pub mod random;
+pub mod traversal;
+
+use std::{
+    io::Write,
+    path::{Path, PathBuf},
+    sync::OnceLock,
+};
+
+use glam::DVec3;
+use glimpse::{
+    Camera, DisplayImage, Gpu, GpuScene, Inspection, LinearImage, Method, Renderer, Scene, Settings,
+};
+
+/// The device of this test run.
+///
+/// # Panics
+/// Where there is no adapter: a run that cannot render has not passed.
+pub fn gpu() -> &'static Gpu {
+    static GPU: OnceLock<Gpu> = OnceLock::new();
+    GPU.get_or_init(|| match Gpu::headless(None) {
+        Ok(gpu) => {
+            let info = &gpu.facts().info;
+            note(&format!("adapter: {} ({:?}, {})", info.name, info.backend, info.driver_info));
+            gpu
+        }
+        Err(error) => {
+            panic!("{error}\nrun `sh desktop/setup.sh`: it installs Mesa's lavapipe where there is no driver")
+        }
+    })
+}
+
+/// One frame, both ways of reading it.
+pub struct Frame {
+    /// As shown.
+    pub display: DisplayImage,
+    /// As computed.
+    pub linear: LinearImage,
+}
+
+/// A scene on the device with the camera to look through.
+pub struct Stage {
+    /// The uploaded scene.
+    pub scene: GpuScene,
+    /// Its first camera, unless set otherwise.
+    pub camera: Camera,
+}
+
+impl Stage {
+    /// Uploads a scene and takes its first camera.
+    ///
+    /// # Panics
+    /// Where the scene has no camera or the device does not take it.
+    #[must_use]
+    pub fn new(scene: Scene) -> Self {
+        let camera = *scene.camera(None).expect("the scene has a camera");
+        Self { scene: GpuScene::upload(gpu(), scene).expect("the scene fits the device"), camera }
+    }
+
+    /// A built-in scene.
+    ///
+    /// # Panics
+    /// Where there is no such scene.
+    #[must_use]
+    pub fn builtin(name: &str) -> Self {
+        Self::new(glimpse::scene::builtin(name).unwrap_or_else(|| panic!("builtin:{name} is missing")))
+    }
+
+    /// Renders a frame.
+    ///
+    /// # Panics
+    /// Where the renderer fails.
+    #[must_use]
+    pub fn frame(&self, size: [u32; 2], settings: &Settings) -> Frame {
+        let mut renderer = self.renderer(size, settings);
+        renderer.render(&self.camera).expect("the frame renders");
+        let display = renderer.display_image().expect("the frame can be read");
+        assert_eq!([display.width(), display.height()], size, "size of the display image");
+        let linear = renderer.linear_image(&self.camera).expect("the linear frame can be read");
+        assert_eq!([linear.width(), linear.height()], size, "size of the linear image");
+        Frame { display, linear }
+    }
+
+    /// The linear radiance of a frame by `full`.
+    #[must_use]
+    pub fn full(&self, size: [u32; 2]) -> LinearImage {
+        self.frame(size, &full()).linear
+    }
+
+    /// Renders a frame with the counting kernels.
+    ///
+    /// # Panics
+    /// Where the renderer fails.
+    #[must_use]
+    pub fn inspect(&self, size: [u32; 2], settings: &Settings) -> Inspection {
+        let inspection = self.renderer(size, settings).inspect(&self.camera).expect("the frame is counted");
+        assert_eq!(inspection.pixels.len(), (size[0] * size[1]) as usize, "one record a pixel");
+        inspection
+    }
+
+    fn renderer(&self, size: [u32; 2], settings: &Settings) -> Renderer<'_> {
+        Renderer::new(gpu(), &self.scene, size, settings).expect("the kernels compile")
+    }
+}
+
+/// Every pixel traced, every ray followed to the depth limit.
+#[must_use]
+pub fn full() -> Settings {
+    Settings { method: Method::Full, min_weight: 0.0, ..Settings::default() }
+}
+
+/// The origin and unit direction of the ray through the centre of pixel `(x, y)`, in f64.
+#[must_use]
+pub fn pixel_ray(camera: &Camera, size: [u32; 2], x: u32, y: u32) -> (DVec3, DVec3) {
+    let [w, h] = size.map(f64::from);
+    let right = (2.0 * (f64::from(x) + 0.5) - w) / h;
+    let up = (h - 2.0 * (f64::from(y) + 0.5)) / h;
+    let spread = right * camera.right.as_dvec3() + up * camera.up.as_dvec3();
+    let (origin, forward) = (camera.origin.as_dvec3(), camera.forward.as_dvec3());
+    if camera.orthographic {
+        (origin + spread, forward.normalize())
+    } else {
+        (origin, (forward + spread).normalize())
+    }
+}
+
+/// A scene of the shared collection: `$GLIMPSE_SCENES`, else `../shared/scenes` beside the workspace. Where it is not
+/// there, a line says so, and the test has nothing to do.
+#[must_use]
+pub fn shared_scene(name: &str) -> Option<PathBuf> {
+    let folder = std::env::var_os("GLIMPSE_SCENES")
+        .map_or_else(|| workspace().join("../shared/scenes"), PathBuf::from);
+    let path = folder.join(name);
+    if path.is_file() {
+        return Some(path);
+    }
+    note(&format!("SKIPPED: {} is not there (set GLIMPSE_SCENES)", path.display()));
+    None
+}
+
+/// The workspace's folder.
+#[must_use]
+pub fn workspace() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."))
+}
+
+/// Says something that is seen whether or not the test passes (the test runner keeps `eprintln!` to itself).
+pub fn note(line: &str) {
+    let _ = writeln!(std::io::stderr(), "{line}");
+}

@@ -1,0 +1,154 @@
+#!/bin/sh
+# Installs what Glimpse needs and a fresh Debian or Ubuntu with rustup and git lacks:
+#
+#   - a C and a C++ compiler (linking Rust; the FLIP metric is C++),
+#   - the Vulkan loader (libvulkan.so.1),
+#   - a Vulkan driver where there is none: Mesa's lavapipe, which renders on the CPU.
+#
+# Nothing else is touched, and nothing happens when nothing is missing, so it is safe to run twice.
+#
+# A driver counts as present when a manifest (ICD, *.json) lies where the loader looks. One exception: the Mesa 22.3
+# of Debian bookworm itself is taken for missing on a machine without a GPU, because its lavapipe is too old (no
+# headless surface, and other pixels than the golden frames). bookworm gets 25.0.7 from bookworm-backports.
+#
+# GLIMPSE_SETUP_ROOT=DIR looks for the system's files below DIR (the test of this script).
+set -eu
+
+mesa_version="25.0.7-2~bpo12+1"
+root=${GLIMPSE_SETUP_ROOT-}
+PATH=$PATH:/usr/sbin:/sbin
+
+say() { echo "setup: $*"; }
+fail() {
+    echo "setup: $*" >&2
+    exit 1
+}
+
+if [ "$(uname -s)" != Linux ]; then
+    say "on $(uname -s) the system's own compiler and graphics driver are used"
+    exit 0
+fi
+
+codename=""
+if [ -r "$root/etc/os-release" ]; then
+    codename=$(. "$root/etc/os-release" && echo "${VERSION_CODENAME-}")
+fi
+
+# Whether a driver manifest lies where the Vulkan loader looks.
+has_manifest() {
+    for list in "${VK_DRIVER_FILES-}" "${VK_ICD_FILENAMES-}"; do
+        old_ifs=$IFS
+        IFS=:
+        for entry in $list; do
+            if [ -f "$entry" ]; then
+                IFS=$old_ifs
+                return 0
+            fi
+        done
+        IFS=$old_ifs
+    done
+    for folder in \
+        "${XDG_CONFIG_HOME:-$root${HOME-}/.config}" "$root/etc/xdg" "$root/etc" "$root/usr/local/etc" \
+        "${XDG_DATA_HOME:-$root${HOME-}/.local/share}" "$root/usr/local/share" "$root/usr/share"; do
+        for manifest in "$folder"/vulkan/icd.d/*.json; do
+            if [ -f "$manifest" ]; then
+                return 0
+            fi
+        done
+    done
+    return 1
+}
+
+has_gpu() {
+    for node in "$root"/dev/dri/renderD* "$root"/dev/nvidia[0-9]* "$root"/dev/dxg; do
+        if [ -e "$node" ]; then
+            return 0
+        fi
+    done
+    return 1
+}
+
+installed_version() { dpkg-query -W -f '${Version}' "$1" 2>/dev/null || true; }
+
+has_driver() {
+    has_manifest || return 1
+    [ "$codename" = bookworm ] || return 0
+    case $(installed_version mesa-vulkan-drivers) in
+    22.*) has_gpu ;;
+    *) return 0 ;;
+    esac
+}
+
+packages=""
+reasons=""
+if ! command -v cc >/dev/null; then
+    packages="$packages gcc libc6-dev"
+    reasons="$reasons, a C compiler"
+fi
+if ! command -v c++ >/dev/null; then
+    packages="$packages g++"
+    reasons="$reasons, a C++ compiler"
+fi
+if ! ldconfig -p 2>/dev/null | grep -q 'libvulkan\.so\.1'; then
+    packages="$packages libvulkan1"
+    reasons="$reasons, the Vulkan loader"
+fi
+driver=""
+if ! has_driver; then
+    driver=mesa-vulkan-drivers
+    reasons="$reasons, a Vulkan driver"
+fi
+
+if [ -z "$packages$driver" ]; then
+    exit 0
+fi
+say "missing: ${reasons#, }"
+
+if ! command -v apt-get >/dev/null; then
+    fail "there is no apt-get here: install these with your system's package manager and run this again:${reasons#,}"
+fi
+sudo=""
+if [ "$(id -u)" != 0 ]; then
+    command -v sudo >/dev/null || fail "installing needs root, and there is no sudo: run 'sh desktop/setup.sh' as root"
+    sudo=sudo
+fi
+as_root() {
+    say "running: $*"
+    # shellcheck disable=SC2086 # empty when we are root
+    $sudo env DEBIAN_FRONTEND=noninteractive "$@" || fail "that failed: $*"
+}
+
+from_backports=""
+if [ -n "$driver" ] && [ "$codename" = bookworm ]; then
+    from_backports=yes
+    if ! grep -qs '^[^#]*bookworm-backports' "$root/etc/apt/sources.list" "$root"/etc/apt/sources.list.d/*; then
+        source="$root/etc/apt/sources.list.d/glimpse-backports.sources"
+        say "adding $source for Mesa $mesa_version"
+        $sudo tee "$source" >/dev/null <<'SOURCE' || fail "cannot write $source"
+# Added by Glimpse's desktop/setup.sh, for mesa-vulkan-drivers.
+Types: deb
+URIs: http://deb.debian.org/debian
+Suites: bookworm-backports
+Components: main
+Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
+SOURCE
+    fi
+fi
+
+as_root apt-get update -qq
+if [ -z "$from_backports" ]; then
+    packages="$packages $driver"
+fi
+if [ -n "$packages" ]; then
+    # shellcheck disable=SC2086 # a list
+    as_root apt-get install -y -qq --no-install-recommends $packages
+fi
+if [ -n "$from_backports" ]; then
+    if apt-cache madison "$driver" | grep -qF " $mesa_version "; then
+        driver="$driver=$mesa_version"
+    else
+        say "Mesa $mesa_version is no longer in bookworm-backports: taking its newest (golden frames may differ)"
+    fi
+    as_root apt-get install -y -qq --no-install-recommends -t bookworm-backports "$driver"
+fi
+say "done"

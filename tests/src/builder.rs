@@ -1,0 +1,117 @@
+//! Small scenes in a few lines.
+
+use glam::{Vec2, Vec3, vec3};
+use glimpse::{
+    Camera, Scene,
+    scene::{
+        Environment, Image8, Light, LightKind, Material, Object, Sphere, Texture, Wrap, octahedral_encode,
+    },
+};
+
+/// A scene being built.
+pub struct Builder(Scene);
+
+impl Builder {
+    /// Nothing, in the dark.
+    #[must_use]
+    #[allow(clippy::new_without_default, reason = "a builder is begun, not defaulted")]
+    pub fn new() -> Self {
+        let black = Environment { background: Vec3::ZERO, ambient: Vec3::ZERO, truncated: Vec3::ZERO };
+        Self(Scene { environment: black, ..Scene::default() })
+    }
+
+    /// An object with a material of its own; its OID.
+    pub fn object(&mut self, material: Material) -> u32 {
+        self.0.materials.push(material);
+        let material = self.0.materials.len() as u32 - 1;
+        self.0.objects.push(Object { name: format!("object {material}"), material });
+        self.0.objects.len() as u32 - 1
+    }
+
+    /// A flat parallelogram whose normal is `u x v`; texture coordinates run from (0, 0) over `u` and `v` to (1, 1).
+    pub fn quad(&mut self, object: u32, corner: Vec3, u: Vec3, v: Vec3) {
+        self.textured_quad(object, [corner, u, v], [Vec2::ZERO, Vec2::ONE]);
+    }
+
+    /// As [`Builder::quad`], with the texture coordinates at the two ends of its diagonal.
+    pub fn textured_quad(&mut self, object: u32, [corner, u, v]: [Vec3; 3], [low, high]: [Vec2; 2]) {
+        let corners = [corner, corner + u, corner + u + v, corner + v];
+        let coordinates = [low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)];
+        let normal = octahedral_encode(u.cross(v).normalize_or_zero());
+        for triangle in [[0, 1, 2], [0, 2, 3]] {
+            self.0.positions.push(triangle.map(|i| corners[i]));
+            self.0.texcoords.push(triangle.map(|i| coordinates[i]));
+            self.0.normals.push([normal; 3]);
+            self.0.triangle_objects.push(object);
+        }
+    }
+
+    /// An analytic sphere.
+    pub fn sphere(&mut self, object: u32, center: Vec3, radius: f32) {
+        self.0.spheres.push(Sphere { center, radius, object });
+    }
+
+    /// A point light without limit.
+    pub fn point_light(&mut self, position: Vec3, intensity: Vec3) {
+        let kind = LightKind::Point { position, range: f32::INFINITY, falloff: true };
+        self.0.lights.push(Light { kind, intensity, radius: 0.0 });
+    }
+
+    /// A grey ramp of 8x8 texels that repeats; its index.
+    pub fn ramp_texture(&mut self) -> u32 {
+        let grey = |i: u8| [32 + 3 * i, 32 + 3 * i, 32 + 3 * i, 255];
+        self.0.images.push(Image8 { width: 8, height: 8, rgba: (0..64).flat_map(grey).collect() });
+        let image = self.0.images.len() as u32 - 1;
+        self.0.textures.push(Texture { image, wrap: [Wrap::Repeat; 2], nearest: false });
+        self.0.textures.len() as u32 - 1
+    }
+
+    /// What is around it.
+    pub fn environment(&mut self, background: Vec3, ambient: Vec3) {
+        self.0.environment = Environment { background, ambient, truncated: ambient };
+    }
+
+    /// The scene, seen by this camera.
+    #[must_use]
+    pub fn seen_by(mut self, camera: Camera) -> Scene {
+        if self.0.materials.iter().all(|m| m.textures().next().is_none()) {
+            self.0.texcoords.clear();
+        }
+        self.0.cameras = vec![("camera".to_owned(), camera)];
+        self.0
+    }
+}
+
+/// A camera in front of the origin: at (0, 0, 2), field of view 45 degrees.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn front_camera() -> Camera {
+    Camera::look_at(vec3(0.0, 0.0, 2.0), Vec3::ZERO, 45.0_f32.to_radians()).expect("a valid camera")
+}
+
+/// A surface that scatters light and does nothing else: radiance is colour / pi times irradiance.
+/// (Index 1: no Fresnel reflection, so neither a highlight nor a mirror.)
+#[must_use]
+pub fn matte(color: Vec3) -> Material {
+    Material { base_color: color, ior: 1.0, ..Material::default() }
+}
+
+/// A surface that shows its colour and does nothing else.
+#[must_use]
+pub fn unlit(color: Vec3) -> Material {
+    Material { base_color: color, unlit: true, ..Material::default() }
+}
+
+/// A perfect metal mirror: Schlick's reflectance from `color` at normal incidence.
+#[must_use]
+pub fn mirror(color: Vec3) -> Material {
+    Material { base_color: color, metallic: 1.0, roughness: 0.0, ..Material::default() }
+}
+
+/// Perfectly clear glass.
+#[must_use]
+pub fn glass(ior: f32) -> Material {
+    Material { roughness: 0.0, transmission: 1.0, ior, casts_shadow: false, ..Material::default() }
+}

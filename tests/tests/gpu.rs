@@ -1,0 +1,10 @@
+//! Tests that render, on the best adapter there is. Without one they fail: `sh desktop/setup.sh` installs lavapipe.
+
+mod gpu {
+    mod adaptive;
+    mod checks;
+    mod closed_forms;
+    mod golden;
+    mod minray;
+    mod scenes;
+}

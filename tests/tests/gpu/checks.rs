@@ -1,0 +1,166 @@
+//! For each of the seven similarity checks (Kim 2016, Table 1) a scene that only it catches, at the paper's
+//! tolerances; and where it has nothing to catch, or its tolerance is wide, every pixel passes.
+
+use glam::{Vec2, Vec3, vec2, vec3};
+use glimpse::{CHECK_NAMES, Camera, Inspection, Origin, Scene, Settings, Tolerances};
+use glimpse_tests::{
+    Stage,
+    builder::{Builder, front_camera, matte, mirror, unlit},
+};
+
+const SIZE: [u32; 2] = [96, 64];
+
+/// A little off the middle, where no pixel's centre is.
+const BORDER: f32 = 0.013;
+
+fn inspect(scene: Scene, tolerances: Tolerances) -> Inspection {
+    let inspection = Stage::new(scene).inspect(SIZE, &Settings { tolerances, ..Settings::default() });
+    let sums: Vec<u64> =
+        (0..7).map(|i| inspection.pixels.iter().filter(|p| p.failed >> i & 1 == 1).count() as u64).collect();
+    let f = inspection.counts.failed_checks;
+    assert_eq!(sums, [f.oid, f.pos, f.norm, f.convex, f.tex, f.shadow, f.gcol], "counters and pixels agree");
+    for pixel in &inspection.pixels {
+        assert!(
+            pixel.failed == 0 || matches!(pixel.origin, Origin::TracedA1 | Origin::TracedA2),
+            "{pixel:?}"
+        );
+    }
+    inspection
+}
+
+fn only(check: &str, scene: Scene) {
+    let bit = CHECK_NAMES.iter().position(|name| *name == check).expect("a check's name");
+    let inspection = inspect(scene, Tolerances::default());
+    let caught = inspection.pixels.iter().filter(|p| p.failed == 1 << bit).count();
+    let other = inspection.pixels.iter().filter(|p| p.failed & !(1 << bit) != 0).count();
+    assert!(caught > 10, "{check} fails on {caught} pixels: {:?}", inspection.counts.failed_checks);
+    assert_eq!(other, 0, "other checks fail too: {:?}", inspection.counts.failed_checks);
+    assert!(caught < inspection.pixels.len() / 2, "{check} fails on {caught} pixels");
+}
+
+fn none(scene: Scene, tolerances: Tolerances) {
+    let inspection = inspect(scene, tolerances);
+    let failed = inspection.counts.failed_checks;
+    assert!(inspection.pixels.iter().all(|p| p.failed == 0), "{failed:?}");
+}
+
+/// A plane in two halves: two objects or one.
+fn halves(objects: u32) -> Scene {
+    let mut builder = Builder::new();
+    let left = builder.object(matte(Vec3::ONE));
+    let right = if objects == 2 { builder.object(matte(Vec3::ONE)) } else { left };
+    builder.quad(left, vec3(-2.0, -2.0, 0.0), (2.0 + BORDER) * Vec3::X, 4.0 * Vec3::Y);
+    builder.quad(right, vec3(BORDER, -2.0, 0.0), (2.0 - BORDER) * Vec3::X, 4.0 * Vec3::Y);
+    builder.seen_by(front_camera())
+}
+
+#[test]
+fn oid() {
+    only("oid", halves(2));
+    none(halves(1), Tolerances::default());
+}
+
+/// A floor that runs to near its horizon: rows of pixels far apart in the same plane.
+fn floor() -> Scene {
+    let mut builder = Builder::new();
+    let floor = builder.object(matte(Vec3::ONE));
+    builder.quad(floor, vec3(-10.0, 0.0, 10.0), 20.0 * Vec3::X, -20.0 * Vec3::Z);
+    // The upper edge of the frame looks down by 0.0125: it sees the floor 8 units away.
+    let fov = 0.35_f32;
+    let (sin, cos) = (0.5 * fov + 0.0125).sin_cos();
+    let eye = vec3(0.0, 0.1, 9.9);
+    builder.seen_by(Camera::look_at(eye, eye + vec3(0.0, -sin, -cos), fov).expect("a valid camera"))
+}
+
+#[test]
+fn pos() {
+    only("pos", floor());
+    none(floor(), Tolerances { pos: f32::MAX, ..Tolerances::default() });
+}
+
+/// A ridge towards the viewer, 60 degrees between the normals.
+fn ridge() -> Scene {
+    let back = 2.0 * 30.0_f32.to_radians().tan();
+    let mut builder = Builder::new();
+    let ridge = builder.object(matte(Vec3::ONE));
+    builder.quad(ridge, vec3(BORDER - 2.0, -2.0, -back), vec3(2.0, 0.0, back), 4.0 * Vec3::Y);
+    builder.quad(ridge, vec3(BORDER, -2.0, 0.0), vec3(2.0, 0.0, -back), 4.0 * Vec3::Y);
+    builder.seen_by(front_camera())
+}
+
+#[test]
+fn norm() {
+    only("norm", ridge());
+    none(ridge(), Tolerances { norm: -1.0, ..Tolerances::default() });
+}
+
+/// Two parallel halves of one object, one a hundredth of the scene behind the other: near, alike, and not smooth.
+fn step(height: f32) -> Scene {
+    let mut builder = Builder::new();
+    let wall = builder.object(matte(Vec3::ONE));
+    builder.quad(wall, vec3(-2.0, -2.0, 0.0), (2.0 + BORDER) * Vec3::X, 4.0 * Vec3::Y);
+    builder.quad(wall, vec3(BORDER - 0.5 * height, -2.0, -height), 2.0 * Vec3::X, 4.0 * Vec3::Y);
+    builder.seen_by(front_camera())
+}
+
+#[test]
+fn convex() {
+    only("convex", step(0.04));
+    none(halves(1), Tolerances::default());
+}
+
+/// A texture that repeats in the middle of a plane.
+fn tiled(repeats: bool) -> Scene {
+    let mut builder = Builder::new();
+    let texture = builder.ramp_texture();
+    let wall =
+        builder.object(glimpse::scene::Material { base_color_texture: Some(texture), ..matte(Vec3::ONE) });
+    let s = if repeats { 2.0 } else { 1.0 };
+    builder.textured_quad(
+        wall,
+        [vec3(-2.0, -2.0, 0.0), 4.0 * Vec3::X, 4.0 * Vec3::Y],
+        [vec2(0.0, 0.4), Vec2::new(s, 0.6)],
+    );
+    builder.seen_by(front_camera())
+}
+
+#[test]
+fn tex() {
+    only("tex", tiled(true));
+    none(tiled(false), Tolerances::default());
+    none(tiled(true), Tolerances { tex: 0.0, ..Tolerances::default() });
+}
+
+/// A wall half in the hard shadow of something behind the camera.
+fn shadow_edge(casts: bool) -> Scene {
+    let mut builder = Builder::new();
+    let wall = builder.object(matte(Vec3::ONE));
+    builder.quad(wall, vec3(-2.0, -2.0, 0.0), 4.0 * Vec3::X, 4.0 * Vec3::Y);
+    let screen = builder.object(glimpse::scene::Material { casts_shadow: casts, ..matte(Vec3::ONE) });
+    builder.quad(screen, vec3(-2.0, -2.0, 3.0), (2.0 + 0.5 * BORDER) * Vec3::X, 4.0 * Vec3::Y);
+    builder.point_light(vec3(0.0, 0.0, 6.0), Vec3::splat(60.0));
+    builder.seen_by(front_camera())
+}
+
+#[test]
+fn shadow() {
+    only("shadow", shadow_edge(true));
+    none(shadow_edge(false), Tolerances::default());
+}
+
+/// A mirror that shows the edge of a bright panel behind the camera.
+fn mirrored_edge() -> Scene {
+    let mut builder = Builder::new();
+    let wall = builder.object(mirror(Vec3::splat(0.95)));
+    builder.quad(wall, vec3(-2.0, -2.0, 0.0), 4.0 * Vec3::X, 4.0 * Vec3::Y);
+    let panel = builder.object(unlit(Vec3::ONE));
+    // Seen from the mirrored eye at z = -2, the panel at z = 3 is 5/2 as large as on the mirror.
+    builder.quad(panel, vec3(-4.0, 3.0, 3.0), (4.0 + 2.5 * BORDER) * Vec3::X, -6.0 * Vec3::Y);
+    builder.seen_by(front_camera())
+}
+
+#[test]
+fn gcol() {
+    only("gcol", mirrored_edge());
+    none(mirrored_edge(), Tolerances { gcol: f32::MAX, ..Tolerances::default() });
+}

@@ -1,0 +1,25 @@
+//! The shared scenes, where they are: each loads, and a small adaptive frame of it shows something.
+
+use glimpse::{Scene, Settings};
+use glimpse_tests::{Stage, note, shared_scene};
+
+const FILES: [&str; 4] =
+    ["japanese_classroom.glb", "coffee_maker.glb", "vr_bunny.glb", "contemporary_bathroom.glb"];
+
+#[test]
+fn small_frames_of_shared_scenes() {
+    for file in FILES {
+        let Some(path) = shared_scene(file) else { continue };
+        let bytes = std::fs::read(&path).unwrap();
+        let scene = Scene::from_gltf(&bytes, &mut |uri| Err(format!("{file} refers to {uri}"))).unwrap();
+        let stage = Stage::new(scene);
+        let size = [96, 54];
+        let frame = stage.frame(size, &Settings::default());
+        let lit = frame.linear.pixels().filter(|p| p.0.iter().any(|v| *v > 0.0)).count();
+        assert!(frame.linear.as_raw().iter().all(|v| v.is_finite() && *v >= 0.0), "{file}");
+        assert!(lit * 4 > frame.linear.pixels().count(), "{file}: {lit} pixels are not black");
+        let ratio = stage.inspect(size, &Settings::default()).counts.rt_ratio();
+        note(&format!("{file}: RT ratio {ratio:.3} at {size:?}"));
+        assert!((0.25..=1.0).contains(&ratio), "{file}: RT ratio {ratio}");
+    }
+}

@@ -1,0 +1,8 @@
+//! Tests that need no graphics driver.
+
+mod no_gpu {
+    mod compare;
+    mod golden;
+    mod minray;
+    mod traversal;
+}
