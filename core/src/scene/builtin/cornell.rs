@@ -44,13 +44,13 @@ pub(super) fn scene() -> Option<Scene> {
 
     for at in [-0.15, 0.15] {
         b.scene.lights.push(Light {
-            kind: LightKind::Point { position: vec3(at, 1.85, 0.0), range: f32::INFINITY, falloff: true },
-            intensity: vec3(1.0, 0.88, 0.7) * 2.2,
+            kind: LightKind::Point { position: vec3(at, 1.72, 0.0), range: f32::INFINITY, falloff: true },
+            intensity: vec3(1.0, 0.88, 0.7) * 2.3,
             radius: 0.0,
         });
     }
     b.scene.environment = Environment::with_background(Vec3::ZERO);
-    let camera = Camera::look_at(vec3(0.0, 1.0, 3.75), vec3(0.0, 0.98, 0.0), 40.5_f32.to_radians()).ok()?;
+    let camera = Camera::look_at(vec3(0.0, 1.0, 3.75), vec3(0.0, 1.0, 0.0), 39.8_f32.to_radians()).ok()?;
     b.scene.cameras.push(("main".to_owned(), camera));
     Some(b.finish())
 }
