@@ -2,7 +2,7 @@
 
 use crate::{
     Camera, Error, Gpu, GpuScene, Memory, Method, Result, Settings,
-    gpu::{Bound, Kernel, Timer, mirror::gpu_struct},
+    gpu::{Bound, Kernel, Timer, mirror::gpu_struct, shader::Source},
     passes::{COUNTER_WORDS, Output, Stage, Variant},
 };
 
@@ -165,11 +165,21 @@ impl Passes {
             },
         ]);
         resources.extend(inspection.map(|buffer| ("inspection", buffer.as_entire_binding())));
-        let bound = stages.iter().map(|stage| {
-            Kernel::new(gpu, stage.name(), &variant.sources(*stage))?.bind(&gpu.device, &resources)
-        });
+        // Two stages may be one kernel.
+        let mut kernels: Vec<(Vec<Source>, Bound)> = Vec::new();
+        let mut bound = Vec::new();
+        for stage in stages {
+            let sources = variant.sources(*stage);
+            if let Some((_, same)) = kernels.iter().find(|(known, _)| *known == sources) {
+                bound.push(same.clone());
+                continue;
+            }
+            let kernel = Kernel::new(gpu, stage.name(), &sources)?.bind(&gpu.device, &resources)?;
+            kernels.push((sources, kernel.clone()));
+            bound.push(kernel);
+        }
         let names: Vec<_> = stages.iter().map(|stage| stage.name()).collect();
-        Ok(Self { stages: bound.collect::<Result<_>>()?, timer: Timer::new(gpu, &names)?, method })
+        Ok(Self { stages: bound, timer: Timer::new(gpu, &names)?, method })
     }
 
     /// Records one frame.

@@ -83,6 +83,7 @@ impl Kernel {
 }
 
 /// A kernel with its resources, ready to be dispatched.
+#[derive(Clone)]
 pub struct Bound {
     pipeline: wgpu::ComputePipeline,
     group: wgpu::BindGroup,

@@ -6,10 +6,10 @@
 //! | base | Kim 2016, 3.2; Table 2, Step-I | `passes/base.wgsl` |
 //! | similarity_a1 | Kim 2016, 3.3, 3.4, Table 1; Step-II-a | `passes/similarity_a1.wgsl` |
 //! | compact_a1 | Kim 2016, 5; Step-II-b | `passes/compact.wgsl` |
-//! | trace_a1 | Kim 2016, Step-II-c | `passes/trace_a1.wgsl` |
+//! | trace_a1 | Kim 2016, Step-II-c | `passes/trace.wgsl` |
 //! | similarity_a2 | Kim 2016, Step-III-a | `passes/similarity_a2.wgsl` |
 //! | compact_a2 | Kim 2016, Step-III-b | `passes/compact.wgsl` |
-//! | trace_a2 | Kim 2016, Step-III-c | `passes/trace_a2.wgsl` |
+//! | trace_a2 | Kim 2016, Step-III-c | `passes/trace.wgsl` |
 
 #[cfg(test)]
 mod tests;
@@ -97,9 +97,8 @@ impl Stage {
             Self::Base => wgsl!("passes/base.wgsl"),
             Self::SimilarityA1 => wgsl!("passes/similarity_a1.wgsl"),
             Self::CompactA1 | Self::CompactA2 => wgsl!("passes/compact.wgsl"),
-            Self::TraceA1 => wgsl!("passes/trace_a1.wgsl"),
             Self::SimilarityA2 => wgsl!("passes/similarity_a2.wgsl"),
-            Self::TraceA2 => wgsl!("passes/trace_a2.wgsl"),
+            Self::TraceA1 | Self::TraceA2 => wgsl!("passes/trace.wgsl"),
         }
     }
 }

@@ -197,3 +197,61 @@ fn index(what: String, found: u32, length: usize) -> Result<()> {
 fn fail(what: String, reason: String) -> Result<()> {
     Err(Error::scene(what, reason))
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::{Vec2, vec3};
+
+    use super::*;
+    use crate::scene::{Image8, Light, Object, Sphere, Texture, builtin};
+
+    /// Changes a valid scene, whose error must then hold every one of `parts`.
+    fn fails(change: impl Fn(&mut Scene), parts: &[&str]) {
+        static ROOM: std::sync::OnceLock<Scene> = std::sync::OnceLock::new();
+        let mut scene = ROOM.get_or_init(|| builtin("room").expect("room")).clone();
+        change(&mut scene);
+        let text = scene.validate().expect_err("invalid").to_string();
+        for part in parts {
+            assert!(text.contains(part), "`{text}` does not say `{part}`");
+        }
+    }
+
+    #[test]
+    fn an_empty_scene_is_valid() {
+        Scene::default().validate().expect("empty");
+    }
+
+    #[test]
+    fn every_mistake_is_named() {
+        fails(|s| s.normals.truncate(9), &["normals", "expected", "found"]);
+        fails(|s| s.texcoords.push([Vec2::ZERO; 3]), &["texcoords"]);
+        fails(|s| s.colors.push([0; 3]), &["colors"]);
+        fails(|s| s.positions[7][2].y = f32::NAN, &["triangle 7", "finite"]);
+        fails(|s| s.positions[0][0].x = 2.0e18, &["triangle 0", "1e18"]);
+        fails(|s| s.texcoords[3][0].x = f32::INFINITY, &["triangle 3", "texture coordinates"]);
+        fails(|s| s.triangle_objects[4] = 9999, &["triangle 4, object", "found 9999"]);
+        fails(
+            |s| s.spheres.push(Sphere { center: Vec3::ZERO, radius: 0.0, object: 0 }),
+            &["sphere", "radius"],
+        );
+        fails(|s| s.spheres[0].object = 9999, &["sphere 0, object"]);
+        fails(|s| s.objects.push(Object { name: "o".into(), material: 99 }), &["`o`, material", "found 99"]);
+        fails(|s| s.materials[0].base_color_texture = Some(77), &["texture", "found 77"]);
+        fails(|s| s.materials[0].roughness = 1.5, &["roughness", "1.5"]);
+        fails(|s| s.materials[0].ior = 0.5, &["index of refraction", "0.5"]);
+        fails(|s| s.materials[0].emission.x = -1.0, &["emission"]);
+        fails(|s| s.textures[0] = Texture { image: 50, ..s.textures[0] }, &["texture 0, image"]);
+        fails(|s| s.images[0] = Image8 { width: 2, height: 2, rgba: vec![0; 15] }, &["image 0", "16", "15"]);
+        fails(|s| s.images[0] = Image8::default(), &["image 0", "more than none"]);
+        fails(|s| s.lights.extend(vec![s.lights[0].clone(); 32]), &["lights", "at most 32, found 36"]);
+        let down = |direction| Light {
+            kind: LightKind::Directional { direction },
+            intensity: Vec3::ONE,
+            radius: 0.0,
+        };
+        fails(|s| s.lights[0] = down(vec3(0.0, -2.0, 0.0)), &["light 0", "unit length"]);
+        fails(|s| s.lights[0].radius = f32::NAN, &["light 0", "radius"]);
+        fails(|s| s.cameras[0].1.up = Vec3::ZERO, &["camera `main`"]);
+        fails(|s| s.environment.ambient.y = f32::NAN, &["environment, ambient"]);
+    }
+}

@@ -33,7 +33,7 @@ pub(super) fn scene() -> Option<Scene> {
     b.object("right wall", green);
     b.quad(low + x, z, y, Vec2::ONE);
     b.object("light panel", panel);
-    b.quad(vec3(-0.3, 1.995, -0.25), Vec3::X * 0.6, Vec3::Z * 0.5, Vec2::ONE);
+    b.cuboid(vec3(-0.3, 1.96, -0.25), vec3(0.3, 2.0, 0.25), 1.0);
 
     b.place = Affine3A::from_translation(vec3(0.36, 0.0, -0.38)) * Affine3A::from_rotation_y(-0.3);
     b.object("tall box", white);
@@ -44,13 +44,13 @@ pub(super) fn scene() -> Option<Scene> {
 
     for at in [-0.15, 0.15] {
         b.scene.lights.push(Light {
-            kind: LightKind::Point { position: vec3(at, 1.85, 0.0), range: f32::INFINITY, falloff: true },
-            intensity: vec3(1.0, 0.88, 0.7) * 2.2,
+            kind: LightKind::Point { position: vec3(at, 1.93, 0.0), range: f32::INFINITY, falloff: true },
+            intensity: vec3(1.0, 0.88, 0.7) * 2.8,
             radius: 0.0,
         });
     }
     b.scene.environment = Environment::with_background(Vec3::ZERO);
-    let camera = Camera::look_at(vec3(0.0, 1.0, 3.75), vec3(0.0, 0.98, 0.0), 40.5_f32.to_radians()).ok()?;
+    let camera = Camera::look_at(vec3(0.0, 1.0, 3.75), vec3(0.0, 1.0, 0.0), 39.8_f32.to_radians()).ok()?;
     b.scene.cameras.push(("main".to_owned(), camera));
     Some(b.finish())
 }

@@ -107,7 +107,7 @@ pub(super) fn plant(b: &mut Builder, clay: u32, soil: u32, stem: u32, leaf: u32)
             let mean = 1.15 - bend * t;
             let along = *out * mean.cos() + Vec3::Y * mean.sin();
             let normal = (Vec3::Y * angle.cos() - *out * angle.sin()).normalize();
-            (foot + along * (length * t) - side * ((s - 0.5) * 0.42 * length), -normal)
+            (foot + along * (length * t) - side * ((s - 0.5) * 0.42 * length), normal)
         });
     }
 }

@@ -19,7 +19,7 @@ const TABLE: Vec3 = vec3(-0.15, 0.75, -0.75);
 /// The pendant lamp's bulb.
 const PENDANT: Vec3 = vec3(-0.15, 1.72, -0.75);
 /// The floor lamp's foot.
-const FLOOR_LAMP: Vec3 = vec3(2.05, 0.0, -2.2);
+const FLOOR_LAMP: Vec3 = vec3(2.12, 0.0, -1.78);
 
 fn at(position: Vec3, turn: f32) -> Affine3A {
     Affine3A::from_translation(position) * Affine3A::from_rotation_y(turn)
@@ -155,8 +155,8 @@ fn furnish(b: &mut Builder) {
     furniture::sideboard(b, wood, gold, &books);
     b.place = at(vec3(-0.25, 1.62, LOW.z), 0.0);
     furniture::framed(b, "painting", vec2(1.15, 0.8), gold, picture);
-    b.place = at(vec3(1.45, 1.32, LOW.z), 0.0);
-    furniture::framed(b, "mirror", vec2(0.75, 1.55), gold, mirror);
+    b.place = at(vec3(1.42, 0.93, -2.22), -0.55);
+    furniture::framed(b, "standing mirror", vec2(0.78, 1.76), gold, mirror);
 
     let clay = b.material("clay", colored(0.62, 0.30, 0.19, 0.8));
     let soil = b.material("soil", colored(0.09, 0.06, 0.04, 1.0));
@@ -177,7 +177,7 @@ fn on_the_table(b: &mut Builder) {
         Material { transmission: 1.0, casts_shadow: false, ..colored(0.98, 1.0, 0.99, 0.0) },
     );
     let silver = b.material("silver", Material { metallic: 1.0, ..colored(0.95, 0.94, 0.92, 0.0) });
-    let copper = b.material("copper", Material { metallic: 1.0, ..colored(0.93, 0.55, 0.40, 0.18) });
+    let brass = b.material("brass", Material { metallic: 1.0, ..colored(0.98, 0.76, 0.33, 0.15) });
     let glaze = b.material("glaze", colored(0.05, 0.16, 0.42, 0.08));
     let china = b.material("china", colored(0.88, 0.87, 0.83, 0.12));
     let orange = b.material("orange", colored(0.90, 0.36, 0.04, 0.4));
@@ -200,7 +200,7 @@ fn on_the_table(b: &mut Builder) {
         vec2(0.026, 0.28),
     ];
     b.lathe(vec3(-0.06, 0.0, -0.19), &profile, [56, 60]);
-    b.object("ring", copper);
+    b.object("ring", brass);
     b.torus(vec3(-0.44, 0.028, 0.24), Vec3::Y, [0.095, 0.028], [64, 24]);
     b.object("bowl", china);
     let bowl = [
@@ -244,7 +244,7 @@ fn lights(b: &mut Builder) {
     let (from, to) = (vec3(-0.25, 2.62, -1.55), vec3(-0.25, 1.55, LOW.z));
     let direction = (to - from).normalize();
     b.object("spotlight", steel);
-    b.tube(&[from - direction * 0.13, from - direction * 0.01], 0.035, 20);
+    b.tube(&[from - direction * 0.16, from - direction * 0.03], 0.035, 20);
     b.tube(&[from - direction * 0.07, (from - direction * 0.07).with_y(HIGH.y)], 0.008, 8);
 
     let point = |position: Vec3, intensity: Vec3| Light {
@@ -255,17 +255,17 @@ fn lights(b: &mut Builder) {
     b.scene.lights = vec![
         Light {
             kind: LightKind::Directional { direction: vec3(0.78, -0.56, 0.16).normalize() },
-            intensity: vec3(1.0, 0.88, 0.70) * 8.0,
+            intensity: vec3(1.0, 0.88, 0.70) * 10.0,
             radius: 0.0,
         },
-        point(PENDANT, vec3(1.0, 0.84, 0.62) * 2.4),
-        point(FLOOR_LAMP.with_y(1.5), vec3(1.0, 0.78, 0.52) * 1.9),
+        point(PENDANT, vec3(1.0, 0.84, 0.62) * 3.0),
+        point(FLOOR_LAMP.with_y(1.5), vec3(1.0, 0.78, 0.52) * 2.4),
         Light {
             kind: LightKind::Spot { position: from, range: f32::INFINITY, direction, cone: 0.22..0.5 },
-            intensity: vec3(1.0, 0.93, 0.82) * 4.0,
+            intensity: vec3(1.0, 0.93, 0.82) * 9.0,
             radius: 0.0,
         },
     ];
-    let ambient = vec3(0.17, 0.175, 0.18);
+    let ambient = vec3(0.25, 0.26, 0.28);
     b.scene.environment = Environment { background: vec3(0.72, 0.86, 1.05), ambient, truncated: ambient };
 }

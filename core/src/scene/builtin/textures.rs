@@ -35,12 +35,10 @@ fn noise(p: Vec2, period: Vec2) -> f32 {
     let cell = p.floor();
     let f = p - cell;
     let f = f * f * (3.0 - 2.0 * f);
-    let at = |dx: f32, dy: f32| {
-        let q = (cell + vec2(dx, dy)).rem_euclid(period);
-        hash(q.x as i32, q.y as i32)
-    };
-    let (a, b) =
-        (at(0.0, 0.0) * (1.0 - f.x) + at(1.0, 0.0) * f.x, at(0.0, 1.0) * (1.0 - f.x) + at(1.0, 1.0) * f.x);
+    let (x, y) = (cell.x as i32, cell.y as i32);
+    let (columns, rows) = (period.x as i32, period.y as i32);
+    let at = |dx: i32, dy: i32| hash((x + dx).rem_euclid(columns), (y + dy).rem_euclid(rows));
+    let (a, b) = (at(0, 0) * (1.0 - f.x) + at(1, 0) * f.x, at(0, 1) * (1.0 - f.x) + at(1, 1) * f.x);
     a * (1.0 - f.y) + b * f.y
 }
 
@@ -109,14 +107,14 @@ pub(super) fn bricks() -> Image8 {
 pub(super) fn wallpaper() -> Image8 {
     paint(|p| {
         let x = (p.x * 4.0).fract();
-        let base = if x < 0.5 { vec3(0.55, 0.65, 0.60) } else { vec3(0.60, 0.70, 0.645) };
+        let base = if x < 0.5 { vec3(0.66, 0.75, 0.69) } else { vec3(0.71, 0.79, 0.73) };
         let column = (p.x * 4.0).floor();
         let q = vec2(x - 0.25, (p.y * 4.0 + 0.5 * (column % 2.0)).fract() - 0.5);
         let petals = 0.14 * (0.55 + 0.45 * (4.0 * q.y.atan2(q.x)).cos());
         let inside = ((petals - q.length()) / 0.02).clamp(0.0, 1.0);
         let stripe = line(x - 0.5, 0.012).max(line(x.min(1.0 - x), 0.012));
         let color =
-            base.lerp(vec3(0.80, 0.83, 0.74), 0.75 * inside).lerp(vec3(0.78, 0.74, 0.58), 0.6 * stripe);
+            base.lerp(vec3(0.86, 0.88, 0.80), 0.75 * inside).lerp(vec3(0.78, 0.74, 0.58), 0.6 * stripe);
         (color * (0.97 + 0.06 * fractal(p, Vec2::splat(64.0))), 1.0)
     })
 }
@@ -149,17 +147,17 @@ pub(super) fn carpet() -> Image8 {
 pub(super) fn painting() -> Image8 {
     paint(|p| {
         let stroke = fractal(p, vec2(6.0, 40.0)) - 0.5;
-        let mut color = vec3(0.96, 0.74, 0.42)
-            .lerp(vec3(0.24, 0.42, 0.62), (1.2 - 1.6 * p.y + 0.5 * stroke).clamp(0.0, 1.0));
+        let mut color = vec3(1.0, 0.80, 0.50)
+            .lerp(vec3(0.40, 0.60, 0.80), (1.2 - 1.6 * p.y + 0.5 * stroke).clamp(0.0, 1.0));
         let sun = (p - vec2(0.64, 0.42)).length();
         if sun < 0.12 + 0.01 * stroke {
             color = vec3(0.98, 0.90, 0.66);
         }
         let hills = [
-            (0.55, 0.06, 5.0, vec3(0.62, 0.45, 0.50)),
-            (0.66, 0.05, 7.0, vec3(0.40, 0.38, 0.48)),
-            (0.78, 0.06, 4.0, vec3(0.20, 0.33, 0.34)),
-            (0.90, 0.03, 9.0, vec3(0.12, 0.20, 0.18)),
+            (0.55, 0.06, 5.0, vec3(0.80, 0.60, 0.62)),
+            (0.66, 0.05, 7.0, vec3(0.58, 0.52, 0.62)),
+            (0.78, 0.06, 4.0, vec3(0.34, 0.50, 0.48)),
+            (0.90, 0.03, 9.0, vec3(0.20, 0.34, 0.26)),
         ];
         for (height, swing, waves, tone) in hills {
             if p.y > height + swing * (p.x * waves + 10.0 * height).sin() + 0.015 * stroke {
@@ -179,7 +177,7 @@ pub(super) fn leaf() -> Image8 {
         let stem = x.abs() < 0.03 && t < 0.12;
         let inside = x.abs() < half || stem;
         let vein = line(x, 0.035).max(0.6 * line(((t - 0.45 * x.abs()) * 9.0).fract() - 0.5, 0.07));
-        let color = vec3(0.16, 0.36, 0.12).lerp(vec3(0.30, 0.52, 0.18), fractal(p, Vec2::splat(8.0)));
-        (color.lerp(vec3(0.55, 0.68, 0.34), 0.6 * vein), if inside { 1.0 } else { 0.0 })
+        let color = vec3(0.24, 0.48, 0.16).lerp(vec3(0.42, 0.66, 0.24), fractal(p, Vec2::splat(8.0)));
+        (color.lerp(vec3(0.66, 0.80, 0.42), 0.6 * vein), if inside { 1.0 } else { 0.0 })
     })
 }

@@ -211,7 +211,7 @@ impl<'b> Mesh<'b> {
         Ok(Vertices { first: used.start, positions, normals, texcoords, colors })
     }
 
-    /// Adds its triangles as one object, and returns how many had no area.
+    /// Adds its triangles as one object, and returns how many had no area; without others there is no object.
     pub fn add(
         &self,
         node: &Placed<'_>,
@@ -250,12 +250,8 @@ impl<'b> Mesh<'b> {
         let kept = scene.positions.len() - before;
         if kept > 0 {
             scene.objects.push(Object { name, material: material.index });
-            return Ok(self.triangles() - kept);
         }
-        if self.triangles() > 0 {
-            scene.warnings.push(format!("{name}: left out, for all its triangles have no area"));
-        }
-        Ok(0)
+        Ok(self.triangles() - kept)
     }
 }
 

@@ -40,6 +40,9 @@ const SUPPORTED: [&str; 8] = [
 /// The most triangles, instances counted each: a small file can name one mesh a million times.
 const MAX_TRIANGLES: usize = 1 << 26;
 
+/// How many objects one warning names.
+const NAMED: usize = 4;
+
 pub(super) fn read(bytes: &[u8], resolve: &mut Resolve<'_>) -> Result<Scene> {
     let chunks = container::chunks(bytes)?;
     let root = parse(chunks.json)?;
@@ -168,7 +171,7 @@ fn import_meshes<'b>(
     scene.triangle_objects.reserve_exact(total);
 
     let (mut materials, mut textures) = (Materials::default(), Textures::default());
-    let mut without_area = 0;
+    let (mut without_area, mut collapsed) = (0, Vec::new());
     for (node, index) in instances {
         let json = &root.meshes[index];
         let mesh_name = json.name.clone().unwrap_or_else(|| format!("mesh{index}"));
@@ -177,7 +180,13 @@ fn import_meshes<'b>(
             let material = json.primitives[i].material.map(|m| m.value());
             let material = materials.load(source, resolve, &mut textures, &mut scene.warnings, material)?;
             let name = format!("{}/{mesh_name}[{i}]", node.name());
-            without_area += mesh.add(node, name, material, scene)?;
+            let before = scene.objects.len();
+            let dropped = mesh.add(node, name.clone(), material, scene)?;
+            if dropped > 0 && scene.objects.len() == before {
+                collapsed.push(name);
+            } else {
+                without_area += dropped;
+            }
         }
     }
     if !scene.texcoords.is_empty() {
@@ -188,6 +197,14 @@ fn import_meshes<'b>(
     }
     if without_area > 0 {
         scene.warnings.push(format!("{without_area} triangles without area are left out"));
+    }
+    if !collapsed.is_empty() {
+        let more = if collapsed.len() > NAMED { ", ..." } else { "" };
+        scene.warnings.push(format!(
+            "{} objects are left out, for all their triangles are without area: {}{more}",
+            collapsed.len(),
+            collapsed[..collapsed.len().min(NAMED)].join(", ")
+        ));
     }
     (scene.materials, scene.textures, scene.images) =
         (materials.materials, textures.textures, textures.images);

@@ -1,4 +1,5 @@
-// Step-II-c: full tracing of the listed pixels.
+// Step-II-c and Step-III-c: full tracing of the listed pixels. Attributes are kept for the rows of the base pixels
+// alone; nothing refers to the others any more.
 
 var<storage, read> list: List;
 
@@ -11,6 +12,8 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     let pixel = list_pixel(list.pixels[index]);
     let traced = sample_trace(pixel);
     output(pixel, traced.color);
-    attributes_store(pixel, traced.attributes);
-    inspect_pixel(pixel, ORIGIN_TRACED_A1, traced.attributes);
+    if pixel.y % 2u == 0u {
+        attributes_store(pixel, traced.attributes);
+    }
+    inspect_pixel(pixel, select(ORIGIN_TRACED_A2, ORIGIN_TRACED_A1, pixel.y % 2u == 0u), traced.attributes);
 }
