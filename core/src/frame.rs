@@ -209,12 +209,12 @@ impl Passes {
         self.direct(encoder, 0, [columns.div_ceil(8), rows.div_ceil(8)]);
         // The pixels between them in their rows: interpolate or list, then trace the listed.
         encoder.clear_buffer(&targets.list, 0, Some(4));
-        self.direct(encoder, 1, [columns.div_ceil(64), rows]);
+        self.direct(encoder, 1, [columns.div_ceil(16), rows.div_ceil(16)]);
         self.direct(encoder, 2, [1, 1]);
         self.indirect(encoder, 3, targets);
         // The rows between: the same, from the pixels above and below.
         encoder.clear_buffer(&targets.list, 0, Some(4));
-        self.direct(encoder, 4, [width.div_ceil(64), rows]);
+        self.direct(encoder, 4, [width.div_ceil(16), rows.div_ceil(16)]);
         self.direct(encoder, 5, [1, 1]);
         self.indirect(encoder, 6, targets);
     }

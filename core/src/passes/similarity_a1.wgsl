@@ -1,6 +1,6 @@
 // Step-II-a: the pixels between two base pixels of a row.
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(16, 16)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     let pixel = vec2u(2u * id.x + 1u, 2u * id.y);
     if any(pixel >= frame.size) {

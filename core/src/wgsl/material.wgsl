@@ -102,7 +102,7 @@ fn material_local(m: Material, position: vec3f, normal: vec3f, view: vec3f, insi
 
 // Microfacet lobe (Blinn-Phong distribution, Neumann's visibility) for one light.
 fn material_lobe(m: Material, normal: vec3f, view: vec3f, light: vec3f) -> vec3f {
-    if material_is(m, OBJECT_WEIGHTS) {
+    if m.roughness >= 1.0 || material_is(m, OBJECT_WEIGHTS) {
         return vec3f(0.0);
     }
     let half_way = normalize(view + light);
@@ -116,5 +116,5 @@ fn material_lobe(m: Material, normal: vec3f, view: vec3f, light: vec3f) -> vec3f
     let f0 = mix(vec3f(at_normal * at_normal), m.base, m.metallic);
     let fresnel = f0 + (1.0 - f0) * grazing;
     let widest = max(max(dot(normal, light), dot(normal, view)), 0.05);
-    return fresnel * (distribution / (4.0 * widest));
+    return fresnel * ((1.0 - m.roughness) * distribution / (4.0 * widest));
 }
