@@ -1,4 +1,5 @@
 //! What the program says to bad input: one clear line, exit code 1 or 2, and no file.
+#![allow(clippy::unwrap_used, reason = "a test may fail wherever it is surprised")]
 
 use std::{
     fs,

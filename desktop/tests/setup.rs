@@ -1,6 +1,7 @@
 //! What `setup.sh` would do on other machines: it runs in a made-up system, where every command that changes something
 //! only writes down that it was called.
 #![cfg(target_os = "linux")]
+#![allow(clippy::unwrap_used, reason = "a test may fail wherever it is surprised")]
 
 use std::{
     fs,
