@@ -1,31 +1,27 @@
-//! The renderer: scene on the GPU, kernels for it, targets of one size.
+//! The renderer: frames of one size and one method of one scene.
+
+use glam::Vec3;
 
 use crate::{
-    Camera, DisplayImage, Features, FrameTime, Gpu, Inspection, LinearImage, Memory, Result, Scene, Settings,
+    Camera, Cost, Counts, DisplayImage, Error, FailedChecks, FrameTime, Gpu, GpuScene, Inspection,
+    LinearImage, Memory, Origin, PixelRecord, Rays, Result, Samples, Settings,
+    frame::{self, Frame, Passes, Targets, inspection_buffer, texture},
+    passes::{
+        COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS, COUNTER_RAYS,
+        COUNTER_WORDS, Output, Variant,
+    },
+    scene::octahedral_decode,
 };
-
-/// A scene on the GPU.
-pub struct GpuScene {}
-
-impl GpuScene {
-    /// Builds the acceleration structure and moves everything to the device; the scene's own memory is freed.
-    ///
-    /// # Errors
-    /// [`crate::Error::Missing`] where the device cannot hold it.
-    pub fn upload(_gpu: &Gpu, _scene: Scene) -> Result<Self> {
-        unimplemented!()
-    }
-
-    /// What the scene needs.
-    #[must_use]
-    pub fn features(&self) -> Features {
-        unimplemented!()
-    }
-}
 
 /// Renders frames of one size of one scene.
 pub struct Renderer<'a> {
-    _scene: &'a GpuScene,
+    gpu: &'a Gpu,
+    scene: &'a GpuScene,
+    settings: Settings,
+    targets: Targets,
+    passes: Passes,
+    inspecting: Option<(Passes, wgpu::Buffer)>,
+    linear: Option<(Passes, wgpu::Texture)>,
 }
 
 impl<'a> Renderer<'a> {
@@ -33,24 +29,39 @@ impl<'a> Renderer<'a> {
     ///
     /// # Errors
     /// Invalid settings or size, or a device that cannot.
-    pub fn new(_gpu: &'a Gpu, _scene: &'a GpuScene, _size: [u32; 2], _settings: &Settings) -> Result<Self> {
-        unimplemented!()
+    pub fn new(gpu: &'a Gpu, scene: &'a GpuScene, size: [u32; 2], settings: &Settings) -> Result<Self> {
+        settings.validate()?;
+        let variant = variant(scene, settings);
+        let targets = Targets::new(gpu, &variant, settings.method, size)?;
+        let passes = Passes::new(gpu, scene, &targets, &variant, settings.method, &targets.display, None)?;
+        Ok(Self { gpu, scene, settings: *settings, targets, passes, inspecting: None, linear: None })
     }
 
     /// Renders a frame and waits for it; the timed path: nothing is counted.
     ///
     /// # Errors
     /// A device that failed.
-    pub fn render(&mut self, _camera: &Camera) -> Result<FrameTime> {
-        unimplemented!()
+    pub fn render(&mut self, camera: &Camera) -> Result<FrameTime> {
+        self.submit(&self.passes, camera, None)?;
+        self.passes.times(self.gpu)
     }
 
     /// Renders the same frame with counting kernels (they are linked on the first call).
     ///
     /// # Errors
-    /// A device that failed.
-    pub fn inspect(&mut self, _camera: &Camera) -> Result<Inspection> {
-        unimplemented!()
+    /// A device that failed, or whose buffers cannot hold a record for every pixel.
+    pub fn inspect(&mut self, camera: &Camera) -> Result<Inspection> {
+        if self.inspecting.is_none() {
+            let buffer = inspection_buffer(self.gpu, self.targets.size)?;
+            let variant = Variant { inspect: true, ..variant(self.scene, &self.settings) };
+            let display = &self.targets.display;
+            let passes = self.link(&variant, display, Some(&buffer))?;
+            self.inspecting = Some((passes, buffer));
+        }
+        let Some((passes, buffer)) = &self.inspecting else { unreachable!("made above") };
+        self.submit(passes, camera, Some(buffer))?;
+        let bytes = self.gpu.read_buffer(buffer)?;
+        inspection(&bytes, self.targets.size)
     }
 
     /// The last frame as shown.
@@ -58,20 +69,126 @@ impl<'a> Renderer<'a> {
     /// # Errors
     /// A device that failed.
     pub fn display_image(&self) -> Result<DisplayImage> {
-        unimplemented!()
+        let [width, height] = self.targets.size;
+        let bytes = self.gpu.read_texture(&self.targets.display, 4)?;
+        DisplayImage::from_raw(width, height, bytes).ok_or_else(|| Error::Device("short readback".into()))
     }
 
     /// The frame of this camera in linear radiance (kernels that write it are linked on the first call).
     ///
     /// # Errors
     /// A device that failed.
-    pub fn linear_image(&mut self, _camera: &Camera) -> Result<LinearImage> {
-        unimplemented!()
+    pub fn linear_image(&mut self, camera: &Camera) -> Result<LinearImage> {
+        let [width, height] = self.targets.size;
+        if self.linear.is_none() {
+            let target = texture(self.gpu, "linear", self.targets.size, wgpu::TextureFormat::Rgba32Float)?;
+            let variant = Variant { output: Output::Linear, ..variant(self.scene, &self.settings) };
+            let passes = self.link(&variant, &target, None)?;
+            self.linear = Some((passes, target));
+        }
+        let Some((passes, target)) = &self.linear else { unreachable!("made above") };
+        self.submit(passes, camera, None)?;
+        let bytes = self.gpu.read_texture(target, 16)?;
+        let texels: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);
+        let rgb = texels.iter().flat_map(|t| [t[0], t[1], t[2]]).collect();
+        LinearImage::from_raw(width, height, rgb).ok_or_else(|| Error::Device("short readback".into()))
     }
 
-    /// Bytes on the device.
+    /// Bytes on the device for timed frames.
     #[must_use]
     pub fn memory(&self) -> Memory {
-        unimplemented!()
+        self.targets.memory(self.scene)
+    }
+
+    fn link(
+        &self,
+        variant: &Variant,
+        color: &wgpu::Texture,
+        inspection: Option<&wgpu::Buffer>,
+    ) -> Result<Passes> {
+        Passes::new(self.gpu, self.scene, &self.targets, variant, self.settings.method, color, inspection)
+    }
+
+    fn submit(&self, passes: &Passes, camera: &Camera, cleared: Option<&wgpu::Buffer>) -> Result<()> {
+        let constants = Frame::new(self.scene, &self.settings, self.targets.size, camera);
+        self.gpu.queue.write_buffer(&self.targets.frame, 0, bytemuck::bytes_of(&constants));
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        if let Some(buffer) = cleared {
+            encoder.clear_buffer(buffer, 0, None);
+        }
+        passes.record(&mut encoder, &self.targets);
+        self.gpu.submit_and_wait(encoder)
+    }
+}
+
+fn variant(scene: &GpuScene, settings: &Settings) -> Variant {
+    Variant {
+        features: scene.features(),
+        inspect: false,
+        output: Output::Display,
+        bvh_stack: scene.bvh_stack,
+        depth: settings.depth,
+    }
+}
+
+fn inspection(bytes: &[u8], size: [u32; 2]) -> Result<Inspection> {
+    let (counters, records) = bytes.split_at(4 * COUNTER_WORDS);
+    let words: Vec<u32> = bytemuck::pod_collect_to_vec(counters);
+    let counter = |i: usize| u64::from(words[2 * i]) | u64::from(words[2 * i + 1]) << 32;
+    let rays: [u64; 4] = std::array::from_fn(|i| counter(COUNTER_RAYS + i));
+    let origins: [u64; 4] = std::array::from_fn(|i| counter(COUNTER_ORIGINS + i));
+    let failed: [u64; 7] = std::array::from_fn(|i| counter(COUNTER_FAILED + i));
+    let pixels = u64::from(size[0]) * u64::from(size[1]);
+    let records: Vec<frame::PixelRecord> = bytemuck::pod_collect_to_vec(records);
+    Ok(Inspection {
+        counts: Counts {
+            rays: Rays {
+                primary: rays[0],
+                shadow: rays[1],
+                reflection: rays[2],
+                refraction: rays[3],
+                total: rays.iter().sum(),
+            },
+            samples: Samples {
+                total: pixels,
+                base: origins[Origin::Base as usize],
+                traced_a1: origins[Origin::TracedA1 as usize],
+                traced_a2: origins[Origin::TracedA2 as usize],
+                postcorrected: 0,
+                interpolated: origins[Origin::Interpolated as usize],
+            },
+            cost: Cost {
+                node_visits: counter(COUNTER_NODE_VISITS),
+                primitive_tests: counter(COUNTER_PRIMITIVE_TESTS),
+                traced_share: None,
+            },
+            failed_checks: FailedChecks {
+                oid: failed[0],
+                pos: failed[1],
+                norm: failed[2],
+                convex: failed[3],
+                tex: failed[4],
+                shadow: failed[5],
+                gcol: failed[6],
+            },
+        },
+        pixels: records.iter().take(pixels as usize).map(pixel_record).collect(),
+    })
+}
+
+fn pixel_record(record: &frame::PixelRecord) -> PixelRecord {
+    let hit = record.object != 0;
+    PixelRecord {
+        origin: match record.origin {
+            0 => Origin::Base,
+            1 => Origin::TracedA1,
+            2 => Origin::TracedA2,
+            _ => Origin::Interpolated,
+        },
+        failed: record.failed,
+        cost: record.cost,
+        object: hit.then(|| record.object - 1),
+        depth: if hit { record.depth } else { f32::INFINITY },
+        normal: if hit { octahedral_decode(record.normal).into() } else { Vec3::ZERO.into() },
     }
 }

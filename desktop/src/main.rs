@@ -1,1 +1,111 @@
-fn main() {}
+//! The `glimpse` command: arguments, one command, one error line, one exit code.
+
+mod args;
+mod bench;
+mod compare;
+mod devices;
+mod files;
+mod info;
+mod measure;
+mod output;
+mod progress;
+mod render;
+mod report;
+mod scene_file;
+mod show;
+mod statistics;
+
+use std::io::Write;
+use std::panic::PanicHookInfo;
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use args::{Arguments, Command};
+
+const FAILED: u8 = 1;
+const WRONG_USAGE: u8 = 2;
+
+fn main() -> ExitCode {
+    std::panic::set_hook(Box::new(report_bug));
+    let arguments = Arguments::parse();
+    start_log(arguments.verbose);
+    match run(arguments) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            complain(&one_line(&format!("{error:#}")));
+            ExitCode::from(exit_code(&error))
+        }
+    }
+}
+
+fn run(arguments: Arguments) -> anyhow::Result<()> {
+    let adapter = arguments.adapter.as_deref();
+    match arguments.command {
+        None => render::view(arguments.scene.as_deref(), adapter),
+        Some(Command::View(options)) => render::view(options.scene.as_deref(), adapter),
+        Some(Command::Render(options)) => render::run(&options, adapter),
+        Some(Command::Compare(options)) => compare::run(&options),
+        Some(Command::Info(options)) => info::run(&options),
+        Some(Command::Devices(options)) => devices::run(&options, adapter),
+        Some(Command::Bench(options)) => bench::run(&options, adapter),
+    }
+}
+
+/// A wish that cannot be granted is wrong usage; everything else is work that failed.
+fn exit_code(error: &anyhow::Error) -> u8 {
+    let wish = error
+        .chain()
+        .any(|e| matches!(e.downcast_ref::<glimpse::Error>(), Some(glimpse::Error::Setting { .. })));
+    if wish { WRONG_USAGE } else { FAILED }
+}
+
+fn one_line(message: &str) -> String {
+    let lines: Vec<_> = message.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+    lines.join(" ")
+}
+
+fn complain(line: &str) {
+    // Where stderr is closed there is nobody left to tell.
+    let _ = writeln!(std::io::stderr(), "glimpse: error: {line}");
+}
+
+fn report_bug(panic: &PanicHookInfo<'_>) {
+    let place = panic.location().map_or_else(String::new, |at| format!(" at {}:{}", at.file(), at.line()));
+    let message = panic.payload_as_str().unwrap_or("no message");
+    complain(&format!("this is a bug, please report it: {}{place}", one_line(message)));
+    std::process::exit(FAILED.into());
+}
+
+/// `-v` tells what Glimpse does, `-vv` how, `-vvv` everything; `RUST_LOG` decides where it is set.
+fn start_log(verbose: u8) {
+    let filter = match verbose {
+        0 => "glimpse=warn",
+        1 => "warn,glimpse=info",
+        2 => "info,glimpse=debug",
+        _ => "trace",
+    };
+    env_logger::Builder::from_env(env_logger::Env::default().default_filter_or(filter))
+        .format_timestamp(None)
+        .init();
+}
+
+#[cfg(test)]
+mod tests {
+    use anyhow::Context;
+
+    use super::*;
+
+    #[test]
+    fn wishes_are_wrong_usage_however_deep() {
+        let wish = Err::<(), _>(glimpse::Error::setting("--depth", "expected 1 to 64, found 0"));
+        assert_eq!(exit_code(&wish.context("scene.glb").context("render").unwrap_err()), WRONG_USAGE);
+        let work = Err::<(), _>(glimpse::Error::scene("mesh 0", "no positions"));
+        assert_eq!(exit_code(&work.context("scene.glb").unwrap_err()), FAILED);
+    }
+
+    #[test]
+    fn errors_stay_on_one_line() {
+        assert_eq!(one_line("a\n  b\n\nc"), "a b c");
+    }
+}

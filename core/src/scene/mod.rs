@@ -8,6 +8,7 @@ mod features;
 mod gltf;
 mod material;
 mod octahedral;
+mod validate;
 
 use std::ops::Range;
 

@@ -1,0 +1,108 @@
+//! Compute pipelines whose resources are bound by the names they have in WGSL.
+
+use std::{borrow::Cow, collections::HashMap};
+
+use super::{
+    Gpu,
+    shader::{Linked, ShaderError, Source, link},
+};
+use crate::Result;
+
+/// A compute pipeline with entry point `main`.
+pub struct Kernel {
+    label: String,
+    pipeline: wgpu::ComputePipeline,
+    slots: HashMap<String, u32>,
+}
+
+impl Kernel {
+    /// Links, validates and compiles.
+    ///
+    /// # Errors
+    /// A shader that does not compile, or a device that refuses it.
+    pub fn new(gpu: &Gpu, label: &str, sources: &[Source]) -> Result<Self> {
+        let linked = link(sources)?;
+        let slots = linked.used_resources().map(|(name, _, number)| (name.to_owned(), number)).collect();
+        let Linked { module, .. } = linked;
+        let pipeline = gpu.checked(|device| {
+            let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some(label),
+                source: wgpu::ShaderSource::Naga(Cow::Owned(module)),
+            });
+            device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label: Some(label),
+                layout: None,
+                module: &module,
+                entry_point: Some("main"),
+                compilation_options: wgpu::PipelineCompilationOptions {
+                    zero_initialize_workgroup_memory: false,
+                    ..Default::default()
+                },
+                cache: None,
+            })
+        })?;
+        Ok(Self { label: label.to_owned(), pipeline, slots })
+    }
+
+    /// Binds exactly the resources that the shader uses, out of those given.
+    ///
+    /// # Errors
+    /// [`ShaderError::Bindings`] where one is missing.
+    pub fn bind(
+        &self,
+        device: &wgpu::Device,
+        resources: &[(&str, wgpu::BindingResource<'_>)],
+    ) -> Result<Bound> {
+        let entries: Vec<_> = resources
+            .iter()
+            .filter_map(|(name, resource)| {
+                let binding = *self.slots.get(*name)?;
+                Some(wgpu::BindGroupEntry { binding, resource: resource.clone() })
+            })
+            .collect();
+        if entries.len() != self.slots.len() {
+            let sorted = |names: Vec<String>| {
+                let mut names = names;
+                names.sort();
+                names
+            };
+            return Err(ShaderError::Bindings {
+                kernel: self.label.clone(),
+                given: sorted(resources.iter().map(|(name, _)| (*name).to_owned()).collect()),
+                used: sorted(self.slots.keys().cloned().collect()),
+            }
+            .into());
+        }
+        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some(&self.label),
+            layout: &self.pipeline.get_bind_group_layout(0),
+            entries: &entries,
+        });
+        Ok(Bound { pipeline: self.pipeline.clone(), group })
+    }
+}
+
+/// A kernel with its resources, ready to be dispatched.
+pub struct Bound {
+    pipeline: wgpu::ComputePipeline,
+    group: wgpu::BindGroup,
+}
+
+impl Bound {
+    /// Dispatches that many workgroups.
+    pub fn dispatch(&self, pass: &mut wgpu::ComputePass<'_>, [x, y]: [u32; 2]) {
+        self.set(pass);
+        pass.dispatch_workgroups(x, y, 1);
+    }
+
+    /// Dispatches as many workgroups as the buffer says.
+    pub fn dispatch_indirect(&self, pass: &mut wgpu::ComputePass<'_>, arguments: &wgpu::Buffer) {
+        self.set(pass);
+        pass.dispatch_workgroups_indirect(arguments, 0);
+    }
+
+    fn set(&self, pass: &mut wgpu::ComputePass<'_>) {
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &self.group, &[]);
+    }
+}

@@ -1,0 +1,82 @@
+//! Timestamps around every pass.
+
+use super::Gpu;
+use crate::{FrameTime, PassTime, Result};
+
+/// Queries for a fixed list of passes; does nothing where the adapter has no timestamps.
+pub struct Timer {
+    names: Vec<&'static str>,
+    queries: Option<Queries>,
+}
+
+struct Queries {
+    set: wgpu::QuerySet,
+    resolved: wgpu::Buffer,
+    /// Nanoseconds a tick.
+    period: f32,
+}
+
+impl Timer {
+    /// A timer for passes of these names, in order.
+    ///
+    /// # Errors
+    /// A device that is out of memory.
+    pub fn new(gpu: &Gpu, names: &[&'static str]) -> Result<Self> {
+        let count = 2 * names.len() as u32;
+        let queries = if gpu.device.features().contains(wgpu::Features::TIMESTAMP_QUERY) {
+            Some(gpu.checked(|device| Queries {
+                set: device.create_query_set(&wgpu::QuerySetDescriptor {
+                    label: Some("timer"),
+                    ty: wgpu::QueryType::Timestamp,
+                    count,
+                }),
+                resolved: device.create_buffer(&wgpu::BufferDescriptor {
+                    label: Some("timer"),
+                    size: u64::from(count) * 8,
+                    usage: wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC,
+                    mapped_at_creation: false,
+                }),
+                period: gpu.queue.get_timestamp_period(),
+            })?)
+        } else {
+            None
+        };
+        Ok(Self { names: names.to_vec(), queries })
+    }
+
+    /// Begins the pass of that position.
+    pub fn pass<'e>(&self, encoder: &'e mut wgpu::CommandEncoder, index: usize) -> wgpu::ComputePass<'e> {
+        let timestamp_writes = self.queries.as_ref().map(|queries| wgpu::ComputePassTimestampWrites {
+            query_set: &queries.set,
+            beginning_of_pass_write_index: Some(2 * index as u32),
+            end_of_pass_write_index: Some(2 * index as u32 + 1),
+        });
+        encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+            label: Some(self.names[index]),
+            timestamp_writes,
+        })
+    }
+
+    /// Goes after the last pass.
+    pub fn resolve(&self, encoder: &mut wgpu::CommandEncoder) {
+        if let Some(queries) = &self.queries {
+            encoder.resolve_query_set(&queries.set, 0..2 * self.names.len() as u32, &queries.resolved, 0);
+        }
+    }
+
+    /// The times of the frame that has just been waited for; empty without timestamps.
+    ///
+    /// # Errors
+    /// A device that failed.
+    pub fn read(&self, gpu: &Gpu) -> Result<FrameTime> {
+        let Some(queries) = &self.queries else { return Ok(FrameTime::default()) };
+        let bytes = gpu.read_buffer(&queries.resolved)?;
+        let ticks: Vec<u64> = bytemuck::pod_collect_to_vec(&bytes);
+        let ms = |from: u64, to: u64| to.saturating_sub(from) as f64 * f64::from(queries.period) * 1e-6;
+        let passes = self.names.iter().zip(ticks.chunks_exact(2));
+        Ok(FrameTime {
+            ms: ms(ticks.first().copied().unwrap_or(0), ticks.last().copied().unwrap_or(0)),
+            passes: passes.map(|(name, t)| PassTime { name, ms: ms(t[0], t[1]) }).collect(),
+        })
+    }
+}

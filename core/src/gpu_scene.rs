@@ -1,0 +1,261 @@
+//! A scene on the device.
+
+use glam::Vec3;
+
+use crate::{
+    Camera, Error, Features, Gpu, Linking, Result,
+    atlas::Atlas,
+    bvh::Bvh,
+    gpu::mirror::gpu_struct,
+    scene::{self, Environment, LightKind, MAX_LIGHTS, Material, Scene},
+};
+
+/// Marks a sphere among the primitives; triangles are bounded by [`crate::scene::MAX_COORDINATE`].
+const SPHERE_MARK: f32 = 3.0e38;
+const SURFACE_NO_SHADOW: u32 = 0x4000_0000;
+const SURFACE_ALPHA: u32 = 0x8000_0000;
+/// Object indices share a word with the flags.
+const MAX_OBJECTS: usize = 1 << 24;
+
+gpu_struct! {
+    /// An object and its material.
+    pub struct Object {
+        base_color: [f32; 3], alpha: f32,
+        emission: [f32; 3], alpha_cutoff: f32,
+        metallic: f32, roughness: f32, transmission: f32, ior: f32,
+        weights: [f32; 3], flags: u32,
+        base_color_texture: [u32; 3], padding0: u32,
+        metallic_roughness_texture: [u32; 3], padding1: u32,
+        emissive_texture: [u32; 3], padding2: u32,
+    }
+}
+
+gpu_struct! {
+    /// A light.
+    pub struct Light {
+        position: [f32; 3], kind: u32,
+        intensity: [f32; 3], radius: f32,
+        direction: [f32; 3], inverse_range4: f32,
+        cone_scale: f32, cone_offset: f32, padding0: f32, padding1: f32,
+    }
+}
+
+/// A scene on the device: geometry, acceleration structure, materials, lights, textures.
+pub struct GpuScene {
+    nodes: wgpu::Buffer,
+    primitives: wgpu::Buffer,
+    shading: wgpu::Buffer,
+    vertices: wgpu::Buffer,
+    objects: wgpu::Buffer,
+    lights: wgpu::Buffer,
+    atlas: Atlas,
+    pub(crate) bvh_stack: u32,
+    pub(crate) light_count: u32,
+    pub(crate) environment: Environment,
+    features: Features,
+    bounds: (Vec3, Vec3),
+    cameras: Vec<(String, Camera)>,
+    primitive_count: u32,
+}
+
+impl GpuScene {
+    /// Builds the acceleration structure and moves everything to the device; the scene's own memory is freed.
+    /// `linking` decides what every kernel for this scene is made of.
+    ///
+    /// # Errors
+    /// [`Error::Missing`] where the device cannot hold it, [`Error::Scene`] where there is nothing in it.
+    pub fn upload(gpu: &Gpu, mut scene: Scene, linking: Linking) -> Result<Self> {
+        let bounds = scene.bounds().ok_or_else(|| Error::scene("scene", "nothing to trace in it"))?;
+        if scene.lights.len() > MAX_LIGHTS || scene.objects.len() > MAX_OBJECTS {
+            return Err(Error::scene(
+                "scene",
+                format!(
+                    "{} lights and {} objects, the most are {MAX_LIGHTS} and {MAX_OBJECTS}",
+                    scene.lights.len(),
+                    scene.objects.len()
+                ),
+            ));
+        }
+        let features = match linking {
+            Linking::Auto => Features::of(&scene),
+            Linking::All => Features::all(),
+        };
+        let bvh = Bvh::build(&scene);
+        let atlas = Atlas::upload(gpu, &mut scene)?;
+        let nodes = gpu.storage("nodes", &bvh.nodes)?;
+        let Bvh { order, stack, nodes: tree } = bvh;
+        drop(tree);
+        let primitives = gpu.storage("primitives", &primitives(&scene, &order))?;
+        scene.positions = Vec::new();
+        let shading = gpu.storage("shading", &shading(&scene, &order))?;
+        scene.normals = Vec::new();
+        let vertices = gpu.storage("vertices", &vertices(&scene, &order, &features))?;
+        let objects: Vec<_> =
+            scene.objects.iter().map(|o| object(&scene.materials[o.material as usize], &atlas)).collect();
+        let mut lights = [Light::default(); MAX_LIGHTS];
+        for (slot, each) in lights.iter_mut().zip(&scene.lights) {
+            *slot = light(each);
+        }
+        Ok(Self {
+            nodes,
+            primitives,
+            shading,
+            vertices,
+            objects: gpu.storage("objects", &objects)?,
+            lights: gpu.filled("lights", bytemuck::bytes_of(&lights), wgpu::BufferUsages::UNIFORM)?,
+            atlas,
+            bvh_stack: stack,
+            light_count: scene.lights.len() as u32,
+            environment: scene.environment,
+            features,
+            bounds,
+            cameras: scene.cameras,
+            primitive_count: order.len() as u32,
+        })
+    }
+
+    /// What is linked for it.
+    #[must_use]
+    pub fn features(&self) -> Features {
+        self.features
+    }
+
+    /// The cameras of the scene with their names.
+    #[must_use]
+    pub fn cameras(&self) -> &[(String, Camera)] {
+        &self.cameras
+    }
+
+    /// Triangles and spheres.
+    #[must_use]
+    pub fn primitive_count(&self) -> u32 {
+        self.primitive_count
+    }
+
+    /// The box around everything.
+    #[must_use]
+    pub fn bounds(&self) -> (Vec3, Vec3) {
+        self.bounds
+    }
+
+    /// The scene's longest box side: the unit of Kim 2016's distance tolerance.
+    #[must_use]
+    pub fn longest_side(&self) -> f32 {
+        (self.bounds.1 - self.bounds.0).max_element()
+    }
+
+    /// Everything that shaders read of the scene, by name.
+    pub(crate) fn resources(&self) -> Vec<(&'static str, wgpu::BindingResource<'_>)> {
+        vec![
+            ("nodes", self.nodes.as_entire_binding()),
+            ("primitives", self.primitives.as_entire_binding()),
+            ("shading", self.shading.as_entire_binding()),
+            ("vertices", self.vertices.as_entire_binding()),
+            ("objects", self.objects.as_entire_binding()),
+            ("lights", self.lights.as_entire_binding()),
+            ("atlas_color", wgpu::BindingResource::TextureView(&self.atlas.color)),
+            ("atlas_data", wgpu::BindingResource::TextureView(&self.atlas.data)),
+        ]
+    }
+
+    /// Bytes of everything but the acceleration structure, and of the latter.
+    #[must_use]
+    pub fn bytes(&self) -> (u64, u64) {
+        let buffers = [&self.primitives, &self.shading, &self.vertices, &self.objects, &self.lights];
+        let scene = buffers.iter().map(|b| b.size()).sum::<u64>() + self.atlas.bytes();
+        (scene, self.nodes.size())
+    }
+}
+
+fn primitives(scene: &Scene, order: &[u32]) -> Vec<[f32; 9]> {
+    let place = |&index: &u32| match scene.positions.get(index as usize) {
+        Some([a, b, c]) => [a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z],
+        None => {
+            let s = scene.spheres[index as usize - scene.positions.len()];
+            [s.center.x, s.center.y, s.center.z, s.radius, SPHERE_MARK, 0.0, 0.0, 0.0, 0.0]
+        }
+    };
+    order.iter().map(place).collect()
+}
+
+fn shading(scene: &Scene, order: &[u32]) -> Vec<[u32; 4]> {
+    let flags = |object: u32| {
+        let material = &scene.materials[scene.objects[object as usize].material as usize];
+        let alpha = if material.alpha_cutoff.is_some() { SURFACE_ALPHA } else { 0 };
+        let shadow = if material.casts_shadow { 0 } else { SURFACE_NO_SHADOW };
+        object | alpha | shadow
+    };
+    let place = |&index: &u32| match scene.normals.get(index as usize) {
+        Some(&[a, b, c]) => [a, b, c, flags(scene.triangle_objects[index as usize])],
+        None => [0, 0, 0, flags(scene.spheres[index as usize - scene.normals.len()].object)],
+    };
+    order.iter().map(place).collect()
+}
+
+/// Texture coordinates, then colours, as far as they are linked; every primitive takes the same room.
+fn vertices(scene: &Scene, order: &[u32], features: &Features) -> Vec<u32> {
+    let (textured, colored) = (features.textures, features.vertex_colors);
+    let mut words = Vec::with_capacity(order.len() * (6 * usize::from(textured) + 3 * usize::from(colored)));
+    for &index in order {
+        if textured {
+            let corners = scene.texcoords.get(index as usize).copied().unwrap_or_default();
+            words.extend(corners.iter().flat_map(|t| [t.x.to_bits(), t.y.to_bits()]));
+        }
+        if colored {
+            words.extend(scene.colors.get(index as usize).copied().unwrap_or([u32::MAX; 3]));
+        }
+    }
+    words
+}
+
+fn object(m: &Material, atlas: &Atlas) -> Object {
+    let flag = |set: bool, bit: u32| if set { bit } else { 0 };
+    Object {
+        base_color: m.base_color.into(),
+        alpha: m.alpha,
+        emission: m.emission.into(),
+        alpha_cutoff: m.alpha_cutoff.unwrap_or(0.0),
+        metallic: m.metallic,
+        roughness: m.roughness,
+        transmission: m.transmission,
+        ior: m.ior,
+        weights: m.weights.map_or([0.0; 3], |w| [w.diffuse, w.mirror, w.refraction]),
+        flags: flag(m.unlit, 1) | flag(m.thin, 2) | flag(m.weights.is_some(), 4),
+        base_color_texture: atlas.place(m.base_color_texture),
+        metallic_roughness_texture: atlas.place(m.metallic_roughness_texture),
+        emissive_texture: atlas.place(m.emissive_texture),
+        ..Object::default()
+    }
+}
+
+fn light(light: &scene::Light) -> Light {
+    let inverse_range4 = |range: f32| if range.is_finite() { range.powi(-4) } else { 0.0 };
+    let common = Light {
+        intensity: light.intensity.into(),
+        radius: light.radius,
+        cone_offset: 1.0,
+        ..Light::default()
+    };
+    match &light.kind {
+        LightKind::Directional { direction } => Light { kind: 0, direction: (*direction).into(), ..common },
+        LightKind::Point { position, range, falloff } => Light {
+            kind: if *falloff { 1 } else { 2 },
+            position: (*position).into(),
+            inverse_range4: inverse_range4(*range),
+            ..common
+        },
+        LightKind::Spot { position, range, direction, cone } => {
+            // KHR_lights_punctual, "Inner and Outer Cone Angles".
+            let scale = 1.0 / (cone.start.cos() - cone.end.cos()).max(0.001);
+            Light {
+                kind: 1,
+                position: (*position).into(),
+                direction: (*direction).into(),
+                inverse_range4: inverse_range4(*range),
+                cone_scale: scale,
+                cone_offset: -cone.end.cos() * scale,
+                ..common
+            }
+        }
+    }
+}

@@ -1,1 +1,0 @@
-//! The error of one image against another.

@@ -1,0 +1,271 @@
+//! The stages of a frame and what each is made of.
+//!
+//! | stage | source | WGSL |
+//! | --- | --- | --- |
+//! | full | lecture, "trace() in detail" | `passes/full.wgsl` |
+//! | base | Kim 2016, 3.2; Table 2, Step-I | `passes/base.wgsl` |
+//! | similarity_a1 | Kim 2016, 3.3, 3.4, Table 1; Step-II-a | `passes/similarity_a1.wgsl` |
+//! | compact_a1 | Kim 2016, 5; Step-II-b | `passes/compact.wgsl` |
+//! | trace_a1 | Kim 2016, Step-II-c | `passes/trace_a1.wgsl` |
+//! | similarity_a2 | Kim 2016, Step-III-a | `passes/similarity_a2.wgsl` |
+//! | compact_a2 | Kim 2016, Step-III-b | `passes/compact.wgsl` |
+//! | trace_a2 | Kim 2016, Step-III-c | `passes/trace_a2.wgsl` |
+
+#[cfg(test)]
+mod tests;
+
+use std::fmt::Write as _;
+
+use crate::{
+    Features,
+    gpu::shader::Source,
+    stats::{CHECK_NAMES, Origin},
+};
+
+macro_rules! wgsl {
+    ($path:literal) => {
+        Source { file: $path, text: include_str!(concat!("../", $path)).into() }
+    };
+}
+
+/// A kernel of the frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Every pixel.
+    Full,
+    /// Step-I.
+    Base,
+    /// Step-II-a.
+    SimilarityA1,
+    /// Step-II-b.
+    CompactA1,
+    /// Step-II-c.
+    TraceA1,
+    /// Step-III-a.
+    SimilarityA2,
+    /// Step-III-b.
+    CompactA2,
+    /// Step-III-c.
+    TraceA2,
+}
+
+impl Stage {
+    /// Every stage.
+    pub const ALL: [Self; 8] = [
+        Self::Full,
+        Self::Base,
+        Self::SimilarityA1,
+        Self::CompactA1,
+        Self::TraceA1,
+        Self::SimilarityA2,
+        Self::CompactA2,
+        Self::TraceA2,
+    ];
+
+    /// The stages of full tracing, in order.
+    pub const FULL: [Self; 1] = [Self::Full];
+
+    /// The stages of adaptive undersampling, in order.
+    pub const ADAPTIVE: [Self; 7] = [
+        Self::Base,
+        Self::SimilarityA1,
+        Self::CompactA1,
+        Self::TraceA1,
+        Self::SimilarityA2,
+        Self::CompactA2,
+        Self::TraceA2,
+    ];
+
+    /// Its name everywhere: GPU label, timing row.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Full => "full",
+            Self::Base => "base",
+            Self::SimilarityA1 => "similarity_a1",
+            Self::CompactA1 => "compact_a1",
+            Self::TraceA1 => "trace_a1",
+            Self::SimilarityA2 => "similarity_a2",
+            Self::CompactA2 => "compact_a2",
+            Self::TraceA2 => "trace_a2",
+        }
+    }
+
+    fn entry(self) -> Source {
+        match self {
+            Self::Full => wgsl!("passes/full.wgsl"),
+            Self::Base => wgsl!("passes/base.wgsl"),
+            Self::SimilarityA1 => wgsl!("passes/similarity_a1.wgsl"),
+            Self::CompactA1 | Self::CompactA2 => wgsl!("passes/compact.wgsl"),
+            Self::TraceA1 => wgsl!("passes/trace_a1.wgsl"),
+            Self::SimilarityA2 => wgsl!("passes/similarity_a2.wgsl"),
+            Self::TraceA2 => wgsl!("passes/trace_a2.wgsl"),
+        }
+    }
+}
+
+/// Where colours go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Output {
+    /// sRGB, 8 bits.
+    Display,
+    /// Linear radiance, 32-bit floating point.
+    Linear,
+}
+
+/// What decides which pieces a kernel is made of. The only place that chooses files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Variant {
+    /// Facts of the scene.
+    pub features: Features,
+    /// Counting kernels.
+    pub inspect: bool,
+    /// Where colours go.
+    pub output: Output,
+    /// Groups on the traversal stack.
+    pub bvh_stack: u32,
+    /// Levels of rays.
+    pub depth: u32,
+}
+
+/// Threads of a workgroup that works through a list.
+pub const TRACE_GROUP: u32 = 64;
+/// Workgroups along x; a longer list goes on along y.
+pub const TRACE_ROW: u32 = 32_768;
+
+/// Counters of an inspected frame: first index and how many.
+pub const COUNTER_RAYS: usize = 0;
+pub const COUNTER_NODE_VISITS: usize = 4;
+pub const COUNTER_PRIMITIVE_TESTS: usize = 5;
+pub const COUNTER_ORIGINS: usize = 6;
+pub const COUNTER_FAILED: usize = 10;
+/// Words of all counters, low and high.
+pub const COUNTER_WORDS: usize = 64;
+
+impl Variant {
+    /// The planes of the attribute buffer, in order.
+    #[must_use]
+    pub fn planes(&self) -> Vec<&'static str> {
+        let f = &self.features;
+        let optional = [
+            ("SHADOW", f.lights),
+            ("GCOL", f.reflection || f.refraction),
+            ("TEXCOORD", f.textures),
+            ("COLOR", f.vertex_colors),
+        ];
+        let present = optional.into_iter().filter_map(|(name, there)| there.then_some(name));
+        ["DEPTH", "OBJECT", "NORMAL"].into_iter().chain(present).collect()
+    }
+
+    /// The sources of a stage's kernel, in order.
+    #[must_use]
+    pub fn sources(&self, stage: Stage) -> Vec<Source> {
+        match stage {
+            Stage::CompactA1 | Stage::CompactA2 => {
+                vec![self.constants(), wgsl!("wgsl/list.wgsl"), stage.entry()]
+            }
+            Stage::SimilarityA1 | Stage::SimilarityA2 => self.shading_sources([
+                wgsl!("wgsl/similarity.wgsl"),
+                wgsl!("passes/similarity_step.wgsl"),
+                stage.entry(),
+            ]),
+            Stage::Full | Stage::Base => self.tracing_sources([stage.entry()]),
+            Stage::TraceA1 | Stage::TraceA2 => self.tracing_sources([wgsl!("wgsl/list.wgsl"), stage.entry()]),
+        }
+    }
+
+    /// The sources of a kernel of the caller's that traces rays.
+    pub(crate) fn tracing_sources<const N: usize>(&self, entry: [Source; N]) -> Vec<Source> {
+        let f = &self.features;
+        let pick = |present: bool, with: Source, without: Source| if present { with } else { without };
+        let mut sources = self.shading_sources([
+            wgsl!("wgsl/triangle.wgsl"),
+            wgsl!("wgsl/bvh.wgsl"),
+            pick(f.spheres, wgsl!("wgsl/sphere_analytic.wgsl"), wgsl!("wgsl/sphere_none.wgsl")),
+            pick(
+                f.textures || f.vertex_colors,
+                wgsl!("wgsl/vertex_attributes.wgsl"),
+                wgsl!("wgsl/vertex_none.wgsl"),
+            ),
+            pick(f.alpha_mask || f.shadow_filter, wgsl!("wgsl/hit_filter.wgsl"), wgsl!("wgsl/hit_all.wgsl")),
+            wgsl!("wgsl/surface.wgsl"),
+            pick(f.lights, wgsl!("wgsl/shadow_rays.wgsl"), wgsl!("wgsl/shadow_none.wgsl")),
+            match (f.reflection, f.refraction) {
+                (_, true) => wgsl!("wgsl/bounce_glass.wgsl"),
+                (true, false) => wgsl!("wgsl/bounce_mirror.wgsl"),
+                (false, false) => wgsl!("wgsl/bounce_none.wgsl"),
+            },
+            wgsl!("wgsl/sample.wgsl"),
+        ]);
+        sources.extend(entry);
+        sources
+    }
+
+    fn shading_sources<const N: usize>(&self, rest: [Source; N]) -> Vec<Source> {
+        let f = &self.features;
+        let mut sources = vec![
+            self.constants(),
+            wgsl!("wgsl/frame.wgsl"),
+            wgsl!("wgsl/octahedral.wgsl"),
+            wgsl!("wgsl/attributes.wgsl"),
+            if self.inspect { wgsl!("wgsl/inspect_counters.wgsl") } else { wgsl!("wgsl/inspect_none.wgsl") },
+            match self.output {
+                Output::Display => wgsl!("wgsl/output_display.wgsl"),
+                Output::Linear => wgsl!("wgsl/output_linear.wgsl"),
+            },
+            wgsl!("wgsl/object.wgsl"),
+            if f.textures { wgsl!("wgsl/texture_atlas.wgsl") } else { wgsl!("wgsl/texture_none.wgsl") },
+            wgsl!("wgsl/material.wgsl"),
+            if f.lights { wgsl!("wgsl/lights_punctual.wgsl") } else { wgsl!("wgsl/lights_none.wgsl") },
+        ];
+        sources.extend(rest);
+        sources
+    }
+
+    /// Numbers that both sides need, as WGSL constants.
+    fn constants(&self) -> Source {
+        let f = &self.features;
+        let mut text = String::new();
+        let planes = self.planes();
+        for name in ["DEPTH", "OBJECT", "NORMAL", "SHADOW", "GCOL", "TEXCOORD", "COLOR"] {
+            let index = planes.iter().position(|p| *p == name).unwrap_or(0);
+            let _ = writeln!(text, "const PLANE_{name}: u32 = {index}u;");
+        }
+        let flags = [
+            ("HAS_LIGHTS", f.lights),
+            ("HAS_GCOL", f.reflection || f.refraction),
+            ("HAS_TEXTURES", f.textures),
+            ("HAS_COLORS", f.vertex_colors),
+        ];
+        for (name, value) in flags {
+            let _ = writeln!(text, "const {name}: bool = {value};");
+        }
+        let numbers = [
+            ("BVH_STACK", self.bvh_stack),
+            // Each level leaves at most one branch for later, the last one none; two are put down at a time.
+            ("BOUNCE_STACK", self.depth + 1),
+            ("TRACE_GROUP", TRACE_GROUP),
+            ("TRACE_ROW", TRACE_ROW),
+            ("ORIGIN_BASE", Origin::Base as u32),
+            ("ORIGIN_TRACED_A1", Origin::TracedA1 as u32),
+            ("ORIGIN_TRACED_A2", Origin::TracedA2 as u32),
+            ("ORIGIN_INTERPOLATED", Origin::Interpolated as u32),
+            ("RAY_PRIMARY", 0),
+            ("RAY_SHADOW", 1),
+            ("RAY_REFLECTION", 2),
+            ("RAY_REFRACTION", 3),
+            ("COUNTER_RAYS", COUNTER_RAYS as u32),
+            ("COUNTER_NODE_VISITS", COUNTER_NODE_VISITS as u32),
+            ("COUNTER_PRIMITIVE_TESTS", COUNTER_PRIMITIVE_TESTS as u32),
+            ("COUNTER_ORIGINS", COUNTER_ORIGINS as u32),
+            ("COUNTER_FAILED", COUNTER_FAILED as u32),
+        ];
+        for (name, value) in numbers {
+            let _ = writeln!(text, "const {name}: u32 = {value}u;");
+        }
+        for (bit, name) in CHECK_NAMES.iter().enumerate() {
+            let _ = writeln!(text, "const CHECK_{}: u32 = {}u;", name.to_uppercase(), 1 << bit);
+        }
+        Source { file: "(constants)", text: text.into() }
+    }
+}

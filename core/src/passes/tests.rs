@@ -1,0 +1,91 @@
+//! Every kernel of every variant, without a GPU.
+
+use wgpu::naga::{AddressSpace, proc::Layouter};
+
+use super::{Output, Stage, Variant};
+use crate::{
+    Features, frame, gpu,
+    gpu::{mirror::differences, shader::link},
+    gpu_scene,
+};
+
+fn features(bits: u32) -> Features {
+    let bit = |i: u32| bits >> i & 1 != 0;
+    Features {
+        textures: bit(0),
+        vertex_colors: bit(1),
+        alpha_mask: bit(2),
+        shadow_filter: bit(3),
+        spheres: bit(4),
+        reflection: bit(5),
+        refraction: bit(6),
+        lights: bit(7),
+    }
+}
+
+/// All combinations of features for timed frames; counting and linear ones for the extremes and each feature alone.
+fn variants() -> impl Iterator<Item = Variant> {
+    let make = |bits, inspect, output| Variant {
+        features: features(bits),
+        inspect,
+        output,
+        bvh_stack: 12,
+        depth: 3,
+    };
+    let few = || (0..8).map(|i| 1 << i).chain([0, 255]);
+    let timed = (0..256).map(move |bits| make(bits, false, Output::Display));
+    let counting = few().map(move |bits| make(bits, true, Output::Display));
+    timed.chain(counting).chain(few().map(move |bits| make(bits, false, Output::Linear)))
+}
+
+#[test]
+fn every_kernel_links_within_the_limits_of_a_phone() {
+    let mut mirrored = std::collections::HashSet::new();
+    let mut kernels = 0;
+    for variant in variants() {
+        for stage in Stage::ALL {
+            let linked = link(&variant.sources(stage)).unwrap_or_else(|e| panic!("{stage:?} {variant:?}: {e}"));
+            kernels += 1;
+            let storage = linked
+                .used_resources()
+                .filter(|(_, global, _)| matches!(global.space, AddressSpace::Storage { .. }))
+                .count();
+            assert!(storage <= 8, "{stage:?} {variant:?}: {storage} storage buffers");
+            let invocations: u32 = linked.module.entry_points[0].workgroup_size.iter().product();
+            assert!(invocations <= 256, "{stage:?}: {invocations} invocations");
+            assert!(workgroup_bytes(&linked.module) <= 16_384, "{stage:?}: workgroup memory");
+            for mirror in [
+                frame::Frame::MIRROR,
+                frame::PixelRecord::MIRROR,
+                gpu_scene::Object::MIRROR,
+                gpu_scene::Light::MIRROR,
+            ] {
+                if let Some(found) = differences(&linked.module, &mirror) {
+                    assert!(found.is_empty(), "{stage:?}: {found:?}");
+                    mirrored.insert(mirror.name);
+                }
+            }
+        }
+    }
+    assert_eq!(kernels, (256 + 10 + 10) * Stage::ALL.len());
+    assert_eq!(mirrored.len(), 4, "every mirrored struct was compared: {mirrored:?}");
+}
+
+fn workgroup_bytes(module: &wgpu::naga::Module) -> u32 {
+    let mut layouter = Layouter::default();
+    layouter.update(module.to_ctx()).expect("layouts");
+    let shared = module.global_variables.iter().filter(|(_, g)| g.space == AddressSpace::WorkGroup);
+    shared.map(|(_, global)| layouter[global.ty].size).sum()
+}
+
+#[test]
+fn a_swapped_field_is_noticed() {
+    let mirror = gpu::mirror::Mirror {
+        name: "Frame",
+        size: size_of::<frame::Frame>(),
+        fields: &[gpu::mirror::Field { name: "orthographic", offset: 0 }],
+    };
+    let variant = variants().next().expect("one");
+    let linked = link(&variant.sources(Stage::Base)).expect("links");
+    assert!(!differences(&linked.module, &mirror).expect("declared").is_empty());
+}

@@ -1,0 +1,28 @@
+//! Built-in scenes, made by code alone: the same triangles and texels everywhere.
+
+mod cornell;
+mod furnace;
+mod furniture;
+mod minray;
+mod room;
+mod shapes;
+#[cfg(test)]
+mod tests;
+mod textures;
+
+use super::Scene;
+
+/// The names that [`builtin`] knows.
+pub const BUILTIN_NAMES: [&str; 4] = ["room", "cornell", "minray", "furnace"];
+
+/// A built-in scene by name; `None` where there is no such name. The first camera is called `main`.
+#[must_use]
+pub fn builtin(name: &str) -> Option<Scene> {
+    match name {
+        "room" => room::scene(),
+        "cornell" => cornell::scene(),
+        "minray" => Some(minray::scene()),
+        "furnace" => furnace::scene(),
+        _ => None,
+    }
+}

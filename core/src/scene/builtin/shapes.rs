@@ -1,0 +1,181 @@
+//! A scene under construction, and the shapes it is made of.
+
+use std::f32::consts::TAU;
+
+use glam::{Affine3A, Vec2, Vec3, vec2};
+
+use crate::scene::{Image8, Material, Object, Scene, Sphere, Texture, Wrap, octahedral_encode};
+
+/// Adds shapes to a scene; they belong to the object that was begun last.
+#[derive(Default)]
+pub(super) struct Builder {
+    pub scene: Scene,
+    /// Where shapes are placed: rotations and translations.
+    pub place: Affine3A,
+}
+
+impl Builder {
+    /// Begins an object; gives its OID.
+    pub fn object(&mut self, name: impl Into<String>, material: u32) -> u32 {
+        self.scene.objects.push(Object { name: name.into(), material });
+        (self.scene.objects.len() - 1) as u32
+    }
+
+    pub fn material(&mut self, name: &str, material: Material) -> u32 {
+        self.scene.materials.push(Material { name: name.to_owned(), ..material });
+        (self.scene.materials.len() - 1) as u32
+    }
+
+    /// A repeated, filtered texture.
+    pub fn texture(&mut self, image: Image8) -> Option<u32> {
+        self.scene.images.push(image);
+        let image = (self.scene.images.len() - 1) as u32;
+        self.scene.textures.push(Texture { image, wrap: [Wrap::Repeat; 2], nearest: false });
+        Some((self.scene.textures.len() - 1) as u32)
+    }
+
+    /// An analytic sphere as an object of its own.
+    pub fn sphere(&mut self, name: impl Into<String>, material: u32, center: Vec3, radius: f32) {
+        let object = self.object(name, material);
+        let center = self.place.transform_point3(center);
+        self.scene.spheres.push(Sphere { center, radius, object });
+    }
+
+    /// One triangle, counter-clockwise; without normals, or where they turn away from the face, it is flat.
+    pub fn triangle(&mut self, corners: [Vec3; 3], normals: Option<[Vec3; 3]>, uv: [Vec2; 3]) {
+        let corners = corners.map(|p| self.place.transform_point3(p));
+        let [a, b, c] = corners.map(|p| p.as_dvec3());
+        let face = (b - a).cross(c - a);
+        if face == glam::DVec3::ZERO || self.scene.objects.is_empty() {
+            return;
+        }
+        let flat = face.normalize().as_vec3();
+        let normals = normals.map_or([flat; 3], |n| {
+            n.map(|n| {
+                let n = self.place.transform_vector3(n).normalize_or_zero();
+                if n.dot(flat) > 0.05 { n } else { flat }
+            })
+        });
+        self.scene.positions.push(corners);
+        self.scene.normals.push(normals.map(octahedral_encode));
+        self.scene.texcoords.push(uv);
+        self.scene.triangle_objects.push((self.scene.objects.len() - 1) as u32);
+    }
+
+    /// A parallelogram that faces `u x v`; `repeats` of the texture along u and v, whose rows run against v.
+    pub fn quad(&mut self, corner: Vec3, u: Vec3, v: Vec3, repeats: Vec2) {
+        let p = [corner, corner + u, corner + u + v, corner + v];
+        let uv = [vec2(0.0, repeats.y), repeats, vec2(repeats.x, 0.0), Vec2::ZERO];
+        self.triangle([p[0], p[1], p[2]], None, [uv[0], uv[1], uv[2]]);
+        self.triangle([p[0], p[2], p[3]], None, [uv[0], uv[2], uv[3]]);
+    }
+
+    /// An axis-aligned box; the texture repeats `density` times a unit of length.
+    pub fn cuboid(&mut self, low: Vec3, high: Vec3, density: f32) {
+        let size = high - low;
+        let (x, y, z) = (Vec3::X * size.x, Vec3::Y * size.y, Vec3::Z * size.z);
+        let d = size * density;
+        self.quad(low + z, x, y, vec2(d.x, d.y));
+        self.quad(low + x, -x, y, vec2(d.x, d.y));
+        self.quad(low, z, y, vec2(d.z, d.y));
+        self.quad(high - y, -z, y, vec2(d.z, d.y));
+        self.quad(high - x, x, -z, vec2(d.x, d.z));
+        self.quad(low, x, z, vec2(d.x, d.z));
+    }
+
+    /// Points (i, j) of a grid joined to a smooth surface that faces the side from which i runs to the right
+    /// and j upwards; `point` gives position and normal.
+    pub fn surface(&mut self, size: [u32; 2], repeats: Vec2, point: impl Fn(f32, f32) -> (Vec3, Vec3)) {
+        let [columns, rows] = size;
+        let at = |i: u32, j: u32| {
+            let (s, t) = (i as f32 / columns as f32, j as f32 / rows as f32);
+            let (position, normal) = point(s, t);
+            (position, normal, vec2(s, 1.0 - t) * repeats)
+        };
+        for j in 0..rows {
+            for i in 0..columns {
+                let p = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+                for [a, b, c] in [[0, 1, 2], [0, 2, 3]] {
+                    let (a, b, c) = (p[a], p[b], p[c]);
+                    self.triangle([a.0, b.0, c.0], Some([a.1, b.1, c.1]), [a.2, b.2, c.2]);
+                }
+            }
+        }
+    }
+
+    /// A profile (radius, height), from below upwards on the outside, turned around the vertical through
+    /// `base`; smoothed by a Catmull-Rom spline.
+    pub fn lathe(&mut self, base: Vec3, profile: &[Vec2], segments: [u32; 2]) {
+        let spans = (profile.len().saturating_sub(1)).max(1) as f32;
+        let at = |k: i32| profile[k.clamp(0, profile.len() as i32 - 1) as usize];
+        let curve = |t: f32| {
+            let k = (t * spans).floor().min(spans - 1.0);
+            let f = t * spans - k;
+            let k = k as i32;
+            let (a, b, c, d) = (at(k - 1), at(k), at(k + 1), at(k + 2));
+            let position = 0.5
+                * (2.0 * b
+                    + (c - a) * f
+                    + (2.0 * a - 5.0 * b + 4.0 * c - d) * f * f
+                    + (3.0 * b - a - 3.0 * c + d) * f * f * f);
+            position.max(vec2(0.0, f32::MIN))
+        };
+        let step = 0.5 / segments[1] as f32;
+        self.surface(segments, Vec2::ONE, |s, t| {
+            let out = around(Vec3::Z, Vec3::X, s);
+            let (p, slope) = (curve(t), curve((t + step).min(1.0)) - curve((t - step).max(0.0)));
+            (base + out * p.x + Vec3::Y * p.y, out * slope.y - Vec3::Y * slope.x)
+        });
+    }
+
+    /// A ring around the axis `axis` (unit length).
+    pub fn torus(&mut self, center: Vec3, axis: Vec3, radii: [f32; 2], segments: [u32; 2]) {
+        let (x, z) = frame(axis);
+        self.surface(segments, vec2(8.0, 1.0), |s, t| {
+            let out = around(x, z, s);
+            let normal = -around(out, axis, t);
+            (center + out * radii[0] + normal * radii[1], normal)
+        });
+    }
+
+    /// A round rod along a path, with closed ends.
+    pub fn tube(&mut self, path: &[Vec3], radius: f32, sides: u32) {
+        for leg in path.windows(2) {
+            let along = (leg[1] - leg[0]).normalize_or_zero();
+            if along == Vec3::ZERO {
+                continue;
+            }
+            let (x, z) = frame(along);
+            self.surface([sides, 1], Vec2::ONE, |s, t| {
+                let normal = around(x, z, s);
+                (leg[0].lerp(leg[1], t) + normal * radius, normal)
+            });
+            for (end, out, side) in [(leg[0], -along, -z), (leg[1], along, z)] {
+                self.surface([sides, 1], Vec2::ONE, |s, t| {
+                    let rim = around(x, side, s) * (1.0 - t);
+                    (end + (rim + 0.5 * t * out) * radius, (out + rim).normalize())
+                });
+            }
+        }
+    }
+
+    /// The scene; texture coordinates are kept where a material reads them.
+    pub fn finish(mut self) -> Scene {
+        if self.scene.materials.iter().all(|m| m.textures().next().is_none()) {
+            self.scene.texcoords.clear();
+        }
+        self.scene
+    }
+}
+
+/// Unit vectors x, z for which (x, z, axis) is right-handed.
+fn frame(axis: Vec3) -> (Vec3, Vec3) {
+    let x = axis.any_orthonormal_vector();
+    (x, axis.cross(x))
+}
+
+/// The point of a unit circle from `x` over `z` that closes exactly at turn 1.
+fn around(x: Vec3, z: Vec3, turn: f32) -> Vec3 {
+    let (sin, cos) = if turn < 1.0 { (turn * TAU).sin_cos() } else { (0.0, 1.0) };
+    x * cos + z * sin
+}

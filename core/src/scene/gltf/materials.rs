@@ -1,0 +1,205 @@
+//! glTF materials into [`Material`], once each and only those that are used.
+
+use std::collections::HashMap;
+
+use glam::{DMat2, DVec2, Vec2, Vec3};
+use gltf::json;
+use json::extensions::texture::TextureTransform;
+use json::material::AlphaMode;
+use json::texture::Info;
+use json::validation::Checked;
+
+use super::accessors::Source;
+use super::container::Resolve;
+use super::images::Textures;
+use crate::scene::Material;
+use crate::{Error, Result};
+
+/// Which texture coordinates a material reads, and how they are moved (KHR_texture_transform).
+#[derive(Clone, Copy, PartialEq)]
+pub(super) struct Coordinates {
+    /// The n of TEXCOORD_n.
+    pub set: u32,
+    offset: [f32; 2],
+    rotation: f32,
+    scale: [f32; 2],
+}
+
+impl Coordinates {
+    fn of(info: &Info) -> Self {
+        let default = TextureTransform::default();
+        let transform = info.extensions.as_ref().and_then(|e| e.texture_transform.as_ref());
+        let t = transform.unwrap_or(&default);
+        Self {
+            set: t.tex_coord.unwrap_or(info.tex_coord),
+            offset: t.offset.0,
+            rotation: t.rotation.0,
+            scale: t.scale.0,
+        }
+    }
+
+    /// Offset, rotation and scale applied. Counter-clockwise is meant in the image, where v grows downwards:
+    /// the matrix that viewers use, not the listing of the extension's text (KhronosGroup/glTF issue 1563).
+    pub fn transform(&self, uv: [f32; 2]) -> Vec2 {
+        let (sin, cos) = f64::from(self.rotation).sin_cos();
+        let rotation = DMat2::from_cols_array(&[cos, -sin, sin, cos]);
+        let scaled = Vec2::from(uv).as_dvec2() * Vec2::from(self.scale).as_dvec2();
+        let moved: DVec2 = rotation * scaled + Vec2::from(self.offset).as_dvec2();
+        moved.as_vec2()
+    }
+}
+
+/// An imported material: its index in the scene and what its textures read.
+#[derive(Clone, Copy)]
+pub(super) struct Imported {
+    pub index: u32,
+    pub coordinates: Option<Coordinates>,
+}
+
+/// The materials that are used so far.
+#[derive(Default)]
+pub(super) struct Materials {
+    pub materials: Vec<Material>,
+    imported: HashMap<Option<usize>, Imported>,
+}
+
+impl Materials {
+    /// The scene's material for the file's; `None` is glTF's default material.
+    pub fn load(
+        &mut self,
+        source: &Source<'_>,
+        resolve: &mut Resolve<'_>,
+        textures: &mut Textures,
+        warnings: &mut Vec<String>,
+        index: Option<usize>,
+    ) -> Result<Imported> {
+        if let Some(known) = self.imported.get(&index) {
+            return Ok(*known);
+        }
+        let (material, coordinates) = match index {
+            None => (Material { name: "default".into(), metallic: 1.0, ..Material::default() }, None),
+            Some(index) => {
+                let all = &source.root.materials;
+                let json = all.get(index).ok_or_else(|| {
+                    Error::scene(
+                        format!("material {index}"),
+                        format!("no such material; the file has {}", all.len()),
+                    )
+                })?;
+                let what = match &json.name {
+                    Some(name) => format!("material {index} `{name}`"),
+                    None => format!("material {index}"),
+                };
+                let mut material = factors(json, &what, warnings)?;
+                let mut load = |texture: usize| textures.load(source, resolve, texture);
+                let coordinates = slots(json, &what, &mut material, warnings, &mut load)?;
+                (material, coordinates)
+            }
+        };
+        let imported = Imported { index: self.materials.len() as u32, coordinates };
+        self.materials.push(material);
+        self.imported.insert(index, imported);
+        Ok(imported)
+    }
+}
+
+/// Everything but textures.
+fn factors(json: &json::Material, what: &str, warnings: &mut Vec<String>) -> Result<Material> {
+    let number = |name: &str, value: f32, low: f32, high: f32| {
+        if value.is_finite() {
+            Ok(value.clamp(low, high))
+        } else {
+            Err(Error::scene(what, format!("{name}: expected a finite number, found {value}")))
+        }
+    };
+    let share = |name: &str, value: f32| number(name, value, 0.0, 1.0);
+    let pbr = &json.pbr_metallic_roughness;
+    let [r, g, b, a] = pbr.base_color_factor.0;
+    let extensions = json.extensions.as_ref();
+    let strength =
+        extensions.and_then(|e| e.emissive_strength.as_ref()).map_or(1.0, |e| e.emissive_strength.0);
+    let emitted = |c: f32| number("emissiveFactor x emissiveStrength", c * strength, 0.0, f32::MAX);
+    let [er, eg, eb] = json.emissive_factor.0;
+    let transmission = match extensions.and_then(|e| e.transmission.as_ref()) {
+        Some(t) => {
+            if t.transmission_texture.is_some() {
+                warnings
+                    .push(format!("{what}: its transmission texture is ignored, the factor counts alone"));
+            }
+            share("transmissionFactor", t.transmission_factor.0)?
+        }
+        None => 0.0,
+    };
+    let volume = extensions.and_then(|e| e.volume.as_ref());
+    if volume.is_some_and(|v| v.attenuation_distance.0.is_finite() && v.attenuation_color.0 != [1.0; 3]) {
+        warnings.push(format!("{what}: the attenuation inside its volume is ignored"));
+    }
+    let solid = volume.is_some_and(|v| v.thickness_factor.0 > 0.0);
+    let alpha_cutoff = match json.alpha_mode {
+        Checked::Valid(AlphaMode::Opaque) => None,
+        Checked::Valid(AlphaMode::Mask) => {
+            Some(number("alphaCutoff", json.alpha_cutoff.map_or(0.5, |c| c.0), 0.0, f32::MAX)?)
+        }
+        Checked::Valid(AlphaMode::Blend) => {
+            warnings.push(format!("{what}: alpha mode BLEND is read as MASK with a cutoff of 0.5"));
+            Some(0.5)
+        }
+        Checked::Invalid => {
+            return Err(Error::scene(what, "alphaMode: expected OPAQUE, MASK or BLEND, found another"));
+        }
+    };
+    Ok(Material {
+        name: json.name.clone().unwrap_or_else(|| what.to_owned()),
+        base_color: Vec3::new(
+            share("baseColorFactor", r)?,
+            share("baseColorFactor", g)?,
+            share("baseColorFactor", b)?,
+        ),
+        metallic: share("metallicFactor", pbr.metallic_factor.0)?,
+        roughness: share("roughnessFactor", pbr.roughness_factor.0)?,
+        emission: Vec3::new(emitted(er)?, emitted(eg)?, emitted(eb)?),
+        transmission,
+        ior: number("ior", extensions.and_then(|e| e.ior.as_ref()).map_or(1.5, |e| e.ior.0), 1.0, f32::MAX)?,
+        thin: transmission > 0.0 && !solid,
+        unlit: extensions.is_some_and(|e| e.unlit.is_some()),
+        alpha_cutoff,
+        alpha: share("baseColorFactor", a)?,
+        casts_shadow: transmission == 0.0,
+        ..Material::default()
+    })
+}
+
+/// The textures: the first slot that has one decides on the coordinates, slots that differ are dropped.
+fn slots(
+    json: &json::Material,
+    what: &str,
+    material: &mut Material,
+    warnings: &mut Vec<String>,
+    load: &mut dyn FnMut(usize) -> Result<Option<u32>>,
+) -> Result<Option<Coordinates>> {
+    let pbr = &json.pbr_metallic_roughness;
+    let slots = [
+        ("base colour", &pbr.base_color_texture, &mut material.base_color_texture),
+        ("metallic-roughness", &pbr.metallic_roughness_texture, &mut material.metallic_roughness_texture),
+        ("emissive", &json.emissive_texture, &mut material.emissive_texture),
+    ];
+    let mut common = None;
+    for (name, info, slot) in slots {
+        let Some(info) = info else { continue };
+        let coordinates = Coordinates::of(info);
+        if common.is_some_and(|c| c != coordinates) {
+            warnings.push(format!(
+                "{what}: its {name} texture is dropped, for it has another coordinate set or transform \
+                 than the textures before it"
+            ));
+            continue;
+        }
+        *slot = load(info.index.value())?;
+        if slot.is_some() {
+            common = Some(coordinates);
+        } else {
+            warnings.push(format!("{what}: its {name} texture is dropped, for it has no PNG or JPEG image"));
+        }
+    }
+    Ok(common)
+}

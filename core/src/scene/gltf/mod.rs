@@ -1,0 +1,195 @@
+//! glTF 2.0 into [`Scene`].
+//!
+//! What is not part of the model and therefore not read: normal and occlusion textures, `doubleSided` (every
+//! surface has two sides here), skins, morph targets and animations (nodes and meshes stand as they are stored),
+//! attenuation inside volumes. Lengths are in the file's unit, angles in radians, colours linear RGB.
+
+mod accessors;
+mod container;
+mod images;
+mod materials;
+mod meshes;
+mod nodes;
+#[cfg(test)]
+mod tests;
+
+use glam::{Vec2, Vec3};
+use gltf::json;
+
+use super::{Environment, Scene};
+use crate::camera::Camera;
+use crate::{Error, Result};
+use accessors::Source;
+use container::Resolve;
+use images::Textures;
+use materials::Materials;
+use meshes::Mesh;
+
+/// Extensions that a file may require.
+const SUPPORTED: [&str; 8] = [
+    "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_transmission",
+    "KHR_materials_unlit",
+    "KHR_materials_volume",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+];
+
+/// The most triangles, instances counted each: a small file can name one mesh a million times.
+const MAX_TRIANGLES: usize = 1 << 26;
+
+pub(super) fn read(bytes: &[u8], resolve: &mut Resolve<'_>) -> Result<Scene> {
+    let chunks = container::chunks(bytes)?;
+    let root = parse(chunks.json)?;
+    let buffers = container::buffers(&root, chunks.binary, resolve)?;
+    let source = Source { root: &root, buffers: &buffers };
+    let mut scene = Scene::default();
+
+    let shown = match root.scene {
+        Some(index) => Some(root.scenes.get(index.value()).ok_or_else(|| {
+            Error::scene(
+                format!("scene {}", index.value()),
+                format!("no such scene; the file has {}", root.scenes.len()),
+            )
+        })?),
+        None => root.scenes.first(),
+    };
+    if let Some(shown) = shown {
+        scene.environment = environment(shown)?;
+    }
+    let orphans = orphans(&root);
+    let placed = nodes::placed(&root, shown.map_or(&orphans, |s| &s.nodes))?;
+    for node in &placed {
+        nodes::equip(&root, node, &mut scene)?;
+    }
+    import_meshes(&source, &placed, resolve, &mut scene)?;
+
+    match scene.bounds() {
+        None => return Err(Error::scene("file", "the scene holds no triangles")),
+        Some((low, high)) if scene.cameras.is_empty() => {
+            scene.cameras.push(("framing".to_owned(), Camera::framing(low, high)));
+        }
+        Some(_) => {}
+    }
+    scene.validate()?;
+    Ok(scene)
+}
+
+fn parse(text: &[u8]) -> Result<json::Root> {
+    let root: json::Root = json::deserialize::from_slice(text).map_err(|e| {
+        Error::scene("file", format!("expected glTF 2.0 (a .glb header or JSON), found other data: {e}"))
+    })?;
+    if root.asset.version.split('.').next() != Some("2") {
+        return Err(Error::scene(
+            "asset.version",
+            format!("expected version 2.0 of glTF, found `{}`", root.asset.version),
+        ));
+    }
+    match root.extensions_required.iter().find(|e| !SUPPORTED.contains(&e.as_str())) {
+        Some(unknown) => Err(Error::scene(
+            format!("required extension {unknown}"),
+            format!("not supported; those that are: {}", SUPPORTED.join(", ")),
+        )),
+        None => Ok(root),
+    }
+}
+
+/// Nodes that are nobody's children: what a file without scenes shows.
+fn orphans(root: &json::Root) -> Vec<json::Index<json::Node>> {
+    let mut has_parent = vec![false; root.nodes.len()];
+    for child in root.nodes.iter().flat_map(|n| n.children.iter().flatten()) {
+        if let Some(flag) = has_parent.get_mut(child.value()) {
+            *flag = true;
+        }
+    }
+    (0..).zip(has_parent).filter(|(_, child)| !child).map(|(i, _)| json::Index::new(i)).collect()
+}
+
+/// `extras.background` and `extras.ambient` of the scene: linear RGB radiance.
+fn environment(shown: &json::Scene) -> Result<Environment> {
+    let Some(extras) = &shown.extras else { return Ok(Environment::default()) };
+    let extras: serde_json::Value = serde_json::from_str(extras.get()).unwrap_or_default();
+    let color = |name: &str| match extras.get(name) {
+        None => Ok(None),
+        Some(value) => serde_json::from_value::<[f32; 3]>(value.clone())
+            .ok()
+            .map(Vec3::from)
+            .filter(|c| c.is_finite() && c.min_element() >= 0.0)
+            .map(Some)
+            .ok_or_else(|| {
+                Error::scene(
+                    format!("extras.{name} of the scene"),
+                    format!("expected three finite numbers, none negative, found {value}"),
+                )
+            }),
+    };
+    let mut environment = Environment::with_background(color("background")?.unwrap_or(Vec3::ZERO));
+    if let Some(ambient) = color("ambient")? {
+        environment.ambient = ambient;
+        environment.truncated = ambient;
+    }
+    Ok(environment)
+}
+
+fn import_meshes<'b>(
+    source: &Source<'b>,
+    placed: &[nodes::Placed<'_>],
+    resolve: &mut Resolve<'_>,
+    scene: &mut Scene,
+) -> Result<()> {
+    let root = source.root;
+    let mut opened: Vec<Option<Vec<Option<Mesh<'b>>>>> = root.meshes.iter().map(|_| None).collect();
+    let mut total = 0_usize;
+    let instances = placed.iter().filter_map(|node| Some((node, node.json.mesh?.value())));
+    for (node, index) in instances.clone() {
+        let json = root.meshes.get(index).ok_or_else(|| {
+            Error::scene(
+                format!("mesh {index} of node {}", node.index),
+                format!("no such mesh; the file has {}", root.meshes.len()),
+            )
+        })?;
+        if opened[index].is_none() {
+            let open =
+                |(i, p)| Mesh::open(source, p, format!("mesh {index} primitive {i}"), &mut scene.warnings);
+            opened[index] = Some(json.primitives.iter().enumerate().map(open).collect::<Result<_>>()?);
+        }
+        total += opened[index].iter().flatten().flatten().map(Mesh::triangles).sum::<usize>();
+        if total > MAX_TRIANGLES {
+            return Err(Error::scene(
+                "file",
+                format!("expected at most {MAX_TRIANGLES} triangles, instances counted each, found more"),
+            ));
+        }
+    }
+    scene.positions.reserve_exact(total);
+    scene.normals.reserve_exact(total);
+    scene.triangle_objects.reserve_exact(total);
+
+    let (mut materials, mut textures) = (Materials::default(), Textures::default());
+    let mut without_area = 0;
+    for (node, index) in instances {
+        let json = &root.meshes[index];
+        let mesh_name = json.name.clone().unwrap_or_else(|| format!("mesh{index}"));
+        for (i, mesh) in opened[index].iter().flatten().enumerate() {
+            let Some(mesh) = mesh else { continue };
+            let material = json.primitives[i].material.map(|m| m.value());
+            let material = materials.load(source, resolve, &mut textures, &mut scene.warnings, material)?;
+            let name = format!("{}/{mesh_name}[{i}]", node.name());
+            without_area += mesh.add(node, name, material, scene)?;
+        }
+    }
+    if !scene.texcoords.is_empty() {
+        scene.texcoords.resize(scene.positions.len(), [Vec2::ZERO; 3]);
+    }
+    if !scene.colors.is_empty() {
+        scene.colors.resize(scene.positions.len(), [u32::MAX; 3]);
+    }
+    if without_area > 0 {
+        scene.warnings.push(format!("{without_area} triangles without area are left out"));
+    }
+    (scene.materials, scene.textures, scene.images) =
+        (materials.materials, textures.textures, textures.images);
+    Ok(())
+}

@@ -1,0 +1,155 @@
+//! The node tree: where everything stands, and the cameras and lights that stand there.
+
+use glam::{DMat4, DQuat, DVec3, Vec3};
+use gltf::json;
+use json::extensions::scene::khr_lights_punctual::Type as LightType;
+use json::validation::Checked;
+
+use crate::camera::Camera;
+use crate::scene::{Light, LightKind, MAX_COORDINATE, MAX_LIGHTS, Scene};
+use crate::{Error, Result};
+
+/// A node of the scene that is shown.
+pub(super) struct Placed<'a> {
+    pub index: usize,
+    pub json: &'a json::Node,
+    pub world: DMat4,
+}
+
+impl Placed<'_> {
+    /// Its name, or its number.
+    pub fn name(&self) -> String {
+        self.json.name.clone().unwrap_or_else(|| format!("node{}", self.index))
+    }
+}
+
+/// Every node below `roots`, parents first.
+pub(super) fn placed<'a>(root: &'a json::Root, roots: &[json::Index<json::Node>]) -> Result<Vec<Placed<'a>>> {
+    let mut all = Vec::new();
+    let mut seen = vec![false; root.nodes.len()];
+    let mut stack: Vec<_> = roots.iter().rev().map(|n| (n.value(), DMat4::IDENTITY)).collect();
+    while let Some((index, parent)) = stack.pop() {
+        let what = || format!("node {index}");
+        let json = root.nodes.get(index).ok_or_else(|| {
+            Error::scene(what(), format!("no such node; the file has {}", root.nodes.len()))
+        })?;
+        if std::mem::replace(&mut seen[index], true) {
+            return Err(Error::scene(what(), "expected one parent, found a second one or a cycle"));
+        }
+        let world = parent * local(json);
+        if !world.is_finite() {
+            return Err(Error::scene(what(), "expected a finite matrix, found an infinity or a NaN"));
+        }
+        all.push(Placed { index, json, world });
+        let children = json.children.iter().flatten();
+        stack.extend(children.rev().map(|child| (child.value(), world)));
+    }
+    Ok(all)
+}
+
+/// A rotation of length zero gives NaN.
+fn local(node: &json::Node) -> DMat4 {
+    if let Some(matrix) = node.matrix {
+        return DMat4::from_cols_array(&matrix.map(f64::from));
+    }
+    let vector = |v: [f32; 3]| Vec3::from(v).as_dvec3();
+    let [x, y, z, w] = node.rotation.unwrap_or_default().0.map(f64::from);
+    let length = (x * x + y * y + z * z + w * w).sqrt();
+    let rotation = DQuat::from_xyzw(x / length, y / length, z / length, w / length);
+    DMat4::from_translation(vector(node.translation.unwrap_or([0.0; 3])))
+        * DMat4::from_quat(rotation)
+        * DMat4::from_scale(vector(node.scale.unwrap_or([1.0; 3])))
+}
+
+/// Adds the node's camera and light, if it has them, to the scene.
+pub(super) fn equip(root: &json::Root, node: &Placed<'_>, scene: &mut Scene) -> Result<()> {
+    if let Some(camera) = node.json.camera {
+        scene.cameras.push(import_camera(root, node, camera.value())?);
+    }
+    let light = node.json.extensions.as_ref().and_then(|e| e.khr_lights_punctual.as_ref());
+    if let Some(light) = light {
+        if scene.lights.len() == MAX_LIGHTS {
+            return Err(Error::scene(
+                format!("light of node {}", node.index),
+                format!("expected at most {MAX_LIGHTS} lights, found more"),
+            ));
+        }
+        scene.lights.push(import_light(root, node, light.light.value())?);
+    }
+    Ok(())
+}
+
+fn import_camera(root: &json::Root, node: &Placed<'_>, index: usize) -> Result<(String, Camera)> {
+    let json = root.cameras.get(index).ok_or_else(|| {
+        Error::scene(
+            format!("camera {index} of node {}", node.index),
+            format!("no such camera; the file has {}", root.cameras.len()),
+        )
+    })?;
+    let name =
+        json.name.clone().or_else(|| node.json.name.clone()).unwrap_or_else(|| format!("camera{index}"));
+    let matrix = node.world.as_mat4();
+    let camera = match (&json.perspective, &json.orthographic) {
+        (Some(lens), _) => Camera::perspective(&matrix, lens.yfov),
+        (None, Some(lens)) => Camera::orthographic(&matrix, lens.ymag),
+        (None, None) => {
+            Err(Error::scene("", "expected `perspective` or `orthographic`, found neither".to_owned()))
+        }
+    };
+    let camera = camera.map_err(|e| match e {
+        Error::Scene { reason, .. } => Error::scene(format!("camera {index} `{name}`"), reason),
+        other => other,
+    })?;
+    Ok((name, camera))
+}
+
+fn import_light(root: &json::Root, node: &Placed<'_>, index: usize) -> Result<Light> {
+    let what = format!("light {index} of node {}", node.index);
+    let fail = |reason: String| Error::scene(&what, reason);
+    let lights = root.extensions.as_ref().and_then(|e| e.khr_lights_punctual.as_ref());
+    let lights = lights.map_or(&[][..], |l| &l.lights);
+    let json =
+        lights.get(index).ok_or_else(|| fail(format!("no such light; the file has {}", lights.len())))?;
+    let intensity = Vec3::from(json.color) * json.intensity;
+    if !(intensity.is_finite() && intensity.min_element() >= 0.0) {
+        return Err(fail(format!(
+            "expected an intensity that is finite and not negative, found {intensity}"
+        )));
+    }
+    let position = node.world.w_axis.truncate().as_vec3();
+    if position.abs().max_element() > MAX_COORDINATE {
+        return Err(fail(format!("expected coordinates up to {MAX_COORDINATE:e}, found {position}")));
+    }
+    let range = json.range.unwrap_or(f32::INFINITY);
+    if range.is_nan() || range <= 0.0 {
+        return Err(fail(format!("expected a range above zero, found {range}")));
+    }
+    let direction = || {
+        let direction = node.world.transform_vector3(DVec3::NEG_Z).normalize_or_zero().as_vec3();
+        if direction == Vec3::ZERO {
+            return Err(fail("its node's matrix leaves it no direction".to_owned()));
+        }
+        Ok(direction)
+    };
+    let kind = match &json.type_ {
+        Checked::Valid(LightType::Point) => LightKind::Point { position, range, falloff: true },
+        Checked::Valid(LightType::Directional) => LightKind::Directional { direction: direction()? },
+        Checked::Valid(LightType::Spot) => {
+            let spot = json.spot.as_ref();
+            let spot = spot.ok_or_else(|| fail("expected `spot` with its cone, found none".to_owned()))?;
+            let (inner, outer) = (spot.inner_cone_angle, spot.outer_cone_angle);
+            // pi / 2 is often written with few digits.
+            if !(0.0 <= inner && inner <= outer && 0.0 < outer && outer <= 1.571) {
+                return Err(fail(format!(
+                    "expected cone angles 0 <= inner <= outer <= pi/2 radians, found {inner} and {outer}"
+                )));
+            }
+            let outer = outer.min(std::f32::consts::FRAC_PI_2);
+            LightKind::Spot { position, range, direction: direction()?, cone: inner.min(outer)..outer }
+        }
+        Checked::Invalid => {
+            return Err(fail("expected the type point, spot or directional, found another".to_owned()));
+        }
+    };
+    Ok(Light { kind, intensity, radius: 0.0 })
+}

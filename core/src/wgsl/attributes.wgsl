@@ -1,0 +1,75 @@
+// The ray-attribute vector of a pixel (Kim 2016, section 3.2): OID, POS, NORM, SHDBIT, TCOORD, GCOL.
+// Stored as planes of 32 bits, for the rows of the base pixels alone; POS as the depth along the pixel's own ray.
+
+struct Attributes {
+    depth: f32,
+    // OID + 1, 0 where the ray meets nothing.
+    object: u32,
+    normal: vec3f,
+    shadow: u32,
+    gcol: vec3f,
+    texcoord: vec2f,
+    color: vec3f,
+}
+
+var<storage, read_write> attributes: array<u32>;
+
+fn attributes_plane(plane: u32, pixel: vec2u) -> u32 {
+    let rows = (frame.size.y + 1u) / 2u;
+    return (plane * rows + pixel.y / 2u) * frame.size.x + pixel.x;
+}
+
+fn attributes_store(pixel: vec2u, a: Attributes) {
+    attributes[attributes_plane(PLANE_DEPTH, pixel)] = bitcast<u32>(a.depth);
+    attributes[attributes_plane(PLANE_OBJECT, pixel)] = a.object;
+    attributes[attributes_plane(PLANE_NORMAL, pixel)] = octahedral_encode(a.normal);
+    if HAS_LIGHTS {
+        attributes[attributes_plane(PLANE_SHADOW, pixel)] = a.shadow;
+    }
+    if HAS_GCOL {
+        attributes[attributes_plane(PLANE_GCOL, pixel)] = rgb9e5_encode(a.gcol);
+    }
+    if HAS_TEXTURES {
+        attributes[attributes_plane(PLANE_TEXCOORD, pixel)] = pack2x16unorm(a.texcoord);
+    }
+    if HAS_COLORS {
+        attributes[attributes_plane(PLANE_COLOR, pixel)] = pack4x8unorm(vec4f(a.color, 1.0));
+    }
+}
+
+fn attributes_load(pixel: vec2u) -> Attributes {
+    var a: Attributes;
+    a.depth = bitcast<f32>(attributes[attributes_plane(PLANE_DEPTH, pixel)]);
+    a.object = attributes[attributes_plane(PLANE_OBJECT, pixel)];
+    a.normal = octahedral_decode(attributes[attributes_plane(PLANE_NORMAL, pixel)]);
+    a.color = vec3f(1.0);
+    if HAS_LIGHTS {
+        a.shadow = attributes[attributes_plane(PLANE_SHADOW, pixel)];
+    }
+    if HAS_GCOL {
+        a.gcol = rgb9e5_decode(attributes[attributes_plane(PLANE_GCOL, pixel)]);
+    }
+    if HAS_TEXTURES {
+        a.texcoord = unpack2x16unorm(attributes[attributes_plane(PLANE_TEXCOORD, pixel)]);
+    }
+    if HAS_COLORS {
+        a.color = unpack4x8unorm(attributes[attributes_plane(PLANE_COLOR, pixel)]).rgb;
+    }
+    return a;
+}
+
+// Three radiances with a shared exponent: nine bits each, relative error 2^-9 of the largest.
+fn rgb9e5_encode(color: vec3f) -> u32 {
+    let clamped = clamp(color, vec3f(0.0), vec3f(65408.0));
+    let largest = max(clamped.x, max(clamped.y, clamped.z));
+    // floor(log2(largest)), read from the exponent's bits; at least -16.
+    let exponent = max(i32(bitcast<u32>(largest) >> 23u) - 127, -16) + 1;
+    let scale = bitcast<f32>(u32(9 - exponent + 127) << 23u);
+    let mantissa = min(vec3u(round(clamped * scale)), vec3u(511u));
+    return mantissa.x | (mantissa.y << 9u) | (mantissa.z << 18u) | (u32(exponent + 15) << 27u);
+}
+
+fn rgb9e5_decode(packed: u32) -> vec3f {
+    let scale = bitcast<f32>(((packed >> 27u) + 127u - 24u) << 23u);
+    return vec3f(vec3u(packed & 511u, (packed >> 9u) & 511u, (packed >> 18u) & 511u)) * scale;
+}

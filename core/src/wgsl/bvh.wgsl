@@ -1,0 +1,135 @@
+// Traversal of the compressed wide BVH (Ylitie, Karras, Laine 2017) that obvhs builds: 80-byte nodes of eight
+// children with boxes of 8-bit planes, visited front to back by the octant of the ray.
+
+var<storage, read> nodes: array<vec4u>;
+// Nine numbers a primitive, in the order of the leaves: the corners of a triangle, or a sphere.
+var<storage, read> primitives: array<f32>;
+
+const MISS: u32 = 0xffffffffu;
+
+struct Hit {
+    t: f32,
+    primitive: u32,
+    u: f32,
+    v: f32,
+}
+
+fn bvh_corners(primitive: u32) -> array<vec3f, 3> {
+    let i = 9u * primitive;
+    return array<vec3f, 3>(
+        vec3f(primitives[i], primitives[i + 1u], primitives[i + 2u]),
+        vec3f(primitives[i + 3u], primitives[i + 4u], primitives[i + 5u]),
+        vec3f(primitives[i + 6u], primitives[i + 7u], primitives[i + 8u]),
+    );
+}
+
+// What depends on the ray alone.
+struct Slabs {
+    origin: vec3f,
+    inverse: vec3f,
+    negative: vec3<bool>,
+    octant: u32,
+}
+
+fn bvh_slabs(ray: Ray) -> Slabs {
+    // A component of zero would give 0 x infinity at a plane through the origin.
+    let tiny = abs(ray.direction) < vec3f(1.0e-18);
+    let direction = select(ray.direction, select(vec3f(-1.0e-18), vec3f(1.0e-18), ray.direction >= vec3f(0.0)), tiny);
+    let negative = direction < vec3f(0.0);
+    let octant = select(4u, 0u, negative.x) | select(2u, 0u, negative.y) | select(1u, 0u, negative.z);
+    return Slabs(ray.origin, 1.0 / direction, negative, octant * 0x01010101u);
+}
+
+// Four children: the bits of those that the ray meets before t_max.
+fn bvh_four(meta4: u32, octant: u32, lo_x: u32, hi_x: u32, lo_y: u32, hi_y: u32, lo_z: u32, hi_z: u32,
+            scale: vec3f, start: vec3f, negative: vec3<bool>, t_max: f32) -> u32 {
+    let near_x = vec4f(unpack4xU8(select(lo_x, hi_x, negative.x))) * scale.x + start.x;
+    let far_x = vec4f(unpack4xU8(select(hi_x, lo_x, negative.x))) * scale.x + start.x;
+    let near_y = vec4f(unpack4xU8(select(lo_y, hi_y, negative.y))) * scale.y + start.y;
+    let far_y = vec4f(unpack4xU8(select(hi_y, lo_y, negative.y))) * scale.y + start.y;
+    let near_z = vec4f(unpack4xU8(select(lo_z, hi_z, negative.z))) * scale.z + start.z;
+    let far_z = vec4f(unpack4xU8(select(hi_z, lo_z, negative.z))) * scale.z + start.z;
+    let near = max(max(near_x, near_y), max(near_z, vec4f(0.0)));
+    // The far side is widened by the rounding of the slab test (Ize 2013).
+    let far = min(min(far_x, far_y), far_z) * 1.0000005;
+    let met = near <= min(far, vec4f(t_max));
+
+    let inner = (((meta4 & (meta4 << 1u)) & 0x10101010u) >> 4u) * 0xffu;
+    let index = vec4u(unpack4xU8((meta4 ^ (octant & inner)) & 0x1f1f1f1fu));
+    let bits = vec4u(unpack4xU8((meta4 >> 5u) & 0x07070707u));
+    let shifted = select(vec4u(0u), bits << index, met);
+    return shifted.x | shifted.y | shifted.z | shifted.w;
+}
+
+struct Visit {
+    group: vec2u,
+    leaves: vec2u,
+}
+
+// The children of a node that the ray meets: inner ones as a group, primitives as a mask.
+fn bvh_visit(index: u32, slabs: Slabs, t_max: f32) -> Visit {
+    let n0 = nodes[5u * index];
+    let n1 = nodes[5u * index + 1u];
+    let n2 = nodes[5u * index + 2u];
+    let n3 = nodes[5u * index + 3u];
+    let n4 = nodes[5u * index + 4u];
+    let exponents = vec3u(n0.w & 0xffu, (n0.w >> 8u) & 0xffu, (n0.w >> 16u) & 0xffu);
+    let scale = bitcast<vec3f>(exponents << vec3u(23u)) * slabs.inverse;
+    let start = (bitcast<vec3f>(n0.xyz) - slabs.origin) * slabs.inverse;
+    let mask =
+        bvh_four(n1.z, slabs.octant, n2.x, n2.z, n3.x, n3.z, n4.x, n4.z, scale, start, slabs.negative, t_max) |
+        bvh_four(n1.w, slabs.octant, n2.y, n2.w, n3.y, n3.w, n4.y, n4.w, scale, start, slabs.negative, t_max);
+    return Visit(vec2u(n1.x, (mask & 0xff000000u) | (n0.w >> 24u)), vec2u(n1.y, mask & 0x00ffffffu));
+}
+
+// Nearest hit (`any` false), or some hit (`any` true; only its existence is meaningful).
+fn bvh_traverse(ray: Ray, any: bool) -> Hit {
+    let slabs = bvh_slabs(ray);
+    let shear = triangle_shear(ray);
+    var best = Hit(ray.t_max, MISS, 0.0, 0.0);
+    var stack: array<vec2u, BVH_STACK>;
+    var stacked = 0u;
+    var group = vec2u(0u, 0x80000000u);
+    loop {
+        let child = firstLeadingBit(group.y);
+        group.y &= ~(1u << child);
+        if group.y > 0x00ffffffu {
+            stack[stacked] = group;
+            stacked += 1u;
+        }
+        let slot = (child - 24u) ^ (slabs.octant & 0xffu);
+        let before = countOneBits(group.y & 0xffu & ~(0xffffffffu << slot));
+        inspect_node();
+        let visit = bvh_visit(group.x + before, slabs, best.t);
+        group = visit.group;
+        var leaves = visit.leaves.y;
+        while leaves != 0u {
+            let bit = firstTrailingBit(leaves);
+            leaves &= leaves - 1u;
+            let primitive = visit.leaves.x + bit;
+            inspect_primitive();
+            if sphere_is(primitive) {
+                let t = sphere_hit(ray, primitive);
+                if t > 0.0 && t < best.t && hit_counts(primitive, 0.0, 0.0, any) {
+                    best = Hit(t, primitive, 0.0, 0.0);
+                }
+            } else {
+                let found = triangle_hit(shear, bvh_corners(primitive), best.t);
+                if found.hit && hit_counts(primitive, found.u, found.v, any) {
+                    best = Hit(found.t, primitive, found.u, found.v);
+                }
+            }
+            if any && best.primitive != MISS {
+                return best;
+            }
+        }
+        if group.y <= 0x00ffffffu {
+            if stacked == 0u {
+                break;
+            }
+            stacked -= 1u;
+            group = stack[stacked];
+        }
+    }
+    return best;
+}

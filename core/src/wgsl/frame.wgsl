@@ -1,0 +1,46 @@
+// The frame's constants and its primary rays.
+
+struct Frame {
+    origin: vec3f,
+    orthographic: f32,
+    right: vec3f,
+    min_weight: f32,
+    up: vec3f,
+    pos_tolerance: f32,
+    forward: vec3f,
+    norm_tolerance: f32,
+    background: vec3f,
+    tex_tolerance: f32,
+    ambient: vec3f,
+    gcol_tolerance: f32,
+    truncated: vec3f,
+    depth: u32,
+    size: vec2u,
+    light_count: u32,
+    max_coordinate: f32,
+}
+
+var<uniform> frame: Frame;
+
+const FAR: f32 = 3.0e38;
+const PI: f32 = 3.14159265358979;
+
+struct Ray {
+    origin: vec3f,
+    t_max: f32,
+    direction: vec3f,
+}
+
+// Through the pixel's centre; a perspective ray's parameter is the view depth along `forward`.
+fn frame_ray(pixel: vec2u) -> Ray {
+    let size = vec2f(frame.size);
+    let at = vec2f(pixel) + 0.5;
+    let x = (2.0 * at.x - size.x) / size.y;
+    let y = (size.y - 2.0 * at.y) / size.y;
+    let spread = x * frame.right + y * frame.up;
+    return Ray(
+        frame.origin + frame.orthographic * spread,
+        FAR,
+        frame.forward + (1.0 - frame.orthographic) * spread,
+    );
+}

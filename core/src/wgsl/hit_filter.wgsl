@@ -1,0 +1,15 @@
+// Some surfaces have holes, some let shadow rays pass.
+
+fn hit_counts(primitive: u32, u: f32, v: f32, shadow: bool) -> bool {
+    let flags = shading[primitive].w;
+    if shadow && (flags & SURFACE_NO_SHADOW) != 0u {
+        return false;
+    }
+    if (flags & SURFACE_ALPHA) == 0u {
+        return true;
+    }
+    let object = flags & SURFACE_OBJECT;
+    let texcoord = vertex_texcoord(Hit(0.0, primitive, u, v));
+    let alpha = objects[object].alpha * texture_color(objects[object].base_color_texture, texcoord).a;
+    return alpha >= objects[object].alpha_cutoff;
+}

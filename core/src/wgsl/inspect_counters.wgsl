@@ -1,0 +1,70 @@
+// Counts the work where it is done, and keeps a record of every pixel.
+
+struct PixelRecord {
+    origin: u32,
+    failed: u32,
+    cost: u32,
+    object: u32,
+    depth: f32,
+    normal: u32,
+}
+
+struct Inspection {
+    // Pairs of low and high words, see COUNTER_*.
+    counters: array<atomic<u32>, 64>,
+    pixels: array<PixelRecord>,
+}
+
+var<storage, read_write> inspection: Inspection;
+
+var<private> inspect_rays: array<u32, 4>;
+var<private> inspect_nodes: u32;
+var<private> inspect_primitives: u32;
+
+fn inspect_node() {
+    inspect_nodes += 1u;
+}
+
+fn inspect_primitive() {
+    inspect_primitives += 1u;
+}
+
+fn inspect_ray(kind: u32) {
+    inspect_rays[kind] += 1u;
+}
+
+fn inspect_count(counter: u32, amount: u32) {
+    if amount == 0u {
+        return;
+    }
+    let before = atomicAdd(&inspection.counters[2u * counter], amount);
+    if before + amount < before {
+        atomicAdd(&inspection.counters[2u * counter + 1u], 1u);
+    }
+}
+
+// The checks that a listed pixel fails; the rest of its record comes when it is traced.
+fn inspect_failed(pixel: vec2u, failed: u32) {
+    for (var check = 0u; check < 7u; check += 1u) {
+        inspect_count(COUNTER_FAILED + check, (failed >> check) & 1u);
+    }
+    inspection.pixels[pixel.y * frame.size.x + pixel.x].failed = failed;
+}
+
+fn inspect_pixel(pixel: vec2u, origin: u32, attributes: Attributes) {
+    for (var kind = 0u; kind < 4u; kind += 1u) {
+        inspect_count(COUNTER_RAYS + kind, inspect_rays[kind]);
+        inspect_rays[kind] = 0u;
+    }
+    inspect_count(COUNTER_NODE_VISITS, inspect_nodes);
+    inspect_count(COUNTER_PRIMITIVE_TESTS, inspect_primitives);
+    inspect_count(COUNTER_ORIGINS + origin, 1u);
+    let index = pixel.y * frame.size.x + pixel.x;
+    inspection.pixels[index].origin = origin;
+    inspection.pixels[index].cost = inspect_nodes + inspect_primitives;
+    inspection.pixels[index].object = attributes.object;
+    inspection.pixels[index].depth = attributes.depth;
+    inspection.pixels[index].normal = octahedral_encode(attributes.normal);
+    inspect_nodes = 0u;
+    inspect_primitives = 0u;
+}

@@ -1,0 +1,5 @@
+// The scene has no lights.
+
+fn lights_reflected(m: Material, diffuse: vec3f, position: vec3f, normal: vec3f, view: vec3f, shadow: u32) -> vec3f {
+    return vec3f(0.0);
+}

@@ -1,0 +1,64 @@
+// Point, spot and directional lights (KHR_lights_punctual).
+
+struct Light {
+    position: vec3f,
+    kind: u32,
+    intensity: vec3f,
+    radius: f32,
+    // Along which it shines.
+    direction: vec3f,
+    // 1 / range^4, 0 without a range.
+    inverse_range4: f32,
+    // Cosine c of the angle to the axis gives the cone (c x scale + offset)^2, clamped to [0, 1].
+    cone_scale: f32,
+    cone_offset: f32,
+    padding0: f32,
+    padding1: f32,
+}
+
+const LIGHT_DIRECTIONAL: u32 = 0u;
+// E falls with the square of the distance.
+const LIGHT_POINT: u32 = 1u;
+// E does not fall.
+const LIGHT_CONSTANT: u32 = 2u;
+
+var<uniform> lights: array<Light, 32>;
+
+struct Arrival {
+    // Unit vector to the light.
+    direction: vec3f,
+    distance: f32,
+    irradiance: vec3f,
+}
+
+fn lights_arrival(index: u32, position: vec3f) -> Arrival {
+    let light = lights[index];
+    if light.kind == LIGHT_DIRECTIONAL {
+        return Arrival(-light.direction, FAR, light.intensity);
+    }
+    let to_light = light.position - position;
+    let distance2 = max(dot(to_light, to_light), 1.0e-30);
+    let distance = sqrt(distance2);
+    let direction = to_light / distance;
+    if light.kind == LIGHT_CONSTANT {
+        return Arrival(direction, distance, light.intensity);
+    }
+    let window = clamp(1.0 - distance2 * distance2 * light.inverse_range4, 0.0, 1.0);
+    let cone = clamp(-dot(direction, light.direction) * light.cone_scale + light.cone_offset, 0.0, 1.0);
+    return Arrival(direction, distance, light.intensity * (window * cone * cone / distance2));
+}
+
+fn lights_reflected(m: Material, diffuse: vec3f, position: vec3f, normal: vec3f, view: vec3f, shadow: u32) -> vec3f {
+    var sum = vec3f(0.0);
+    for (var i = 0u; i < frame.light_count; i += 1u) {
+        if (shadow & (1u << i)) != 0u {
+            continue;
+        }
+        let arrival = lights_arrival(i, position);
+        let cosine = dot(normal, arrival.direction);
+        if cosine > 0.0 {
+            sum += arrival.irradiance * cosine * (diffuse * (1.0 / PI) + material_lobe(m, normal, view, arrival.direction));
+        }
+    }
+    return sum;
+}

@@ -1,0 +1,120 @@
+// Materials at a point, in Whitted's terms; the formulas stand in scene/material.rs.
+
+struct Material {
+    base: vec3f,
+    metallic: f32,
+    emission: vec3f,
+    roughness: f32,
+    weights: vec3f,
+    flags: u32,
+    transmission: f32,
+    ior: f32,
+}
+
+fn material_at(object: u32, texcoord: vec2f, color: vec3f) -> Material {
+    var m: Material;
+    m.flags = objects[object].flags;
+    m.base = objects[object].base_color * color * texture_color(objects[object].base_color_texture, texcoord).rgb;
+    m.emission = objects[object].emission * texture_color(objects[object].emissive_texture, texcoord).rgb;
+    let surface = texture_data(objects[object].metallic_roughness_texture, texcoord);
+    m.roughness = objects[object].roughness * surface.g;
+    m.metallic = objects[object].metallic * surface.b;
+    m.weights = objects[object].weights;
+    m.transmission = objects[object].transmission;
+    m.ior = objects[object].ior;
+    return m;
+}
+
+fn material_is(m: Material, flag: u32) -> bool {
+    return (m.flags & flag) != 0u;
+}
+
+// The share of the specular lobe that is traced as a mirror.
+fn material_gloss(m: Material) -> f32 {
+    return max(0.0, 1.0 - 2.0 * m.roughness);
+}
+
+// Reflectance of a dielectric boundary for unpolarised light; `ratio` is the viewer's index over the other side's.
+fn material_fresnel_dielectric(cosine: f32, ratio: f32) -> f32 {
+    let sine2 = ratio * ratio * max(0.0, 1.0 - cosine * cosine);
+    if sine2 >= 1.0 {
+        return 1.0;
+    }
+    let other = sqrt(1.0 - sine2);
+    let s = (ratio * cosine - other) / (ratio * cosine + other);
+    let p = (cosine - ratio * other) / (cosine + ratio * other);
+    return 0.5 * (s * s + p * p);
+}
+
+fn material_fresnel(m: Material, cosine: f32, inside: bool) -> vec3f {
+    let solid_inside = inside && m.transmission > 0.0 && !material_is(m, OBJECT_THIN);
+    var dielectric = material_fresnel_dielectric(cosine, select(1.0 / m.ior, m.ior, solid_inside));
+    if material_is(m, OBJECT_THIN) {
+        // Both faces of the pane, all orders.
+        dielectric = 2.0 * dielectric / (1.0 + dielectric);
+    }
+    let grazing = pow(1.0 - cosine, 5.0);
+    let metal = m.base + (1.0 - m.base) * grazing;
+    return mix(vec3f(dielectric), metal, m.metallic);
+}
+
+// The share of the radiance along the reflected ray.
+fn material_mirror(m: Material, cosine: f32, inside: bool) -> vec3f {
+    if material_is(m, OBJECT_WEIGHTS) {
+        return vec3f(m.weights.y);
+    }
+    if material_is(m, OBJECT_UNLIT) {
+        return vec3f(0.0);
+    }
+    return material_fresnel(m, cosine, inside) * material_gloss(m);
+}
+
+// The share of the radiance along the refracted ray, where there is one.
+fn material_refraction(m: Material, cosine: f32, inside: bool) -> vec3f {
+    if material_is(m, OBJECT_WEIGHTS) {
+        return vec3f(m.weights.z);
+    }
+    if material_is(m, OBJECT_UNLIT) || m.transmission == 0.0 {
+        return vec3f(0.0);
+    }
+    return m.base * m.transmission * (1.0 - m.metallic) * (1.0 - material_fresnel(m, cosine, inside));
+}
+
+// What the surface sends towards the viewer by itself: emission, ambient and direct light. `view` is the unit
+// vector to the viewer, bit i of `shadow` says that light i does not reach the point.
+fn material_local(m: Material, position: vec3f, normal: vec3f, view: vec3f, inside: bool, shadow: u32) -> vec3f {
+    if material_is(m, OBJECT_UNLIT) {
+        return m.base;
+    }
+    let gloss = material_gloss(m);
+    let cosine = clamp(dot(normal, view), 0.0, 1.0);
+    var diffuse = m.base * m.weights.x;
+    var ambient = diffuse;
+    if !material_is(m, OBJECT_WEIGHTS) {
+        diffuse = m.base * ((1.0 - m.metallic) * (1.0 - m.transmission));
+        if gloss > 0.0 {
+            diffuse *= 1.0 - material_fresnel(m, cosine, inside) * gloss;
+        }
+        ambient = diffuse + m.base * (m.metallic * (1.0 - gloss));
+    }
+    return m.emission + frame.ambient * ambient + lights_reflected(m, diffuse, position, normal, view, shadow);
+}
+
+// Microfacet lobe (Blinn-Phong distribution, Neumann's visibility) for one light.
+fn material_lobe(m: Material, normal: vec3f, view: vec3f, light: vec3f) -> vec3f {
+    if material_is(m, OBJECT_WEIGHTS) {
+        return vec3f(0.0);
+    }
+    let half_way = normalize(view + light);
+    // A point light's image in a perfect mirror has no width: it is shown as wide as roughness 0.2 makes it.
+    let roughness = max(m.roughness, 0.2);
+    let alpha2 = roughness * roughness * roughness * roughness;
+    let exponent = max(2.0 / alpha2 - 2.0, 0.0);
+    let distribution = (exponent + 2.0) / (2.0 * PI) * pow(max(dot(normal, half_way), 0.0), exponent);
+    let grazing = pow(1.0 - clamp(dot(view, half_way), 0.0, 1.0), 5.0);
+    let at_normal = (m.ior - 1.0) / (m.ior + 1.0);
+    let f0 = mix(vec3f(at_normal * at_normal), m.base, m.metallic);
+    let fresnel = f0 + (1.0 - f0) * grazing;
+    let widest = max(max(dot(normal, light), dot(normal, view)), 0.05);
+    return fresnel * (distribution / (4.0 * widest));
+}

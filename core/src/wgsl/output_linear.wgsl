@@ -1,0 +1,7 @@
+// The frame as it was computed.
+
+var linear: texture_storage_2d<rgba32float, write>;
+
+fn output(pixel: vec2u, radiance: vec3f) {
+    textureStore(linear, pixel, vec4f(radiance, 1.0));
+}

@@ -1,0 +1,20 @@
+// One shadow ray a light; bit i is set where light i does not reach the point (SHDBIT). A light behind the
+// shading normal contributes nothing whatever its bit says, so it gets no ray.
+
+fn shadow_bits(s: Surface) -> u32 {
+    var bits = 0u;
+    for (var i = 0u; i < frame.light_count; i += 1u) {
+        let arrival = lights_arrival(i, s.position);
+        if dot(s.normal, arrival.direction) <= 0.0 {
+            continue;
+        }
+        var blocked = dot(s.face, arrival.direction) <= 0.0;
+        if !blocked {
+            inspect_ray(RAY_SHADOW);
+            let reach = max(arrival.distance * 0.99999 - lights[i].radius, 0.0);
+            blocked = bvh_traverse(surface_spawn(s, arrival.direction, reach), true).primitive != MISS;
+        }
+        bits |= select(0u, 1u << i, blocked);
+    }
+    return bits;
+}

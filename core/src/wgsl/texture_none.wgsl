@@ -1,0 +1,17 @@
+// The scene shows no texture.
+
+fn texture_color(place: vec3u, texcoord: vec2f) -> vec4f {
+    return vec4f(1.0);
+}
+
+fn texture_data(place: vec3u, texcoord: vec2f) -> vec4f {
+    return vec4f(1.0);
+}
+
+fn texture_fold(object: u32, texcoord: vec2f) -> vec2f {
+    return vec2f(0.0);
+}
+
+fn texture_seam_matters(object: u32) -> bool {
+    return false;
+}

@@ -1,0 +1,9 @@
+// Vertices carry neither texture coordinates nor colours.
+
+fn vertex_texcoord(hit: Hit) -> vec2f {
+    return vec2f(0.0);
+}
+
+fn vertex_color(hit: Hit) -> vec3f {
+    return vec3f(1.0);
+}

@@ -1,0 +1,309 @@
+//! What is typed.
+
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use glimpse::{CHECK_NAMES, Linking, Method, Settings, Tolerances};
+
+/// The largest side of a frame.
+pub const MAX_SIDE: u32 = 16384;
+
+/// Adaptive ray tracing: rays where they matter, interpolation elsewhere.
+#[derive(Debug, Parser)]
+#[command(name = "glimpse", version, about)]
+pub struct Arguments {
+    /// What to do; without it, `view`
+    #[command(subcommand)]
+    pub command: Option<Command>,
+    /// A .glb or .gltf file, or builtin:NAME
+    pub scene: Option<String>,
+    /// Use the adapter whose name contains this text
+    #[arg(long, global = true, value_name = "SUBSTRING")]
+    pub adapter: Option<String>,
+    /// Say more on stderr (-v, -vv, -vvv)
+    #[arg(short, long, global = true, action = clap::ArgAction::Count)]
+    pub verbose: u8,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Show a scene
+    View(ViewOptions),
+    /// Render one frame into a file
+    Render(RenderOptions),
+    /// Measure the error of image A against image B
+    Compare(CompareOptions),
+    /// Say what a scene holds and what is left out because of it
+    Info(InfoOptions),
+    /// List the graphics adapters
+    Devices(DevicesOptions),
+    /// Compare the methods' times, interleaved in one run
+    Bench(BenchOptions),
+}
+
+/// `glimpse view`
+#[derive(Debug, Args)]
+pub struct ViewOptions {
+    /// A .glb or .gltf file, or builtin:NAME [default: builtin:room]
+    pub scene: Option<String>,
+}
+
+/// `glimpse render`
+#[derive(Debug, Args)]
+pub struct RenderOptions {
+    /// A .glb or .gltf file, or builtin:NAME
+    pub scene: String,
+    /// The picture: .png, or .exr for linear radiance
+    #[arg(short, long, value_name = "OUT", value_parser = PictureFile::from_str)]
+    pub output: PictureFile,
+    #[command(flatten)]
+    pub frame: FrameOptions,
+    /// How the frame is made
+    #[arg(long, value_enum, default_value = "adaptive", ignore_case = true)]
+    pub method: MethodName,
+    /// What the picture shows: final, origin, check:NAME (oid, pos, norm, convex, tex, shadow, gcol), cost, depth, normal, oid
+    #[arg(long, value_name = "WHAT", default_value = "final")]
+    pub show: Show,
+    /// Render that many warm frames and report medians
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub frames: u32,
+    /// Render with method full too, and report speed and error against it
+    #[arg(long)]
+    pub reference: bool,
+    /// Write the statistics as JSON
+    #[arg(long, value_name = "FILE")]
+    pub stats: Option<PathBuf>,
+}
+
+/// `glimpse compare`
+#[derive(Debug, Args)]
+pub struct CompareOptions {
+    /// The image to judge, PNG or EXR
+    pub a: PathBuf,
+    /// The reference
+    pub b: PathBuf,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `glimpse info`
+#[derive(Debug, Args)]
+pub struct InfoOptions {
+    /// A .glb or .gltf file, or builtin:NAME
+    pub scene: String,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `glimpse devices`
+#[derive(Debug, Args)]
+pub struct DevicesOptions {
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `glimpse bench`
+#[derive(Debug, Args)]
+pub struct BenchOptions {
+    /// .glb or .gltf files, or builtin:NAME
+    #[arg(required = true, value_name = "SCENE")]
+    pub scenes: Vec<String>,
+    #[command(flatten)]
+    pub frame: FrameOptions,
+    /// The methods to compare
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "full,adaptive", ignore_case = true)]
+    pub methods: Vec<MethodName>,
+    /// Warm frames of each method
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub frames: u32,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What every rendering command takes.
+#[derive(Clone, Debug, Args)]
+pub struct FrameOptions {
+    /// Frame size in pixels
+    #[arg(long, value_name = "WxH", default_value = "2560x1440")]
+    pub size: Size,
+    /// A camera of the scene, by index or name [default: the first]
+    #[arg(long, value_name = "INDEX_OR_NAME")]
+    pub camera: Option<String>,
+    /// Positions may differ by less than this, in units of the scene's longest box side
+    #[arg(long, value_name = "X", default_value_t = Tolerances::default().pos, allow_negative_numbers = true)]
+    pub t_pos: f32,
+    /// Normals must have a cosine above this
+    #[arg(long, value_name = "X", default_value_t = Tolerances::default().norm, allow_negative_numbers = true)]
+    pub t_norm: f32,
+    /// Width of the border zone of a texture
+    #[arg(long, value_name = "X", default_value_t = Tolerances::default().tex, allow_negative_numbers = true)]
+    pub t_tex: f32,
+    /// Reflected and refracted colours may differ by less than this
+    #[arg(long, value_name = "X", default_value_t = Tolerances::default().gcol, allow_negative_numbers = true)]
+    pub t_gcol: f32,
+    /// Levels of rays; 1 is primary rays alone
+    #[arg(long, value_name = "N", default_value_t = Settings::default().depth)]
+    pub depth: u32,
+    /// Rays that would contribute less than this share of a pixel are not traced
+    #[arg(long, value_name = "W", default_value_t = Settings::default().min_weight, allow_negative_numbers = true)]
+    pub min_weight: f32,
+    /// Leave out what the scene does not need, or link everything
+    #[arg(long, value_enum, default_value = "auto", ignore_case = true)]
+    pub features: LinkingName,
+}
+
+impl FrameOptions {
+    /// The settings with one method, checked.
+    pub fn settings(&self, method: MethodName) -> glimpse::Result<Settings> {
+        let settings = Settings {
+            method: method.into(),
+            tolerances: Tolerances { pos: self.t_pos, norm: self.t_norm, tex: self.t_tex, gcol: self.t_gcol },
+            depth: self.depth,
+            min_weight: self.min_weight,
+            features: match self.features {
+                LinkingName::Auto => Linking::Auto,
+                LinkingName::All => Linking::All,
+            },
+        };
+        settings.validate()?;
+        Ok(settings)
+    }
+}
+
+impl Default for FrameOptions {
+    fn default() -> Self {
+        let settings = Settings::default();
+        Self {
+            size: Size([2560, 1440]),
+            camera: None,
+            t_pos: settings.tolerances.pos,
+            t_norm: settings.tolerances.norm,
+            t_tex: settings.tolerances.tex,
+            t_gcol: settings.tolerances.gcol,
+            depth: settings.depth,
+            min_weight: settings.min_weight,
+            features: LinkingName::Auto,
+        }
+    }
+}
+
+/// `--method`
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum MethodName {
+    /// One ray through every pixel
+    Full,
+    /// Rays where neighbours differ, interpolation elsewhere
+    Adaptive,
+}
+
+impl From<MethodName> for Method {
+    fn from(name: MethodName) -> Self {
+        match name {
+            MethodName::Full => Self::Full,
+            MethodName::Adaptive => Self::Adaptive,
+        }
+    }
+}
+
+/// `--features`
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum LinkingName {
+    /// Only what the scene needs
+    Auto,
+    /// Everything
+    All,
+}
+
+/// `--size`
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size(pub [u32; 2]);
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sides: Option<Vec<u32>> = text.split(['x', 'X']).map(|side| side.parse().ok()).collect();
+        match sides.as_deref() {
+            Some(&[width, height]) if [width, height].iter().all(|s| (1..=MAX_SIDE).contains(s)) => {
+                Ok(Self([width, height]))
+            }
+            Some(&[_, _]) => Err(format!("expected sides from 1 to {MAX_SIDE}")),
+            _ => Err("expected WIDTHxHEIGHT, for example 2560x1440".to_owned()),
+        }
+    }
+}
+
+/// Where a picture goes; the name's ending says in which form.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PictureFile {
+    /// The file.
+    pub path: PathBuf,
+    /// Linear radiance as OpenEXR instead of a PNG.
+    pub linear: bool,
+}
+
+impl FromStr for PictureFile {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let path = PathBuf::from(text);
+        let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+        match ending.as_deref() {
+            Some("png") => Ok(Self { path, linear: false }),
+            Some("exr") => Ok(Self { path, linear: true }),
+            _ => Err("expected a name that ends in .png or .exr".to_owned()),
+        }
+    }
+}
+
+/// `--show`
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Show {
+    /// The frame.
+    Final,
+    /// How each pixel came to be.
+    Origin,
+    /// The pixels that fail a check, by its index in [`CHECK_NAMES`].
+    Check(usize),
+    /// Traversal work.
+    Cost,
+    /// Distance of the first hit.
+    Depth,
+    /// Normal of the first hit.
+    Normal,
+    /// Object of the first hit.
+    Oid,
+}
+
+impl FromStr for Show {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let check = |name| CHECK_NAMES.iter().position(|n| *n == name).map(Self::Check);
+        let show = match text {
+            "final" => Some(Self::Final),
+            "origin" => Some(Self::Origin),
+            "cost" => Some(Self::Cost),
+            "depth" => Some(Self::Depth),
+            "normal" => Some(Self::Normal),
+            "oid" => Some(Self::Oid),
+            _ => text.strip_prefix("check:").and_then(check),
+        };
+        show.ok_or_else(|| {
+            format!(
+                "expected final, origin, cost, depth, normal, oid or check:NAME with one of {}",
+                CHECK_NAMES.join(", ")
+            )
+        })
+    }
+}
+
+#[cfg(test)]
+#[path = "args_tests.rs"]
+mod tests;

@@ -1,0 +1,137 @@
+//! What is accepted, and what is wrong usage.
+
+use clap::CommandFactory;
+use clap::error::ErrorKind;
+
+use super::*;
+
+fn parse(line: &str) -> Result<Arguments, clap::Error> {
+    Arguments::try_parse_from(std::iter::once("glimpse").chain(line.split_whitespace()))
+}
+
+fn render(line: &str) -> RenderOptions {
+    match parse(line).unwrap().command {
+        Some(Command::Render(options)) => options,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn the_definition_is_sound() {
+    Arguments::command().debug_assert();
+}
+
+#[test]
+fn the_defaults_are_those_of_the_settings() {
+    let options = render("render a.glb -o b.png");
+    assert_eq!(options.frame.settings(options.method).unwrap(), Settings::default());
+    assert_eq!(options.frame.size, Size([2560, 1440]));
+    assert_eq!((options.frames, options.show, options.reference), (1, Show::Final, false));
+    assert_eq!(FrameOptions::default().settings(MethodName::Adaptive).unwrap(), Settings::default());
+    assert_eq!(FrameOptions::default().size, options.frame.size);
+}
+
+#[test]
+fn every_option_of_render_arrives() {
+    let options = render(
+        "render builtin:room -o x.EXR --size 640X480 --camera top --method full --t-pos 0.1 --t-norm -0.5 \
+         --t-tex 0.2 --t-gcol 0.3 --depth 5 --min-weight 0 --features all --show check:tex --frames 7 \
+         --reference --stats s.json",
+    );
+    let settings = options.frame.settings(options.method).unwrap();
+    let tolerances = Tolerances { pos: 0.1, norm: -0.5, tex: 0.2, gcol: 0.3 };
+    assert_eq!(
+        settings,
+        Settings { method: Method::Full, tolerances, depth: 5, min_weight: 0.0, features: Linking::All }
+    );
+    assert_eq!(options.frame.size, Size([640, 480]));
+    assert_eq!(options.frame.camera.as_deref(), Some("top"));
+    assert_eq!((options.show, options.frames, options.reference), (Show::Check(4), 7, true));
+    assert!(options.output.linear);
+}
+
+#[test]
+fn bare_view_and_scene_alone() {
+    let bare = parse("").unwrap();
+    assert!(bare.command.is_none() && bare.scene.is_none());
+    assert_eq!(parse("a.glb --adapter nv -vv").unwrap().scene.as_deref(), Some("a.glb"));
+    let view = parse("view builtin:cornell -v").unwrap();
+    assert_eq!(view.verbose, 1);
+    assert!(matches!(view.command, Some(Command::View(ViewOptions { scene: Some(_) }))));
+}
+
+#[test]
+fn adapter_stands_before_or_after_the_command() {
+    for line in ["--adapter llvm devices", "devices --adapter llvm"] {
+        let arguments = parse(line).unwrap();
+        assert_eq!(arguments.adapter.as_deref(), Some("llvm"));
+        assert!(matches!(arguments.command, Some(Command::Devices(_))));
+    }
+}
+
+#[test]
+fn bench_compares_full_and_adaptive_unless_told() {
+    let bench = |line| match parse(line).unwrap().command {
+        Some(Command::Bench(options)) => options,
+        other => panic!("{other:?}"),
+    };
+    let default = bench("bench a b");
+    assert_eq!((default.scenes.len(), default.frames), (2, 5));
+    assert_eq!(default.methods, [MethodName::Full, MethodName::Adaptive]);
+    assert_eq!(bench("bench a --methods adaptive").methods, [MethodName::Adaptive]);
+}
+
+#[test]
+fn wrong_usage_exits_with_two_and_says_what_was_expected() {
+    for (line, expected) in [
+        ("render a.glb -o b.png --size 0x9", "expected sides from 1 to 16384"),
+        ("render a.glb -o b.png --size 16385x9", "expected sides from 1 to 16384"),
+        ("render a.glb -o b.png --size 640", "expected WIDTHxHEIGHT"),
+        ("render a.glb -o b.png --size 1x2x3", "expected WIDTHxHEIGHT"),
+        ("render a.glb -o b.png --size=-1x2", "expected WIDTHxHEIGHT"),
+        ("render a.glb -o b.png --size 99999999999x2", "expected WIDTHxHEIGHT"),
+        ("render a.glb -o b.jpg", "ends in .png or .exr"),
+        ("render a.glb -o png", "ends in .png or .exr"),
+        ("render a.glb", "--output"),
+        ("render a.glb -o b.png --method fast", "full, adaptive"),
+        ("render a.glb -o b.png --show check:blue", "oid, pos, norm"),
+        ("render a.glb -o b.png --frames 0", "0"),
+        ("render a.glb -o b.png --depth -1", "--depth"),
+        ("render a.glb -o b.png --t-pos wide", "--t-pos"),
+        ("render a.glb -o b.png --seed 1", "--seed"),
+        ("render a.glb -o b.png --sampling 2", "--sampling"),
+        ("bench", "SCENE"),
+        ("bench a --methods full,slow", "slow"),
+        ("compare a.png", "<B>"),
+        ("info", "SCENE"),
+        ("a.glb b.glb", "b.glb"),
+    ] {
+        let error = parse(line).expect_err(line);
+        let message = error.to_string();
+        assert_eq!(error.exit_code(), 2, "{line}");
+        assert!(message.contains(expected), "{line}: {message}");
+    }
+}
+
+#[test]
+fn values_that_parse_but_mean_nothing_are_named() {
+    for (option, name) in [
+        ("--t-pos NaN", "--t-pos"),
+        ("--t-norm inf", "--t-norm"),
+        ("--t-tex 0.6", "--t-tex"),
+        ("--t-gcol -1", "--t-gcol"),
+        ("--min-weight 2", "--min-weight"),
+        ("--depth 0", "--depth"),
+        ("--depth 65", "--depth"),
+    ] {
+        let options = render(&format!("render a.glb -o b.png {option}"));
+        let error = options.frame.settings(options.method).unwrap_err();
+        assert!(matches!(&error, glimpse::Error::Setting { what, .. } if what == name), "{error}");
+    }
+}
+
+#[test]
+fn help_and_version_are_no_failure() {
+    assert_eq!(parse("--help").unwrap_err().kind(), ErrorKind::DisplayHelp);
+    assert_eq!(parse("--version").unwrap_err().exit_code(), 0);
+}

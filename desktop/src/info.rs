@@ -1,0 +1,223 @@
+//! `glimpse info`: what a scene holds, and what is left out because of it.
+
+use glimpse::scene::{Light, LightKind, Material};
+use glimpse::{Linking, Scene};
+use serde::Serialize;
+
+use crate::args::InfoOptions;
+use crate::output::{self, bytes, counted, listed};
+use crate::report::{self, row};
+use crate::scene_file;
+use crate::statistics::SceneStatistics;
+
+/// A scene as `--json` tells it.
+#[derive(Serialize)]
+struct Info {
+    #[serde(flatten)]
+    scene: SceneStatistics,
+    bounds: Option<Bounds>,
+    cameras: Vec<CameraInfo>,
+    light_list: Vec<LightInfo>,
+    materials: MaterialSummary,
+    images: ImageSummary,
+    warnings: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Bounds {
+    low: [f32; 3],
+    high: [f32; 3],
+}
+
+#[derive(Serialize)]
+struct CameraInfo {
+    index: usize,
+    name: String,
+    origin: [f32; 3],
+    forward: [f32; 3],
+    orthographic: bool,
+}
+
+#[derive(Serialize)]
+struct LightInfo {
+    kind: &'static str,
+    position: Option<[f32; 3]>,
+    direction: Option<[f32; 3]>,
+    intensity: [f32; 3],
+}
+
+#[derive(Serialize)]
+struct MaterialSummary {
+    total: usize,
+    textured: usize,
+    reflecting: usize,
+    refracting: usize,
+    emissive: usize,
+    unlit: usize,
+    alpha_masked: usize,
+}
+
+#[derive(Serialize)]
+struct ImageSummary {
+    total: usize,
+    bytes: u64,
+}
+
+/// `glimpse info`
+pub fn run(options: &InfoOptions) -> anyhow::Result<()> {
+    let scene = scene_file::load(&options.scene)?;
+    let info = Info::of(&options.scene, scene);
+    output::print(&if options.json { output::json(&info)? } else { info.text() })
+}
+
+impl Info {
+    fn of(name: &str, scene: Scene) -> Self {
+        let count = |is: fn(&Material) -> bool| scene.materials.iter().filter(|m| is(m)).count();
+        Self {
+            bounds: scene.bounds().map(|(low, high)| Bounds { low: low.into(), high: high.into() }),
+            cameras: scene
+                .cameras
+                .iter()
+                .enumerate()
+                .map(|(index, (name, camera))| CameraInfo {
+                    index,
+                    name: name.clone(),
+                    origin: camera.origin.into(),
+                    forward: camera.forward.into(),
+                    orthographic: camera.orthographic,
+                })
+                .collect(),
+            light_list: scene.lights.iter().map(LightInfo::of).collect(),
+            materials: MaterialSummary {
+                total: scene.materials.len(),
+                textured: count(|m| m.textures().next().is_some()),
+                reflecting: count(Material::reflects),
+                refracting: count(Material::refracts),
+                emissive: count(|m| m.emission.max_element() > 0.0),
+                unlit: count(|m| m.unlit),
+                alpha_masked: count(|m| m.alpha_cutoff.is_some()),
+            },
+            images: ImageSummary {
+                total: scene.images.len(),
+                bytes: scene.images.iter().map(|i| i.rgba.len() as u64).sum(),
+            },
+            scene: SceneStatistics::of(name, &scene, Linking::Auto),
+            warnings: scene.warnings,
+        }
+    }
+
+    fn text(&self) -> String {
+        let mut text = report::scene(&self.scene);
+        text += &row("linked", &listed(&self.scene.features));
+        text += &row("bounds", &self.bounds.as_ref().map_or_else(|| "empty".to_owned(), Bounds::text));
+        for camera in &self.cameras {
+            let lens = if camera.orthographic { ", orthographic" } else { "" };
+            text += &row(
+                "camera",
+                &format!("{} ({}) at {}{lens}", camera.index, camera.name, vector(camera.origin)),
+            );
+        }
+        for light in &self.light_list {
+            text += &row("light", &light.text());
+        }
+        let m = &self.materials;
+        text += &row(
+            "materials",
+            &format!(
+                "{}: {} textured, {} reflect, {} refract, {} emit, {} unlit, {} with holes",
+                m.total, m.textured, m.reflecting, m.refracting, m.emissive, m.unlit, m.alpha_masked
+            ),
+        );
+        text +=
+            &row("images", &format!("{}, {}", counted(self.images.total, "image"), bytes(self.images.bytes)));
+        for warning in &self.warnings {
+            text += &row("warning", warning);
+        }
+        text
+    }
+}
+
+impl Bounds {
+    fn text(&self) -> String {
+        let sides: [f32; 3] = std::array::from_fn(|i| self.high[i] - self.low[i]);
+        format!("{} to {}, sides {}", vector(self.low), vector(self.high), vector(sides))
+    }
+}
+
+impl LightInfo {
+    fn of(light: &Light) -> Self {
+        let (kind, position, direction) = match &light.kind {
+            LightKind::Point { position, .. } => ("point", Some(position), None),
+            LightKind::Spot { position, direction, .. } => ("spot", Some(position), Some(direction)),
+            LightKind::Directional { direction } => ("directional", None, Some(direction)),
+        };
+        Self {
+            kind,
+            position: position.map(|p| p.to_array()),
+            direction: direction.map(|d| d.to_array()),
+            intensity: light.intensity.into(),
+        }
+    }
+
+    fn text(&self) -> String {
+        let at = self.position.map_or_else(String::new, |p| format!(" at {}", vector(p)));
+        let along = self.direction.map_or_else(String::new, |d| format!(" along {}", vector(d)));
+        format!("{}{at}{along}, intensity {}", self.kind, vector(self.intensity))
+    }
+}
+
+fn vector(v: [f32; 3]) -> String {
+    // Adding zero turns -0 into 0.
+    let [x, y, z] = v.map(|c| format!("{}", (c * 1000.0).round() / 1000.0 + 0.0));
+    format!("({x}, {y}, {z})")
+}
+
+#[cfg(test)]
+mod tests {
+    use glimpse::scene::{LightKind, Object, Sphere};
+
+    use super::*;
+
+    fn scene() -> Scene {
+        let mirror = Material { roughness: 0.0, unlit: false, ..Material::default() };
+        Scene {
+            spheres: vec![Sphere { center: [1.0, 2.0, 3.0].into(), radius: 1.0, object: 0 }],
+            objects: vec![Object { name: "ball".into(), material: 0 }],
+            materials: vec![mirror, Material { unlit: true, ..Material::default() }],
+            lights: vec![Light {
+                kind: LightKind::Directional { direction: [0.0, -1.0, -0.0].into() },
+                intensity: [1.0, 0.5, 0.25].into(),
+                radius: 0.0,
+            }],
+            cameras: vec![("front".into(), glimpse::Camera::framing([0.0; 3].into(), [1.0; 3].into()))],
+            warnings: vec!["mesh 7: lines are left out".into()],
+            ..Scene::default()
+        }
+    }
+
+    #[test]
+    fn text_tells_what_the_scene_holds() {
+        let text = Info::of("ball.glb", scene()).text();
+        for expected in [
+            "scene     ball.glb: 0 triangles, 1 sphere, 1 object, 1 light, 0 textures",
+            "linked    spheres, reflection, lights",
+            "bounds    (0, 1, 2) to (2, 3, 4), sides (2, 2, 2)",
+            "camera    0 (front) at",
+            "light     directional along (0, -1, 0), intensity (1, 0.5, 0.25)",
+            "materials 2: 0 textured, 1 reflect, 0 refract, 0 emit, 1 unlit, 0 with holes",
+            "warning   mesh 7: lines are left out",
+        ] {
+            assert!(text.contains(expected), "no `{expected}` in\n{text}");
+        }
+    }
+
+    #[test]
+    fn json_has_the_statistics_names() {
+        let json = serde_json::to_value(Info::of("ball.glb", scene())).unwrap();
+        assert_eq!(json["spheres"], 1);
+        assert_eq!(json["cameras"][0]["name"], "front");
+        assert_eq!(json["light_list"][0]["kind"], "directional");
+        assert!(json["left_out"].as_array().unwrap().contains(&"textures".into()));
+        assert!(Info::of("", Scene::default()).text().contains("bounds    empty"));
+    }
+}

@@ -1,0 +1,146 @@
+//! Methods measured on one scene: warmed up, then interleaved frame by frame so that they share the weather.
+
+use std::time::Instant;
+
+use anyhow::Context;
+use glimpse::{
+    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Renderer, Settings,
+    metrics,
+};
+
+use crate::args::FrameOptions;
+use crate::progress::Progress;
+use crate::scene_file;
+use crate::statistics::{ErrorAgainst, SceneStatistics};
+
+/// A scene on the device, a camera in it, and what is known of both.
+pub struct Stage<'g> {
+    /// The device.
+    pub gpu: &'g Gpu,
+    /// The scene there.
+    pub scene: GpuScene,
+    /// The view.
+    pub camera: Camera,
+    /// Its index and name.
+    pub camera_name: String,
+    /// What the scene holds.
+    pub statistics: SceneStatistics,
+    /// What the import had to leave out.
+    pub warnings: Vec<String>,
+    /// Milliseconds for reading.
+    pub load_ms: f64,
+    /// Milliseconds for the acceleration structure and the way to the device.
+    pub build_ms: f64,
+}
+
+impl<'g> Stage<'g> {
+    /// Loads the scene of that name and moves it to the device.
+    pub fn set(
+        gpu: &'g Gpu,
+        name: &str,
+        options: &FrameOptions,
+        progress: &Progress,
+    ) -> anyhow::Result<Self> {
+        progress.doing(&format!("loading {name}"));
+        let (scene, load_ms) = timed(|| scene_file::load(name))?;
+        let camera = *scene.camera(options.camera.as_deref()).with_context(|| name.to_owned())?;
+        let index = scene.cameras.iter().position(|(_, c)| *c == camera).unwrap_or_default();
+        let camera_name = format!("{index} ({})", scene.cameras[index].0);
+        let linking = options.settings(crate::args::MethodName::Full)?.features;
+        let statistics = SceneStatistics::of(name, &scene, linking);
+        let warnings = scene.warnings.clone();
+        progress.doing("building the acceleration structure");
+        let (scene, build_ms) = timed(|| GpuScene::upload(gpu, scene).with_context(|| name.to_owned()))?;
+        Ok(Self { gpu, scene, camera, camera_name, statistics, warnings, load_ms, build_ms })
+    }
+}
+
+/// What was measured of one method.
+pub struct Run {
+    /// How the frames were made.
+    pub settings: Settings,
+    /// Milliseconds for compiling, the first frame included.
+    pub compile_ms: f64,
+    /// The warm frames.
+    pub frames: Vec<FrameTime>,
+    /// The frame as shown.
+    pub picture: DisplayImage,
+    /// The frame in linear radiance, where it was asked for.
+    pub linear: Option<LinearImage>,
+    /// The counters, from a frame of their own.
+    pub inspection: Inspection,
+    /// Bytes on the device.
+    pub memory: Memory,
+}
+
+impl Run {
+    /// The error of this run's picture against a full frame.
+    pub fn error_against(&self, full: &Self) -> glimpse::Result<ErrorAgainst> {
+        let mut report = metrics::compare(&self.picture, &full.picture)?;
+        if let (Some(linear), Some(reference)) = (&self.linear, &full.linear) {
+            report.linear_rmse = Some(metrics::linear_rmse(linear, reference)?);
+        }
+        Ok(ErrorAgainst { against: "full", report })
+    }
+}
+
+/// What is to be measured.
+pub struct Plan<'s> {
+    /// Width and height.
+    pub size: [u32; 2],
+    /// One run each.
+    pub methods: &'s [Settings],
+    /// Warm frames of each.
+    pub frames: u32,
+    /// Linear radiance too.
+    pub linear: bool,
+}
+
+impl Plan<'_> {
+    /// Steps of the progress bar that [`Plan::measure`] takes.
+    pub fn steps(&self) -> u64 {
+        self.methods.len() as u64 * (2 + u64::from(self.frames))
+    }
+
+    /// Measures every method, in their order.
+    pub fn measure(&self, stage: &Stage<'_>, progress: &Progress) -> anyhow::Result<Vec<Run>> {
+        let (camera, name) = (&stage.camera, &stage.statistics.file);
+        let mut renderers = Vec::with_capacity(self.methods.len());
+        for settings in self.methods {
+            progress.doing(&format!("{name}: compiling"));
+            renderers.push(timed(|| {
+                let mut renderer = Renderer::new(stage.gpu, &stage.scene, self.size, settings)?;
+                renderer.render(camera)?;
+                anyhow::Ok(renderer)
+            })?);
+            progress.step();
+        }
+        let mut frames = vec![Vec::with_capacity(self.frames as usize); self.methods.len()];
+        for frame in 1..=self.frames {
+            progress.doing(&format!("{name}: frame {frame}"));
+            for ((renderer, _), times) in renderers.iter_mut().zip(&mut frames) {
+                times.push(renderer.render(camera)?);
+                progress.step();
+            }
+        }
+        let mut runs = Vec::with_capacity(self.methods.len());
+        for ((settings, (mut renderer, compile_ms)), frames) in self.methods.iter().zip(renderers).zip(frames)
+        {
+            progress.doing(&format!("{name}: counting"));
+            let picture = renderer.display_image()?;
+            let memory = renderer.memory();
+            let inspection = renderer.inspect(camera)?;
+            let linear = self.linear.then(|| renderer.linear_image(camera)).transpose()?;
+            runs.push(Run { settings: *settings, compile_ms, frames, picture, linear, inspection, memory });
+            progress.step();
+        }
+        Ok(runs)
+    }
+}
+
+/// A result and the milliseconds that it took.
+pub fn timed<T, E>(work: impl FnOnce() -> Result<T, E>) -> Result<(T, f64), E> {
+    let start = Instant::now();
+    let result = work()?;
+    Ok((result, 1000.0 * start.elapsed().as_secs_f64()))
+}

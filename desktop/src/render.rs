@@ -1,0 +1,81 @@
+//! `glimpse render`: one frame into a file, and all that is known of it.
+
+use std::path::PathBuf;
+
+use glimpse::{Gpu, Method, to_exr, to_png};
+
+use crate::args::{FrameOptions, MethodName, PictureFile, RenderOptions, Show, Size};
+use crate::measure::{Plan, Run, Stage};
+use crate::output;
+use crate::progress::Progress;
+use crate::statistics::Statistics;
+use crate::{files, report, show};
+
+const DEFAULT_SCENE: &str = "builtin:room";
+const VIEW_PICTURE: &str = "glimpse.png";
+
+/// `glimpse view`, until there is a window.
+pub fn view(scene: Option<&str>, adapter: Option<&str>) -> anyhow::Result<()> {
+    output::print(&format!("There is no window yet: rendering a frame to {VIEW_PICTURE}.\n"))?;
+    let options = RenderOptions {
+        scene: scene.unwrap_or(DEFAULT_SCENE).to_owned(),
+        output: PictureFile { path: PathBuf::from(VIEW_PICTURE), linear: false },
+        frame: FrameOptions::default(),
+        method: MethodName::Adaptive,
+        show: Show::Final,
+        frames: 1,
+        reference: true,
+        stats: None,
+    };
+    run(&options, adapter)
+}
+
+/// `glimpse render`
+pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()> {
+    let settings = options.frame.settings(options.method)?;
+    if options.output.linear && options.show != Show::Final {
+        return Err(glimpse::Error::setting("--show", "expected an output that ends in .png").into());
+    }
+    for path in std::iter::once(&options.output.path).chain(&options.stats) {
+        files::check(path)?;
+    }
+
+    let mut methods = vec![settings];
+    if options.reference && settings.method != Method::Full {
+        methods.push(options.frame.settings(MethodName::Full)?);
+    }
+    let Size(size) = options.frame.size;
+    let plan = Plan { size, methods: &methods, frames: options.frames, linear: options.output.linear };
+    let progress = Progress::new(plan.steps());
+    let gpu = Gpu::headless(adapter)?;
+    let stage = Stage::set(&gpu, &options.scene, &options.frame, &progress)?;
+    let runs = plan.measure(&stage, &progress)?;
+
+    progress.doing("writing");
+    let full = runs.iter().find(|run| options.reference && run.settings.method == Method::Full);
+    let statistics = Statistics::of(&stage, size, &runs[0], full)?;
+    let legend = write_picture(options, &runs[0])?;
+    if let Some(path) = &options.stats {
+        files::write(path, output::json(&statistics)?.as_bytes())?;
+    }
+    drop(progress);
+    let mut text = report::frame(&statistics, &stage.warnings);
+    text += &legend;
+    text += &report::row("wrote", &options.output.path.display().to_string());
+    output::print(&text)
+}
+
+/// Writes what `--show` asks for; returns its legend.
+fn write_picture(options: &RenderOptions, run: &Run) -> anyhow::Result<String> {
+    if let Some(linear) = run.linear.as_ref().filter(|_| options.output.linear) {
+        files::write(&options.output.path, &to_exr(linear)?)?;
+        return Ok(String::new());
+    }
+    if options.show == Show::Final {
+        files::write(&options.output.path, &to_png(&run.picture)?)?;
+        return Ok(String::new());
+    }
+    let (picture, legend) = show::picture(options.show, &run.picture, &run.inspection.pixels);
+    files::write(&options.output.path, &to_png(&picture)?)?;
+    Ok(report::row("shown", &legend))
+}

@@ -1,0 +1,209 @@
+//! The statistics as text for people.
+
+use std::fmt::Write;
+
+use glimpse::metrics::ErrorReport;
+use glimpse::{CHECK_NAMES, FailedChecks};
+
+use crate::output::{bytes, counted, grouped, listed};
+use crate::statistics::{SceneStatistics, Statistics};
+
+/// How many warnings are printed before the rest is only counted.
+const WARNINGS: usize = 3;
+
+/// A line with its name.
+pub fn row(name: &str, text: &str) -> String {
+    format!("{name:<10}{text}\n")
+}
+
+/// Everything about one frame.
+pub fn frame(statistics: &Statistics, warnings: &[String]) -> String {
+    let s = statistics;
+    let t = &s.time_ms;
+    let mut text = scene(&s.scene);
+    for warning in warnings.iter().take(WARNINGS) {
+        text += &row("warning", warning);
+    }
+    if warnings.len() > WARNINGS {
+        let more = warnings.len() - WARNINGS;
+        text += &row("warning", &format!("and {more} more: glimpse info {}", s.scene.file));
+    }
+    text += &row("adapter", &adapter(s));
+    let [width, height] = s.size;
+    text += &row("frame", &format!("{width}x{height}, method {}, camera {}", method(s), s.settings.camera));
+    text += &row(
+        "prepared",
+        &format!("load {:.0} ms, build {:.0} ms, compile {:.0} ms", t.load, t.build, t.compile),
+    );
+    text += &row(
+        "time",
+        &format!(
+            "{:.2} ms (median of {}, 95 % within {:.2} ms), {} clock",
+            t.frame.median,
+            counted(s.frames, "frame"),
+            t.frame.p95,
+            t.clock
+        ),
+    );
+    for pass in &t.passes {
+        let share = 100.0 * pass.median / t.frame.median;
+        text += &row("", &format!("{:<16}{:>10.3} ms {share:>5.1} %", pass.name, pass.median));
+    }
+    text += &row("rays", &rays(s));
+    text += &row("samples", &samples(s));
+    text += &row("RT ratio", &format!("{:.4}", s.rt_ratio));
+    text += &row("failed", &failed(&s.failed_checks));
+    text += &row("work", &work(s));
+    let m = &s.memory_bytes;
+    text += &row(
+        "memory",
+        &format!(
+            "{} (scene {}, acceleration structure {}, targets {})",
+            bytes(m.total),
+            bytes(m.scene),
+            bytes(m.bvh),
+            bytes(m.targets)
+        ),
+    );
+    if let Some(gain) = &s.gain {
+        text += &row(
+            "full",
+            &format!(
+                "speedup {:.2}, efficiency {:.2} (x RT ratio), {:.2} (x traced share of the work)",
+                gain.speedup, gain.efficiency, gain.cost_efficiency
+            ),
+        );
+    }
+    if let Some(against) = &s.error {
+        text += &row("error", &error(&against.report));
+    }
+    text
+}
+
+/// What a scene holds, in two lines.
+pub fn scene(scene: &SceneStatistics) -> String {
+    let counts = [
+        counted(scene.triangles, "triangle"),
+        counted(scene.spheres, "sphere"),
+        counted(scene.objects, "object"),
+        counted(scene.lights, "light"),
+        counted(scene.textures, "texture"),
+    ];
+    row("scene", &format!("{}: {}", scene.file, listed(&counts))) + &row("left out", &listed(&scene.left_out))
+}
+
+/// An error, in one line.
+pub fn error(report: &ErrorReport) -> String {
+    let mut text =
+        format!("RMSE {:.3}, PSNR {}, SSIM {:.5}", report.rmse, decibels(report.psnr_db), report.ssim);
+    // Writing to a String cannot fail.
+    if let (Some(mean), Some(p99)) = (report.flip_mean, report.flip_p99) {
+        let _ = write!(text, ", FLIP {mean:.5} (99 % within {p99:.4})");
+    }
+    let [x, y] = report.worst_tile;
+    let _ = write!(text, ", worst tile {:.2} at ({x}, {y})", report.worst_tile_rmse);
+    if let Some(linear) = report.linear_rmse {
+        let _ = write!(text, ", linear RMSE {linear:.5}");
+    }
+    text
+}
+
+/// A PSNR, which is infinite for equal images.
+pub fn decibels(psnr_db: Option<f64>) -> String {
+    psnr_db.map_or_else(|| "infinite".to_owned(), |db| format!("{db:.2} dB"))
+}
+
+/// The method's name as it is typed.
+pub fn method(statistics: &Statistics) -> String {
+    format!("{:?}", statistics.settings.settings.method).to_lowercase()
+}
+
+/// The adapter, in one line.
+pub fn adapter(statistics: &Statistics) -> String {
+    let a = &statistics.adapter;
+    format!("{} ({}, {})", a.name, a.backend, a.driver)
+}
+
+fn rays(s: &Statistics) -> String {
+    let r = &s.rays;
+    format!(
+        "{} (primary {}, shadow {}, reflection {}, refraction {}), {:.2} million/s",
+        grouped(r.total),
+        grouped(r.primary),
+        grouped(r.shadow),
+        grouped(r.reflection),
+        grouped(r.refraction),
+        s.mrays_per_s
+    )
+}
+
+fn samples(s: &Statistics) -> String {
+    let n = &s.samples;
+    format!(
+        "{} (base {}, traced A1 {}, traced A2 {}, postcorrected {}, interpolated {})",
+        grouped(n.total),
+        grouped(n.base),
+        grouped(n.traced_a1),
+        grouped(n.traced_a2),
+        grouped(n.postcorrected),
+        grouped(n.interpolated)
+    )
+}
+
+fn failed(f: &FailedChecks) -> String {
+    let counts = [f.oid, f.pos, f.norm, f.convex, f.tex, f.shadow, f.gcol];
+    let named = CHECK_NAMES.iter().zip(counts).map(|(name, count)| format!("{name} {}", grouped(count)));
+    named.collect::<Vec<_>>().join(", ")
+}
+
+fn work(s: &Statistics) -> String {
+    let share = s.cost.traced_share.map_or_else(String::new, |share| {
+        format!("; {:.1} % of the full frame's work lies in traced samples", 100.0 * share)
+    });
+    format!(
+        "{} node visits, {} primitive tests{share}",
+        grouped(s.cost.node_visits),
+        grouped(s.cost.primitive_tests)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::statistics::tests::example;
+
+    #[test]
+    fn a_frame_is_told_in_full() {
+        let text = frame(&example(), &[]);
+        for expected in [
+            "scene     a.glb: 0 triangles",
+            "left out  textures, vertex_colors",
+            "Card (vulkan, D 1)",
+            "8x4, method adaptive, camera 0 (front)",
+            "10.00 ms (median of 1 frame, 95 % within 12.00 ms), gpu clock",
+            "base                 8.000 ms  80.0 %",
+            "RT ratio  0.3400",
+            "oid 3, pos 0",
+            "50.0 % of the full frame's work",
+            "speedup 2.00",
+            "PSNR 48.13 dB",
+            "worst tile 9.00 at (0, 0)",
+        ] {
+            assert!(text.contains(expected), "no `{expected}` in\n{text}");
+        }
+        assert!(!text.contains("warning"));
+    }
+
+    #[test]
+    fn many_warnings_are_counted() {
+        let warnings: Vec<String> = (0..5).map(|i| format!("mesh {i}")).collect();
+        let text = frame(&example(), &warnings);
+        assert!(text.contains("mesh 2") && !text.contains("mesh 3"), "{text}");
+        assert!(text.contains("and 2 more"), "{text}");
+    }
+
+    #[test]
+    fn equal_images_have_infinite_psnr() {
+        assert_eq!(decibels(None), "infinite");
+    }
+}

@@ -1,0 +1,212 @@
+//! Pictures of what is known about the pixels, made from an inspection.
+
+use glimpse::{CHECK_NAMES, DisplayImage, Origin, PixelRecord};
+
+use crate::args::Show;
+use crate::output::grouped;
+
+type Rgb = [u8; 3];
+
+/// The colours of [`Origin`], in its order.
+const ORIGINS: [(&str, &str, Rgb); 4] = [
+    ("base", "white", [240, 240, 240]),
+    ("traced in A1", "orange", [240, 150, 30]),
+    ("traced in A2", "magenta", [210, 30, 130]),
+    ("interpolated", "dark blue", [20, 50, 90]),
+];
+const FAILED: Rgb = [255, 30, 20];
+const NOTHING: Rgb = [0, 0, 0];
+/// From little to much, for [`false_color`].
+const RAMP: [Rgb; 5] = [[10, 10, 40], [60, 40, 160], [200, 50, 110], [250, 150, 40], [255, 255, 200]];
+
+/// The picture and its legend in one line. `pixels` are those of `frame`, row by row.
+pub fn picture(show: Show, frame: &DisplayImage, pixels: &[PixelRecord]) -> (DisplayImage, String) {
+    match show {
+        Show::Final => (frame.clone(), String::new()),
+        Show::Origin => origin(frame, pixels),
+        Show::Check(check) => failing(frame, pixels, check),
+        Show::Cost => cost(frame, pixels),
+        Show::Depth => depth(frame, pixels),
+        Show::Normal => {
+            let legend = "normals, red x, green y, blue z, from -1 to 1; black is no hit".to_owned();
+            (painted(frame, pixels, |_, p| normal(p)), legend)
+        }
+        Show::Oid => {
+            let legend = "objects, a colour each; black is no hit".to_owned();
+            (painted(frame, pixels, |_, p| p.object.map_or(NOTHING, hashed)), legend)
+        }
+    }
+}
+
+fn origin(frame: &DisplayImage, pixels: &[PixelRecord]) -> (DisplayImage, String) {
+    let mut counts = [0_u64; 4];
+    for pixel in pixels {
+        counts[pixel.origin as usize] += 1;
+    }
+    let entry =
+        |((name, color, _), count): (&(&str, &str, Rgb), u64)| format!("{name} {color} ({})", grouped(count));
+    let legend: Vec<_> = ORIGINS.iter().zip(counts).map(entry).collect();
+    (painted(frame, pixels, |_, p| ORIGINS[p.origin as usize].2), legend.join(", "))
+}
+
+fn failing(frame: &DisplayImage, pixels: &[PixelRecord], check: usize) -> (DisplayImage, String) {
+    let fails = |p: &PixelRecord| p.failed & (1 << check) != 0;
+    let count = pixels.iter().filter(|p| fails(p)).count() as u64;
+    let legend = format!("red: {} pixels that fail check {}", grouped(count), CHECK_NAMES[check]);
+    let image = painted(frame, pixels, |color, p| if fails(p) { FAILED } else { dimmed(color) });
+    (image, legend)
+}
+
+fn cost(frame: &DisplayImage, pixels: &[PixelRecord]) -> (DisplayImage, String) {
+    let least = pixels.iter().map(|p| p.cost).min().unwrap_or(0);
+    let most = pixels.iter().map(|p| p.cost).max().unwrap_or(0);
+    let position = |cost: u32| {
+        let log = |v: u32| f64::from(v).ln_1p();
+        if most > least { (log(cost) - log(least)) / (log(most) - log(least)) } else { 0.0 }
+    };
+    let legend = format!(
+        "node visits and primitive tests a pixel, logarithmic from dark blue ({}) over red to light yellow ({})",
+        grouped(least.into()),
+        grouped(most.into())
+    );
+    (painted(frame, pixels, |_, p| false_color(position(p.cost))), legend)
+}
+
+fn depth(frame: &DisplayImage, pixels: &[PixelRecord]) -> (DisplayImage, String) {
+    let finite = || pixels.iter().map(|p| p.depth).filter(|d| d.is_finite());
+    let (near, far) = (finite().fold(f32::INFINITY, f32::min), finite().fold(f32::NEG_INFINITY, f32::max));
+    if near > far {
+        return (painted(frame, pixels, |_, _| NOTHING), "depth: no ray hits anything".to_owned());
+    }
+    let grey = |depth: f32| {
+        let position = if far > near { (depth - near) / (far - near) } else { 0.0 };
+        [(255.0 - 215.0 * position).round() as u8; 3]
+    };
+    let legend = format!("depth, light at {near:.4} to dark at {far:.4}; black is no hit");
+    let image = painted(frame, pixels, |_, p| if p.depth.is_finite() { grey(p.depth) } else { NOTHING });
+    (image, legend)
+}
+
+fn painted(
+    frame: &DisplayImage,
+    pixels: &[PixelRecord],
+    color: impl Fn(Rgb, &PixelRecord) -> Rgb,
+) -> DisplayImage {
+    let mut image = frame.clone();
+    for (shown, pixel) in image.pixels_mut().zip(pixels) {
+        let [r, g, b, _] = shown.0;
+        let [r, g, b] = color([r, g, b], pixel);
+        shown.0 = [r, g, b, 255];
+    }
+    image
+}
+
+fn normal(pixel: &PixelRecord) -> Rgb {
+    if pixel.normal == [0.0; 3] {
+        return NOTHING;
+    }
+    pixel.normal.map(|n| (255.0 * (0.5 + 0.5 * n)).round() as u8)
+}
+
+fn dimmed([r, g, b]: Rgb) -> Rgb {
+    let luma = 0.299 * f64::from(r) + 0.587 * f64::from(g) + 0.114 * f64::from(b);
+    [(0.5 * luma) as u8; 3]
+}
+
+fn false_color(position: f64) -> Rgb {
+    let steps = (RAMP.len() - 1) as f64;
+    let scaled = position.clamp(0.0, 1.0) * steps;
+    let low = (scaled.floor() as usize).min(RAMP.len() - 2);
+    let part = scaled - low as f64;
+    std::array::from_fn(|i| {
+        let (from, to) = (f64::from(RAMP[low][i]), f64::from(RAMP[low + 1][i]));
+        (from + part * (to - from)).round() as u8
+    })
+}
+
+/// A colour for an object, never as dark as [`NOTHING`] (Wang's integer hash).
+fn hashed(object: u32) -> Rgb {
+    let mut h = (object ^ 61) ^ (object >> 16);
+    h = h.wrapping_mul(9);
+    h ^= h >> 4;
+    h = h.wrapping_mul(0x27d4_eb2d);
+    h ^= h >> 15;
+    [h, h >> 8, h >> 16].map(|bits| 64 + ((bits & 0xff) * 3 / 4) as u8)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HIT: PixelRecord = PixelRecord {
+        origin: Origin::Base,
+        failed: 0,
+        cost: 10,
+        object: Some(3),
+        depth: 2.0,
+        normal: [0.0, 0.0, 1.0],
+    };
+    const MISS: PixelRecord = PixelRecord {
+        origin: Origin::Interpolated,
+        failed: 1 << 4,
+        cost: 0,
+        object: None,
+        depth: f32::INFINITY,
+        normal: [0.0; 3],
+    };
+
+    fn shown(show: Show) -> ([Rgb; 2], String) {
+        let frame = DisplayImage::from_raw(2, 1, vec![200, 200, 200, 255, 100, 100, 100, 255]).unwrap();
+        let (image, legend) = picture(show, &frame, &[HIT, MISS]);
+        let rgb = |x| {
+            let [r, g, b, a] = image.get_pixel(x, 0).0;
+            assert_eq!(a, 255);
+            [r, g, b]
+        };
+        ([rgb(0), rgb(1)], legend)
+    }
+
+    #[test]
+    fn each_picture_shows_what_it_is_named_for() {
+        let (colors, legend) = shown(Show::Origin);
+        assert_eq!(colors, [ORIGINS[0].2, ORIGINS[3].2]);
+        assert!(legend.contains("base white (1)") && legend.contains("traced in A1 orange (0)"), "{legend}");
+
+        let (colors, legend) = shown(Show::Check(4));
+        assert_eq!(colors, [[100, 100, 100], FAILED]);
+        assert_eq!(legend, "red: 1 pixels that fail check tex");
+        assert_eq!(shown(Show::Check(0)).0, [[100; 3], [50; 3]]);
+
+        let (colors, legend) = shown(Show::Cost);
+        assert_eq!(colors, [RAMP[4], RAMP[0]]);
+        assert!(legend.contains("(0)") && legend.contains("(10)"), "{legend}");
+
+        assert_eq!(shown(Show::Depth).0, [[255; 3], NOTHING]);
+        assert_eq!(shown(Show::Normal).0, [[128, 128, 255], NOTHING]);
+        assert_eq!(shown(Show::Oid).0[1], NOTHING);
+        assert_eq!(shown(Show::Final).0, [[200; 3], [100; 3]]);
+    }
+
+    #[test]
+    fn colours_of_origins_are_distinct_and_in_the_order_of_the_type() {
+        let order = [Origin::Base, Origin::TracedA1, Origin::TracedA2, Origin::Interpolated];
+        assert!(order.iter().enumerate().all(|(i, o)| *o as usize == i));
+        for (i, a) in ORIGINS.iter().enumerate() {
+            assert!(ORIGINS[..i].iter().all(|b| a.2 != b.2));
+        }
+    }
+
+    #[test]
+    fn neighbouring_objects_differ_and_none_is_black() {
+        for object in 0..1000 {
+            assert_ne!(hashed(object), hashed(object + 1));
+            assert!(hashed(object).iter().all(|c| *c >= 64));
+        }
+    }
+
+    #[test]
+    fn an_empty_view_has_a_depth_picture() {
+        let frame = DisplayImage::from_raw(1, 1, vec![9; 4]).unwrap();
+        assert!(picture(Show::Depth, &frame, &[MISS]).1.contains("no ray hits"));
+    }
+}

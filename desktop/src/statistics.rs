@@ -1,0 +1,280 @@
+//! The statistics JSON: what was rendered, with what, how long it took and what it cost.
+
+use glimpse::metrics::ErrorReport;
+use glimpse::{
+    Cost, FailedChecks, Features, FrameTime, Inspection, Linking, Memory, Origin, Rays, Samples, Scene,
+    Settings,
+};
+use serde::Serialize;
+
+use crate::measure::{Run, Stage};
+
+/// The passes that trace rays; every other one is overhead of the adaptive method.
+const TRACING_PASSES: [&str; 4] = ["base", "trace_a1", "trace_a2", "full"];
+
+/// One method on one scene.
+#[derive(Clone, Debug, Serialize)]
+pub struct Statistics {
+    /// This program's version.
+    pub glimpse: &'static str,
+    /// Where it ran.
+    pub adapter: AdapterStatistics,
+    /// What was rendered.
+    pub scene: SceneStatistics,
+    /// Every option as it was used.
+    pub settings: SettingsUsed,
+    /// Width and height.
+    pub size: [u32; 2],
+    /// Timed frames.
+    pub frames: usize,
+    /// How long it took.
+    pub time_ms: Times,
+    /// Rays by kind.
+    pub rays: Rays,
+    /// Samples by origin.
+    pub samples: Samples,
+    /// Kim 2016's RT ratio.
+    pub rt_ratio: f64,
+    /// Work of the traversal.
+    pub cost: Cost,
+    /// Samples by check that they fail.
+    pub failed_checks: FailedChecks,
+    /// Bytes on the device.
+    pub memory_bytes: Memory,
+    /// Millions of this method's own rays in a second of its median frame.
+    pub mrays_per_s: f64,
+    /// The part of the frame spent in passes that trace nothing; null where passes are not timed.
+    pub non_tracing_share: Option<f64>,
+    /// Against `full` of the same run.
+    #[serde(flatten)]
+    pub gain: Option<Gain>,
+    /// The error against `full` of the same run.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error: Option<ErrorAgainst>,
+}
+
+/// An adapter.
+#[derive(Clone, Debug, Serialize)]
+pub struct AdapterStatistics {
+    /// As the driver reports it.
+    pub name: String,
+    /// The graphics interface.
+    pub backend: String,
+    /// The driver with its version.
+    pub driver: String,
+}
+
+/// A scene.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SceneStatistics {
+    /// As it was named on the command line.
+    pub file: String,
+    /// Number of triangles.
+    pub triangles: usize,
+    /// Number of analytic spheres.
+    pub spheres: usize,
+    /// Number of objects (OIDs).
+    pub objects: usize,
+    /// Number of lights.
+    pub lights: usize,
+    /// Number of textures.
+    pub textures: usize,
+    /// The pieces that are linked.
+    pub features: Vec<&'static str>,
+    /// The pieces that no kernel holds.
+    pub left_out: Vec<&'static str>,
+}
+
+/// The settings and the camera.
+#[derive(Clone, Debug, Serialize)]
+pub struct SettingsUsed {
+    /// What the renderer was told.
+    #[serde(flatten)]
+    pub settings: Settings,
+    /// Index and name.
+    pub camera: String,
+}
+
+/// Milliseconds.
+#[derive(Clone, Debug, Serialize)]
+pub struct Times {
+    /// A whole frame.
+    pub frame: Spread,
+    /// `gpu` where timestamps measured the frame, else `cpu`.
+    pub clock: &'static str,
+    /// Each pass.
+    pub passes: Vec<PassMedian>,
+    /// Reading the scene.
+    pub load: f64,
+    /// Building the acceleration structure and moving everything to the device.
+    pub build: f64,
+    /// Compiling the kernels, with the first frame, in which drivers finish compiling.
+    pub compile: f64,
+}
+
+/// Of several measurements.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Spread {
+    /// The middle one.
+    pub median: f64,
+    /// The least that 95 % do not exceed.
+    pub p95: f64,
+}
+
+/// The time of a pass.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PassMedian {
+    /// Its name.
+    pub name: &'static str,
+    /// Over the frames.
+    pub median: f64,
+}
+
+/// What a method gains over `full`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Gain {
+    /// Full frame's time over this method's.
+    pub speedup: f64,
+    /// `speedup` x RT ratio: 1 where saved samples are saved time.
+    pub efficiency: f64,
+    /// `speedup` x traced share of the cost: 1 where saved work is saved time.
+    pub cost_efficiency: f64,
+}
+
+/// An error with its reference.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct ErrorAgainst {
+    /// The reference's method.
+    pub against: &'static str,
+    /// The measures.
+    #[serde(flatten)]
+    pub report: ErrorReport,
+}
+
+impl Statistics {
+    /// Of one run, and against the full frame where there is one.
+    pub fn of(stage: &Stage<'_>, size: [u32; 2], run: &Run, full: Option<&Run>) -> glimpse::Result<Self> {
+        let counts = run.inspection.counts;
+        let frame = Spread::of(run.frames.iter().map(|f| f.ms));
+        let passes = pass_medians(&run.frames);
+        let share = full.and_then(|full| traced_share(&run.inspection, &full.inspection));
+        let gain = full.map(|full| {
+            let speedup = Spread::of(full.frames.iter().map(|f| f.ms)).median / frame.median;
+            Gain {
+                speedup,
+                efficiency: speedup * counts.rt_ratio(),
+                cost_efficiency: speedup * share.unwrap_or(f64::NAN),
+            }
+        });
+        Ok(Self {
+            glimpse: env!("CARGO_PKG_VERSION"),
+            adapter: AdapterStatistics::of(&stage.gpu.facts().info),
+            scene: stage.statistics.clone(),
+            settings: SettingsUsed { settings: run.settings, camera: stage.camera_name.clone() },
+            size,
+            frames: run.frames.len(),
+            mrays_per_s: counts.rays.total as f64 / (1000.0 * frame.median),
+            non_tracing_share: non_tracing_share(&passes, frame.median),
+            time_ms: Times {
+                frame,
+                clock: if stage.gpu.facts().timestamps { "gpu" } else { "cpu" },
+                passes,
+                load: stage.load_ms,
+                build: stage.build_ms,
+                compile: run.compile_ms,
+            },
+            rays: counts.rays,
+            samples: counts.samples,
+            rt_ratio: counts.rt_ratio(),
+            cost: Cost { traced_share: share, ..counts.cost },
+            failed_checks: counts.failed_checks,
+            memory_bytes: run.memory,
+            gain,
+            error: full.map(|full| run.error_against(full)).transpose()?,
+        })
+    }
+}
+
+impl AdapterStatistics {
+    /// Of wgpu's words.
+    pub fn of(info: &wgpu::AdapterInfo) -> Self {
+        let driver = [info.driver.trim(), info.driver_info.trim()];
+        Self {
+            name: info.name.clone(),
+            backend: info.backend.to_string(),
+            driver: driver.into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" "),
+        }
+    }
+}
+
+impl SceneStatistics {
+    /// Of a scene before it moves to the device.
+    pub fn of(name: &str, scene: &Scene, linking: Linking) -> Self {
+        let needed = match linking {
+            Linking::Auto => Features::of(scene),
+            Linking::All => Features::all(),
+        };
+        let names = |linked: bool| {
+            needed.list().into_iter().filter(|(_, l)| *l == linked).map(|(name, _)| name).collect()
+        };
+        Self {
+            file: name.to_owned(),
+            triangles: scene.positions.len(),
+            spheres: scene.spheres.len(),
+            objects: scene.objects.len(),
+            lights: scene.lights.len(),
+            textures: scene.textures.len(),
+            features: names(true),
+            left_out: names(false),
+        }
+    }
+}
+
+impl Spread {
+    /// Of any number of measurements; NaN of none.
+    pub fn of(values: impl IntoIterator<Item = f64>) -> Self {
+        let mut sorted: Vec<f64> = values.into_iter().collect();
+        sorted.sort_by(f64::total_cmp);
+        let n = sorted.len();
+        if n == 0 {
+            return Self { median: f64::NAN, p95: f64::NAN };
+        }
+        Self { median: 0.5 * (sorted[(n - 1) / 2] + sorted[n / 2]), p95: sorted[(n * 95).div_ceil(100) - 1] }
+    }
+}
+
+/// The median of each pass, in the order of the first frame.
+pub fn pass_medians(frames: &[FrameTime]) -> Vec<PassMedian> {
+    let Some(first) = frames.first() else { return Vec::new() };
+    let times = |name: &'static str| {
+        frames.iter().filter_map(move |frame| frame.passes.iter().find(|p| p.name == name)).map(|p| p.ms)
+    };
+    first
+        .passes
+        .iter()
+        .map(|pass| PassMedian { name: pass.name, median: Spread::of(times(pass.name)).median })
+        .collect()
+}
+
+/// The part of a frame spent in passes that trace nothing.
+pub fn non_tracing_share(passes: &[PassMedian], frame_ms: f64) -> Option<f64> {
+    let other = passes.iter().filter(|p| !TRACING_PASSES.contains(&p.name));
+    (!passes.is_empty() && frame_ms > 0.0).then(|| other.map(|p| p.median).sum::<f64>() / frame_ms)
+}
+
+/// The part of the full frame's work that lies in the samples which `method` traced.
+pub fn traced_share(method: &Inspection, full: &Inspection) -> Option<f64> {
+    let mut sums = [0_u64; 2];
+    for (pixel, reference) in method.pixels.iter().zip(&full.pixels) {
+        let cost = u64::from(reference.cost);
+        sums[1] += cost;
+        if pixel.origin != Origin::Interpolated {
+            sums[0] += cost;
+        }
+    }
+    (sums[1] > 0 && method.pixels.len() == full.pixels.len()).then(|| sums[0] as f64 / sums[1] as f64)
+}
+
+#[cfg(test)]
+#[path = "statistics_tests.rs"]
+pub mod tests;

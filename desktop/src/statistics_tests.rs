@@ -1,0 +1,184 @@
+//! The JSON has the contract's names; medians and shares are what they are called.
+
+use glimpse::{Counts, PassTime, PixelRecord};
+use serde_json::{Value, json};
+
+use super::*;
+
+/// Made-up statistics of an adaptive frame, with all that is optional.
+pub fn example() -> Statistics {
+    Statistics {
+        glimpse: "0",
+        adapter: AdapterStatistics { name: "Card".into(), backend: "vulkan".into(), driver: "D 1".into() },
+        scene: SceneStatistics::of("a.glb", &Scene::default(), Linking::Auto),
+        settings: SettingsUsed { settings: Settings::default(), camera: "0 (front)".into() },
+        size: [8, 4],
+        frames: 1,
+        time_ms: Times {
+            frame: Spread { median: 10.0, p95: 12.0 },
+            clock: "gpu",
+            passes: vec![
+                PassMedian { name: "base", median: 8.0 },
+                PassMedian { name: "resolve", median: 2.0 },
+            ],
+            load: 1.0,
+            build: 2.0,
+            compile: 3.0,
+        },
+        rays: Rays::default(),
+        samples: Samples {
+            total: 32,
+            base: 8,
+            traced_a1: 1,
+            traced_a2: 2,
+            postcorrected: 0,
+            interpolated: 21,
+        },
+        rt_ratio: 0.34,
+        cost: Cost { node_visits: 5, primitive_tests: 6, traced_share: Some(0.5) },
+        failed_checks: FailedChecks { oid: 3, ..FailedChecks::default() },
+        memory_bytes: Memory::default(),
+        mrays_per_s: 7.0,
+        non_tracing_share: Some(0.2),
+        gain: Some(Gain { speedup: 2.0, efficiency: 0.68, cost_efficiency: 1.0 }),
+        error: Some(ErrorAgainst {
+            against: "full",
+            report: ErrorReport {
+                rmse: 1.0,
+                psnr_db: Some(48.13),
+                ssim: 0.99,
+                flip_mean: Some(0.01),
+                flip_p99: Some(0.1),
+                worst_tile_rmse: 9.0,
+                worst_tile: [0, 0],
+                linear_rmse: None,
+            },
+        }),
+    }
+}
+
+/// Section 3 of the command line's contract.
+fn contract() -> Value {
+    json!({
+        "glimpse": "", "adapter": {"name": "", "backend": "", "driver": ""},
+        "scene": {"file": "", "triangles": 0, "spheres": 0, "objects": 0, "lights": 0, "textures": 0,
+                  "features": [], "left_out": []},
+        "settings": {"method": ""},
+        "size": [], "frames": 1,
+        "time_ms": {"frame": {"median": 0.0, "p95": 0.0}, "clock": "", "passes": [{"name": "", "median": 0.0}]},
+        "rays": {"primary": 0, "shadow": 0, "reflection": 0, "refraction": 0, "total": 0},
+        "samples": {"total": 0, "base": 0, "traced_a1": 0, "traced_a2": 0, "postcorrected": 0, "interpolated": 0},
+        "rt_ratio": 0.0,
+        "cost": {"node_visits": 0, "primitive_tests": 0, "traced_share": 0.0},
+        "failed_checks": {"oid": 0, "pos": 0, "norm": 0, "convex": 0, "tex": 0, "shadow": 0, "gcol": 0},
+        "memory_bytes": {"scene": 0, "bvh": 0, "targets": 0, "total": 0},
+        "error": {"against": "", "rmse": 0.0, "psnr_db": 0.0, "ssim": 0.0, "flip_mean": 0.0, "flip_p99": 0.0,
+                  "worst_tile_rmse": 0.0},
+        "speedup": 0.0, "efficiency": 0.0, "cost_efficiency": 0.0
+    })
+}
+
+fn assert_same_shape(expected: &Value, found: &Value, at: &str) {
+    match expected {
+        Value::Object(fields) => {
+            for (name, value) in fields {
+                let inner = found.get(name).unwrap_or_else(|| panic!("{at}/{name} is missing"));
+                assert_same_shape(value, inner, &format!("{at}/{name}"));
+            }
+        }
+        Value::Array(items) => {
+            assert!(found.is_array(), "{at} is no list");
+            if let Some(item) = items.first() {
+                assert_same_shape(item, &found[0], &format!("{at}/0"));
+            }
+        }
+        Value::Number(_) => assert!(found.is_number(), "{at} is no number: {found}"),
+        _ => assert!(found.is_string(), "{at} is no text: {found}"),
+    }
+}
+
+#[test]
+fn the_json_has_every_field_of_the_contract() {
+    assert_same_shape(&contract(), &serde_json::to_value(example()).unwrap(), "");
+}
+
+#[test]
+fn settings_name_every_option() {
+    let json = serde_json::to_value(example()).unwrap();
+    let settings = &json["settings"];
+    assert_eq!((&settings["method"], &settings["features"]), (&json!("adaptive"), &json!("auto")));
+    for name in ["tolerances", "depth", "min_weight", "camera"] {
+        assert!(!settings[name].is_null(), "{name}");
+    }
+}
+
+#[test]
+fn without_a_reference_nothing_speaks_of_one() {
+    let mut statistics = example();
+    (statistics.gain, statistics.error) = (None, None);
+    let json = serde_json::to_value(statistics).unwrap();
+    for name in ["speedup", "efficiency", "cost_efficiency", "error", "gain"] {
+        assert!(json.get(name).is_none(), "{name}");
+    }
+}
+
+#[test]
+fn an_empty_scene_leaves_everything_out_unless_all_is_linked() {
+    let auto = SceneStatistics::of("a", &Scene::default(), Linking::Auto);
+    assert_eq!((auto.features.len(), auto.left_out.len()), (0, 8));
+    let all = SceneStatistics::of("a", &Scene::default(), Linking::All);
+    assert_eq!((all.features.len(), all.left_out.len()), (8, 0));
+}
+
+#[test]
+fn medians_and_percentiles() {
+    assert_eq!(Spread::of([7.0]), Spread { median: 7.0, p95: 7.0 });
+    assert_eq!(Spread::of([9.0, 1.0, 2.0]), Spread { median: 2.0, p95: 9.0 });
+    assert_eq!(Spread::of([4.0, 1.0, 2.0, 100.0]).median, 3.0);
+    assert_eq!(Spread::of((1..=100).map(f64::from)), Spread { median: 50.5, p95: 95.0 });
+    assert!(Spread::of([]).median.is_nan());
+}
+
+#[test]
+fn medians_are_per_pass_and_keep_the_order() {
+    let frame = |base, resolve| FrameTime {
+        ms: base + resolve,
+        passes: vec![PassTime { name: "base", ms: base }, PassTime { name: "resolve", ms: resolve }],
+    };
+    let passes = pass_medians(&[frame(6.0, 1.0), frame(8.0, 2.0), frame(30.0, 0.5)]);
+    assert_eq!(
+        passes,
+        [PassMedian { name: "base", median: 8.0 }, PassMedian { name: "resolve", median: 1.0 }]
+    );
+    assert_eq!(non_tracing_share(&passes, 10.0), Some(0.1));
+    assert_eq!(non_tracing_share(&[], 10.0), None);
+    assert!(pass_medians(&[]).is_empty());
+}
+
+/// An inspection of pixels with the given origins and costs.
+pub fn inspection(pixels: &[(Origin, u32)]) -> Inspection {
+    let record = |&(origin, cost): &(Origin, u32)| PixelRecord {
+        origin,
+        failed: 0,
+        cost,
+        object: None,
+        depth: f32::INFINITY,
+        normal: [0.0; 3],
+    };
+    Inspection { counts: Counts::default(), pixels: pixels.iter().map(record).collect() }
+}
+
+#[test]
+fn the_traced_share_weighs_the_full_frames_cost() {
+    let full = inspection(&[10, 20, 30, 40].map(|cost| (Origin::Base, cost)));
+    let adaptive = inspection(&[
+        (Origin::Base, 99),
+        (Origin::Interpolated, 0),
+        (Origin::Interpolated, 0),
+        (Origin::TracedA2, 1),
+    ]);
+    assert_eq!(traced_share(&adaptive, &full), Some(0.5));
+    assert_eq!(traced_share(&full, &full), Some(1.0));
+    assert_eq!(traced_share(&inspection(&[]), &full), None);
+    assert_eq!(traced_share(&inspection(&[]), &inspection(&[])), None);
+}
