@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use crate::{
-    Camera, Error, Features, Gpu, Linking, Result,
+    Camera, Error, Features, Gpu, Result,
     atlas::Atlas,
     bvh::Bvh,
     gpu::mirror::gpu_struct,
@@ -52,6 +52,9 @@ pub struct GpuScene {
     pub(crate) bvh_stack: u32,
     pub(crate) light_count: u32,
     pub(crate) environment: Environment,
+    /// What `vertices` holds.
+    pub(crate) has_texcoords: bool,
+    pub(crate) has_colors: bool,
     features: Features,
     bounds: (Vec3, Vec3),
     cameras: Vec<(String, Camera)>,
@@ -60,11 +63,10 @@ pub struct GpuScene {
 
 impl GpuScene {
     /// Builds the acceleration structure and moves everything to the device; the scene's own memory is freed.
-    /// `linking` decides what every kernel for this scene is made of.
     ///
     /// # Errors
     /// [`Error::Missing`] where the device cannot hold it, [`Error::Scene`] where there is nothing in it.
-    pub fn upload(gpu: &Gpu, mut scene: Scene, linking: Linking) -> Result<Self> {
+    pub fn upload(gpu: &Gpu, mut scene: Scene) -> Result<Self> {
         let bounds = scene.bounds().ok_or_else(|| Error::scene("scene", "nothing to trace in it"))?;
         if scene.lights.len() > MAX_LIGHTS || scene.objects.len() > MAX_OBJECTS {
             return Err(Error::scene(
@@ -76,10 +78,7 @@ impl GpuScene {
                 ),
             ));
         }
-        let features = match linking {
-            Linking::Auto => Features::of(&scene),
-            Linking::All => Features::all(),
-        };
+        let features = Features::of(&scene);
         let bvh = Bvh::build(&scene);
         let atlas = Atlas::upload(gpu, &mut scene)?;
         let nodes = gpu.storage("nodes", &bvh.nodes)?;
@@ -89,7 +88,9 @@ impl GpuScene {
         scene.positions = Vec::new();
         let shading = gpu.storage("shading", &shading(&scene, &order))?;
         scene.normals = Vec::new();
-        let vertices = gpu.storage("vertices", &vertices(&scene, &order, &features))?;
+        let vertices = gpu.storage("vertices", &vertices(&scene, &order))?;
+        let has_texcoords = !scene.texcoords.is_empty();
+        let has_colors = !scene.colors.is_empty();
         let objects: Vec<_> =
             scene.objects.iter().map(|o| object(&scene.materials[o.material as usize], &atlas)).collect();
         let mut lights = [Light::default(); MAX_LIGHTS];
@@ -107,6 +108,8 @@ impl GpuScene {
             bvh_stack: stack,
             light_count: scene.lights.len() as u32,
             environment: scene.environment,
+            has_texcoords,
+            has_colors,
             features,
             bounds,
             cameras: scene.cameras,
@@ -114,7 +117,7 @@ impl GpuScene {
         })
     }
 
-    /// What is linked for it.
+    /// What the scene needs.
     #[must_use]
     pub fn features(&self) -> Features {
         self.features
@@ -192,9 +195,9 @@ fn shading(scene: &Scene, order: &[u32]) -> Vec<[u32; 4]> {
     order.iter().map(place).collect()
 }
 
-/// Texture coordinates, then colours, as far as they are linked; every primitive takes the same room.
-fn vertices(scene: &Scene, order: &[u32], features: &Features) -> Vec<u32> {
-    let (textured, colored) = (features.textures, features.vertex_colors);
+/// Texture coordinates, then colours, as far as the scene has them; every primitive takes the same room.
+fn vertices(scene: &Scene, order: &[u32]) -> Vec<u32> {
+    let (textured, colored) = (!scene.texcoords.is_empty(), !scene.colors.is_empty());
     let mut words = Vec::with_capacity(order.len() * (6 * usize::from(textured) + 3 * usize::from(colored)));
     for &index in order {
         if textured {

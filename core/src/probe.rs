@@ -1,9 +1,9 @@
 //! Rays of the caller's through the GPU's own traversal: what tests and measurements of it need.
 
 use crate::{
-    Gpu, GpuScene, Result,
+    Gpu, GpuScene, Linking, Result,
     gpu::{Kernel, Timer, mirror::gpu_struct, shader::Source},
-    passes::{Output, Variant},
+    passes::Variant,
 };
 
 gpu_struct! {
@@ -46,13 +46,7 @@ impl ProbeHit {
 /// # Errors
 /// A device that failed or cannot hold the rays.
 pub fn trace_rays(gpu: &Gpu, scene: &GpuScene, rays: &[ProbeRay]) -> Result<(Vec<ProbeHit>, f64)> {
-    let variant = Variant {
-        features: scene.features(),
-        inspect: false,
-        output: Output::Display,
-        bvh_stack: scene.bvh_stack,
-        depth: 1,
-    };
+    let variant = Variant::new(scene, Linking::Auto, 1);
     let entry = Source { file: "wgsl/probe.wgsl", text: include_str!("wgsl/probe.wgsl").into() };
     let kernel = Kernel::new(gpu, "probe", &variant.tracing_sources([entry]))?;
     let rays_buffer = gpu.storage("rays", rays)?;

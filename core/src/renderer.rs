@@ -122,13 +122,7 @@ impl<'a> Renderer<'a> {
 }
 
 fn variant(scene: &GpuScene, settings: &Settings) -> Variant {
-    Variant {
-        features: scene.features(),
-        inspect: false,
-        output: Output::Display,
-        bvh_stack: scene.bvh_stack,
-        depth: settings.depth,
-    }
+    Variant::new(scene, settings.features, settings.depth)
 }
 
 fn inspection(bytes: &[u8], size: [u32; 2]) -> Result<Inspection> {

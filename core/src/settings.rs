@@ -53,6 +53,8 @@ pub struct Settings {
     pub depth: u32,
     /// Rays that would contribute less than this share of the pixel are not traced. 0 follows them all.
     pub min_weight: f32,
+    /// Which pieces are linked.
+    pub features: Linking,
 }
 
 /// The deepest recursion: what the ray stack of the refraction kernels is sized for.
@@ -60,7 +62,13 @@ pub const MAX_DEPTH: u32 = 64;
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { method: Method::Adaptive, tolerances: Tolerances::default(), depth: 3, min_weight: 0.05 }
+        Self {
+            method: Method::Adaptive,
+            tolerances: Tolerances::default(),
+            depth: 3,
+            min_weight: 0.05,
+            features: Linking::Auto,
+        }
     }
 }
 

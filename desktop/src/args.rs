@@ -19,10 +19,10 @@ pub struct Arguments {
     /// A .glb or .gltf file, or builtin:NAME
     pub scene: Option<String>,
     /// Use the adapter whose name contains this text
-    #[arg(long, global = true, value_name = "SUBSTRING")]
+    #[arg(long, global = true, display_order = 900, value_name = "SUBSTRING")]
     pub adapter: Option<String>,
     /// Say more on stderr (-v, -vv, -vvv)
-    #[arg(short, long, global = true, action = clap::ArgAction::Count)]
+    #[arg(short, long, global = true, display_order = 901, action = clap::ArgAction::Count)]
     pub verbose: u8,
 }
 
@@ -166,10 +166,7 @@ impl FrameOptions {
             tolerances: Tolerances { pos: self.t_pos, norm: self.t_norm, tex: self.t_tex, gcol: self.t_gcol },
             depth: self.depth,
             min_weight: self.min_weight,
-            features: match self.features {
-                LinkingName::Auto => Linking::Auto,
-                LinkingName::All => Linking::All,
-            },
+            features: self.features.into(),
         };
         settings.validate()?;
         Ok(settings)
@@ -218,6 +215,15 @@ pub enum LinkingName {
     Auto,
     /// Everything
     All,
+}
+
+impl From<LinkingName> for Linking {
+    fn from(name: LinkingName) -> Self {
+        match name {
+            LinkingName::Auto => Self::Auto,
+            LinkingName::All => Self::All,
+        }
+    }
 }
 
 /// `--size`

@@ -96,7 +96,7 @@ fn wrong_usage_exits_with_two_and_says_what_was_expected() {
         ("render a.glb -o b.png --method fast", "full, adaptive"),
         ("render a.glb -o b.png --show check:blue", "oid, pos, norm"),
         ("render a.glb -o b.png --frames 0", "0"),
-        ("render a.glb -o b.png --depth -1", "--depth"),
+        ("render a.glb -o b.png --depth=-1", "--depth"),
         ("render a.glb -o b.png --t-pos wide", "--t-pos"),
         ("render a.glb -o b.png --seed 1", "--seed"),
         ("render a.glb -o b.png --sampling 2", "--sampling"),

@@ -7,11 +7,13 @@ use crate::measure::{Plan, Stage};
 use crate::output;
 use crate::progress::Progress;
 use crate::report;
+use crate::scene_file;
 use crate::statistics::Statistics;
 
 /// `glimpse bench`
 pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> {
     let methods = methods(options)?;
+    options.scenes.iter().try_for_each(|name| scene_file::check(name))?;
     let Size(size) = options.frame.size;
     let plan = Plan { size, methods: &methods, frames: options.frames, linear: false };
     let gpu = Gpu::headless(adapter)?;

@@ -52,13 +52,9 @@ fn temporary_beside(path: &Path) -> anyhow::Result<NamedTempFile> {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
-    new_temporary(folder).with_context(|| {
-        let reason = if folder.is_dir() { "its folder is not writable" } else { "its folder does not exist" };
-        format!("cannot write {}: {reason}", path.display())
-    })
-}
-
-fn new_temporary(folder: &Path) -> io::Result<NamedTempFile> {
+    if !folder.is_dir() {
+        anyhow::bail!("cannot write {}: its folder does not exist", path.display());
+    }
     let mut builder = tempfile::Builder::new();
     builder.prefix(".glimpse-");
     #[cfg(unix)]
@@ -66,7 +62,9 @@ fn new_temporary(folder: &Path) -> io::Result<NamedTempFile> {
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
-    builder.tempfile_in(folder)
+    // The error's own text speaks of the temporary file, which nobody knows.
+    let temporary = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()));
+    temporary.with_context(|| format!("cannot write {} into its folder", path.display()))
 }
 
 #[cfg(test)]

@@ -43,11 +43,10 @@ impl<'g> Stage<'g> {
     ) -> anyhow::Result<Self> {
         progress.doing(&format!("loading {name}"));
         let (scene, load_ms) = timed(|| scene_file::load(name))?;
-        let camera = *scene.camera(options.camera.as_deref()).with_context(|| name.to_owned())?;
-        let index = scene.cameras.iter().position(|(_, c)| *c == camera).unwrap_or_default();
-        let camera_name = format!("{index} ({})", scene.cameras[index].0);
-        let linking = options.settings(crate::args::MethodName::Full)?.features;
-        let statistics = SceneStatistics::of(name, &scene, linking);
+        let camera = scene.camera(options.camera.as_deref()).with_context(|| name.to_owned())?;
+        let index = scene.cameras.iter().position(|(_, c)| std::ptr::eq(c, camera)).unwrap_or_default();
+        let (camera, camera_name) = (*camera, format!("{index} ({})", scene.cameras[index].0));
+        let statistics = SceneStatistics::of(name, &scene, options.features.into());
         let warnings = scene.warnings.clone();
         progress.doing("building the acceleration structure");
         let (scene, build_ms) = timed(|| GpuScene::upload(gpu, scene).with_context(|| name.to_owned()))?;

@@ -9,14 +9,13 @@ use crate::measure::{Plan, Run, Stage};
 use crate::output;
 use crate::progress::Progress;
 use crate::statistics::Statistics;
-use crate::{files, report, show};
+use crate::{files, report, scene_file, show};
 
 const DEFAULT_SCENE: &str = "builtin:room";
 const VIEW_PICTURE: &str = "glimpse.png";
 
 /// `glimpse view`, until there is a window.
 pub fn view(scene: Option<&str>, adapter: Option<&str>) -> anyhow::Result<()> {
-    output::print(&format!("There is no window yet: rendering a frame to {VIEW_PICTURE}.\n"))?;
     let options = RenderOptions {
         scene: scene.unwrap_or(DEFAULT_SCENE).to_owned(),
         output: PictureFile { path: PathBuf::from(VIEW_PICTURE), linear: false },
@@ -27,6 +26,8 @@ pub fn view(scene: Option<&str>, adapter: Option<&str>) -> anyhow::Result<()> {
         reference: true,
         stats: None,
     };
+    scene_file::check(&options.scene)?;
+    output::print(&format!("There is no window yet: rendering a frame to {VIEW_PICTURE}.\n"))?;
     run(&options, adapter)
 }
 
@@ -36,6 +37,7 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
     if options.output.linear && options.show != Show::Final {
         return Err(glimpse::Error::setting("--show", "expected an output that ends in .png").into());
     }
+    scene_file::check(&options.scene)?;
     for path in std::iter::once(&options.output.path).chain(&options.stats) {
         files::check(path)?;
     }

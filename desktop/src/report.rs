@@ -67,10 +67,13 @@ pub fn frame(statistics: &Statistics, warnings: &[String]) -> String {
     );
     if let Some(gain) = &s.gain {
         text += &row(
-            "full",
+            "speedup",
             &format!(
-                "speedup {:.2}, efficiency {:.2} (x RT ratio), {:.2} (x traced share of the work)",
-                gain.speedup, gain.efficiency, gain.cost_efficiency
+                "{:.2} over full's {:.2} ms; efficiency {:.2} (x RT ratio), {:.2} (x traced share of the work)",
+                gain.speedup,
+                gain.speedup * t.frame.median,
+                gain.efficiency,
+                gain.cost_efficiency
             ),
         );
     }
@@ -121,7 +124,9 @@ pub fn method(statistics: &Statistics) -> String {
 /// The adapter, in one line.
 pub fn adapter(statistics: &Statistics) -> String {
     let a = &statistics.adapter;
-    format!("{} ({}, {})", a.name, a.backend, a.driver)
+    let known: Vec<_> =
+        [&a.backend, &a.driver].into_iter().filter(|s| !s.is_empty()).map(String::as_str).collect();
+    format!("{} ({})", a.name, known.join(", "))
 }
 
 fn rays(s: &Statistics) -> String {
@@ -185,7 +190,7 @@ mod tests {
             "RT ratio  0.3400",
             "oid 3, pos 0",
             "50.0 % of the full frame's work",
-            "speedup 2.00",
+            "speedup   2.00 over full's 20.00 ms",
             "PSNR 48.13 dB",
             "worst tile 9.00 at (0, 0)",
         ] {

@@ -9,27 +9,37 @@ use glimpse::scene::{BUILTIN_NAMES, builtin};
 
 use crate::files;
 
-/// Loads `builtin:NAME`, a `.glb`, or a `.gltf` with the files that it names beside it.
-pub fn load(name: &str) -> anyhow::Result<Scene> {
+/// Fails early, and without reading anything, where [`load`] cannot succeed: long work asks first.
+pub fn check(name: &str) -> anyhow::Result<()> {
     if let Some(builtin_name) = name.strip_prefix("builtin:") {
-        return load_builtin(builtin_name);
+        return check_builtin(builtin_name);
     }
     let path = Path::new(name);
     let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
     if !matches!(ending.as_deref(), Some("glb" | "gltf")) {
         return Err(glimpse::Error::setting(name, "expected a .glb or .gltf file, or builtin:NAME").into());
     }
+    fs::metadata(path).map(drop).with_context(|| format!("cannot read {name}"))
+}
+
+/// Loads `builtin:NAME`, a `.glb`, or a `.gltf` with the files that it names beside it.
+pub fn load(name: &str) -> anyhow::Result<Scene> {
+    check(name)?;
+    if let Some(scene) = name.strip_prefix("builtin:").and_then(builtin) {
+        return Ok(scene);
+    }
+    let path = Path::new(name);
     let bytes = files::read(path)?;
     let folder = path.parent().unwrap_or(Path::new(""));
     Scene::from_gltf(&bytes, &mut |uri| read_beside(folder, uri)).with_context(|| name.to_owned())
 }
 
-fn load_builtin(name: &str) -> anyhow::Result<Scene> {
-    let known = BUILTIN_NAMES.contains(&name).then(|| builtin(name)).flatten();
-    known.ok_or_else(|| {
-        let reason = format!("no such scene; there are {}", BUILTIN_NAMES.join(", "));
-        glimpse::Error::setting(format!("builtin:{name}"), reason).into()
-    })
+fn check_builtin(name: &str) -> anyhow::Result<()> {
+    if BUILTIN_NAMES.contains(&name) {
+        return Ok(());
+    }
+    let reason = format!("no such scene; there are {}", BUILTIN_NAMES.join(", "));
+    Err(glimpse::Error::setting(format!("builtin:{name}"), reason).into())
 }
 
 /// The bytes of a relative URI (RFC 3986: percent-encoded, though not every exporter does it).

@@ -1,13 +1,13 @@
 //! Pictures of what is known about the pixels, made from an inspection.
 
-use glimpse::{CHECK_NAMES, DisplayImage, Origin, PixelRecord};
+use glimpse::{CHECK_NAMES, DisplayImage, PixelRecord};
 
 use crate::args::Show;
 use crate::output::grouped;
 
 type Rgb = [u8; 3];
 
-/// The colours of [`Origin`], in its order.
+/// The colours of [`glimpse::Origin`], in its order.
 const ORIGINS: [(&str, &str, Rgb); 4] = [
     ("base", "white", [240, 240, 240]),
     ("traced in A1", "orange", [240, 150, 30]),
@@ -136,6 +136,8 @@ fn hashed(object: u32) -> Rgb {
 
 #[cfg(test)]
 mod tests {
+    use glimpse::Origin;
+
     use super::*;
 
     const HIT: PixelRecord = PixelRecord {

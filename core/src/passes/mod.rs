@@ -17,7 +17,7 @@ mod tests;
 use std::fmt::Write as _;
 
 use crate::{
-    Features,
+    Features, GpuScene, Linking,
     gpu::shader::Source,
     stats::{CHECK_NAMES, Origin},
 };
@@ -116,8 +116,12 @@ pub enum Output {
 /// What decides which pieces a kernel is made of. The only place that chooses files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Variant {
-    /// Facts of the scene.
+    /// What is linked.
     pub features: Features,
+    /// The scene stores texture coordinates.
+    pub has_texcoords: bool,
+    /// The scene stores vertex colours.
+    pub has_colors: bool,
     /// Counting kernels.
     pub inspect: bool,
     /// Where colours go.
@@ -143,6 +147,23 @@ pub const COUNTER_FAILED: usize = 10;
 pub const COUNTER_WORDS: usize = 64;
 
 impl Variant {
+    /// Timed frames of a scene.
+    #[must_use]
+    pub fn new(scene: &GpuScene, linking: Linking, depth: u32) -> Self {
+        Self {
+            features: match linking {
+                Linking::Auto => scene.features(),
+                Linking::All => Features::all(),
+            },
+            has_texcoords: scene.has_texcoords,
+            has_colors: scene.has_colors,
+            inspect: false,
+            output: Output::Display,
+            bvh_stack: scene.bvh_stack,
+            depth,
+        }
+    }
+
     /// The planes of the attribute buffer, in order.
     #[must_use]
     pub fn planes(&self) -> Vec<&'static str> {
@@ -183,7 +204,7 @@ impl Variant {
             wgsl!("wgsl/bvh.wgsl"),
             pick(f.spheres, wgsl!("wgsl/sphere_analytic.wgsl"), wgsl!("wgsl/sphere_none.wgsl")),
             pick(
-                f.textures || f.vertex_colors,
+                self.has_texcoords || self.has_colors,
                 wgsl!("wgsl/vertex_attributes.wgsl"),
                 wgsl!("wgsl/vertex_none.wgsl"),
             ),
@@ -236,6 +257,8 @@ impl Variant {
             ("HAS_GCOL", f.reflection || f.refraction),
             ("HAS_TEXTURES", f.textures),
             ("HAS_COLORS", f.vertex_colors),
+            ("VERTEX_HAS_TEXCOORDS", self.has_texcoords),
+            ("VERTEX_HAS_COLORS", self.has_colors),
         ];
         for (name, value) in flags {
             let _ = writeln!(text, "const {name}: bool = {value};");

@@ -27,6 +27,8 @@ fn features(bits: u32) -> Features {
 fn variants() -> impl Iterator<Item = Variant> {
     let make = |bits, inspect, output| Variant {
         features: features(bits),
+        has_texcoords: bits & 1 != 0,
+        has_colors: bits & 2 != 0,
         inspect,
         output,
         bvh_stack: 12,
@@ -44,7 +46,8 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
     let mut kernels = 0;
     for variant in variants() {
         for stage in Stage::ALL {
-            let linked = link(&variant.sources(stage)).unwrap_or_else(|e| panic!("{stage:?} {variant:?}: {e}"));
+            let linked =
+                link(&variant.sources(stage)).unwrap_or_else(|e| panic!("{stage:?} {variant:?}: {e}"));
             kernels += 1;
             let storage = linked
                 .used_resources()

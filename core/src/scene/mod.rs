@@ -189,7 +189,7 @@ impl Scene {
     /// [`crate::Error::Scene`] names the element of the file, what was expected and what was found.
     pub fn from_gltf(
         bytes: &[u8],
-        resolve: &mut dyn FnMut(&str) -> std::result::Result<Vec<u8>, String>,
+        resolve: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
     ) -> crate::Result<Self> {
         gltf::read(bytes, resolve)
     }

@@ -11,8 +11,17 @@ struct Branch {
 var<private> bounce_stack: array<Branch, BOUNCE_STACK>;
 var<private> bounce_stacked: u32;
 
+fn bounce_next(branch: ptr<function, Branch>) -> bool {
+    if bounce_stacked == 0u {
+        return false;
+    }
+    bounce_stacked -= 1u;
+    *branch = bounce_stack[bounce_stacked];
+    return true;
+}
+
 // Keeps a branch for later, or replaces it.
-fn bounce_branch(s: Surface, direction: vec3f, weight: vec3f, level: u32, kind: u32) -> vec3f {
+fn bounce_push(s: Surface, direction: vec3f, weight: vec3f, level: u32, kind: u32) -> vec3f {
     let largest = max(weight.x, max(weight.y, weight.z));
     if largest <= 0.0 {
         return vec3f(0.0);
@@ -25,46 +34,21 @@ fn bounce_branch(s: Surface, direction: vec3f, weight: vec3f, level: u32, kind: 
     return vec3f(0.0);
 }
 
-// Both branches of a surface.
-fn bounce_split(s: Surface, m: Material, direction: vec3f, weight: vec3f, level: u32) -> vec3f {
+// Sends both rays on their way; `direction` is the unit direction of the ray that hit.
+fn bounce_split(s: Surface, m: Material, branch: Branch, direction: vec3f) -> vec3f {
     var sum = vec3f(0.0);
+    let level = branch.level + 1u;
     let cosine = clamp(-dot(s.normal, direction), 0.0, 1.0);
-    let transmitted = weight * material_refraction(m, cosine, s.inside);
+    let transmitted = branch.weight * material_refraction(m, cosine, s.inside);
     if max(transmitted.x, max(transmitted.y, transmitted.z)) > 0.0 {
-        if material_is(m, OBJECT_THIN) {
-            sum += bounce_branch(s, direction, transmitted, level, RAY_REFRACTION);
-        } else {
-            let ratio = select(1.0 / m.ior, m.ior, s.inside);
-            let sine2 = ratio * ratio * (1.0 - cosine * cosine);
-            if sine2 < 1.0 {
-                let refracted = ratio * direction + (ratio * cosine - sqrt(1.0 - sine2)) * s.normal;
-                sum += bounce_branch(s, refracted, transmitted, level, RAY_REFRACTION);
-            }
+        let ratio = select(select(1.0 / m.ior, m.ior, s.inside), 1.0, material_is(m, OBJECT_THIN));
+        let sine2 = ratio * ratio * (1.0 - cosine * cosine);
+        if sine2 < 1.0 || material_is(m, OBJECT_THIN) {
+            let refracted = ratio * direction + (ratio * cosine - sqrt(max(1.0 - sine2, 0.0))) * s.normal;
+            let straight = select(refracted, direction, material_is(m, OBJECT_THIN));
+            sum += bounce_push(s, straight, transmitted, level, RAY_REFRACTION);
         }
     }
-    let mirrored = weight * material_mirror(m, cosine, s.inside);
-    sum += bounce_branch(s, reflect(direction, s.normal), mirrored, level, RAY_REFLECTION);
-    return sum;
-}
-
-fn bounce(first: Surface, first_material: Material, first_direction: vec3f) -> vec3f {
-    bounce_stacked = 0u;
-    var sum = bounce_split(first, first_material, first_direction, vec3f(1.0), 2u);
-    while bounce_stacked > 0u {
-        bounce_stacked -= 1u;
-        let branch = bounce_stack[bounce_stacked];
-        inspect_ray(branch.kind);
-        let hit = bvh_traverse(branch.ray, false);
-        if hit.primitive == MISS {
-            sum += branch.weight * frame.background;
-            continue;
-        }
-        let s = surface_at(branch.ray, hit);
-        let m = material_at(s.object, s.texcoord, s.color);
-        let direction = branch.ray.direction;
-        let shadow = shadow_bits(s);
-        sum += branch.weight * material_local(m, s.position, s.normal, -direction, s.inside, shadow);
-        sum += bounce_split(s, m, direction, branch.weight, branch.level + 1u);
-    }
-    return sum;
+    let mirrored = branch.weight * material_mirror(m, cosine, s.inside);
+    return sum + bounce_push(s, reflect(direction, s.normal), mirrored, level, RAY_REFLECTION);
 }

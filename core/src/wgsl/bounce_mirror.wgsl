@@ -1,35 +1,36 @@
-// Mirror reflection, level after level, until the depth limit or the weight cut. What is cut off is replaced
-// by the environment's truncated radiance.
+// Mirror reflection: one ray follows the other until the depth limit or the weight cut. What is cut off is
+// replaced by the environment's truncated radiance.
 
-fn bounce(first: Surface, first_material: Material, first_direction: vec3f) -> vec3f {
-    var surface = first;
-    var material = first_material;
-    var direction = first_direction;
-    var weight = vec3f(1.0);
-    var sum = vec3f(0.0);
-    for (var level = 2u; ; level += 1u) {
-        let cosine = clamp(-dot(surface.normal, direction), 0.0, 1.0);
-        weight *= material_mirror(material, cosine, surface.inside);
-        let largest = max(weight.x, max(weight.y, weight.z));
-        if largest <= 0.0 {
-            break;
-        }
-        if level > frame.depth || largest < frame.min_weight {
-            sum += weight * frame.truncated;
-            break;
-        }
-        direction = normalize(reflect(direction, surface.normal));
-        let ray = surface_spawn(surface, direction, FAR);
-        inspect_ray(RAY_REFLECTION);
-        let hit = bvh_traverse(ray, false);
-        if hit.primitive == MISS {
-            sum += weight * frame.background;
-            break;
-        }
-        surface = surface_at(ray, hit);
-        material = material_at(surface.object, surface.texcoord, surface.color);
-        let shadow = shadow_bits(surface);
-        sum += weight * material_local(material, surface.position, surface.normal, -direction, surface.inside, shadow);
+struct Branch {
+    ray: Ray,
+    weight: vec3f,
+    level: u32,
+    kind: u32,
+}
+
+var<private> bounce_pending: Branch;
+var<private> bounce_is_pending: bool;
+
+fn bounce_next(branch: ptr<function, Branch>) -> bool {
+    let next = bounce_is_pending;
+    *branch = bounce_pending;
+    bounce_is_pending = false;
+    return next;
+}
+
+// Sends the reflected ray on its way; `direction` is the unit direction of the ray that hit.
+fn bounce_split(s: Surface, m: Material, branch: Branch, direction: vec3f) -> vec3f {
+    let cosine = clamp(-dot(s.normal, direction), 0.0, 1.0);
+    let weight = branch.weight * material_mirror(m, cosine, s.inside);
+    let largest = max(weight.x, max(weight.y, weight.z));
+    if largest <= 0.0 {
+        return vec3f(0.0);
     }
-    return sum;
+    if branch.level >= frame.depth || largest < frame.min_weight {
+        return weight * frame.truncated;
+    }
+    let ray = surface_spawn(s, normalize(reflect(direction, s.normal)), FAR);
+    bounce_pending = Branch(ray, weight, branch.level + 1u, RAY_REFLECTION);
+    bounce_is_pending = true;
+    return vec3f(0.0);
 }

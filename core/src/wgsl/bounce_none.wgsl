@@ -1,5 +1,16 @@
-// Nothing in the scene reflects or refracts.
+// Nothing in the scene reflects or refracts: the primary ray is the only one.
 
-fn bounce(first: Surface, material: Material, direction: vec3f) -> vec3f {
+struct Branch {
+    ray: Ray,
+    weight: vec3f,
+    level: u32,
+    kind: u32,
+}
+
+fn bounce_next(branch: ptr<function, Branch>) -> bool {
+    return false;
+}
+
+fn bounce_split(s: Surface, m: Material, branch: Branch, direction: vec3f) -> vec3f {
     return vec3f(0.0);
 }

@@ -8,25 +8,40 @@ struct Sample {
 fn sample_trace(pixel: vec2u) -> Sample {
     var result: Sample;
     result.attributes.color = vec3f(1.0);
-    let ray = frame_ray(pixel);
-    inspect_ray(RAY_PRIMARY);
-    let hit = bvh_traverse(ray, false);
-    if hit.primitive == MISS {
-        result.attributes.depth = FAR;
-        result.color = frame.background;
-        return result;
+    result.attributes.depth = FAR;
+    var local = vec3f(0.0);
+    var gcol = vec3f(0.0);
+    var branch = Branch(frame_ray(pixel), vec3f(1.0), 1u, RAY_PRIMARY);
+    loop {
+        inspect_ray(branch.kind);
+        let hit = bvh_traverse(branch.ray, false);
+        var arriving = frame.background;
+        if hit.primitive != MISS {
+            let direction = normalize(branch.ray.direction);
+            let s = surface_at(branch.ray, hit);
+            let m = material_at(s.object, s.texcoord, s.color);
+            let shadow = shadow_bits(s);
+            arriving = material_local(m, s.position, s.normal, -direction, s.inside, shadow);
+            if branch.level == 1u {
+                result.attributes.depth = hit.t;
+                result.attributes.object = s.object + 1u;
+                result.attributes.normal = s.normal;
+                result.attributes.shadow = shadow;
+                result.attributes.texcoord = texture_fold(s.object, s.texcoord);
+                result.attributes.color = s.color;
+            }
+            gcol += bounce_split(s, m, branch, direction);
+        }
+        if branch.level == 1u {
+            local = arriving;
+        } else {
+            gcol += branch.weight * arriving;
+        }
+        if !bounce_next(&branch) {
+            break;
+        }
     }
-    let s = surface_at(ray, hit);
-    let m = material_at(s.object, s.texcoord, s.color);
-    let direction = normalize(ray.direction);
-    result.attributes.depth = hit.t;
-    result.attributes.object = s.object + 1u;
-    result.attributes.normal = s.normal;
-    result.attributes.shadow = shadow_bits(s);
-    result.attributes.texcoord = texture_fold(s.object, s.texcoord);
-    result.attributes.color = s.color;
-    result.attributes.gcol = bounce(s, m, direction);
-    result.color = result.attributes.gcol
-        + material_local(m, s.position, s.normal, -direction, s.inside, result.attributes.shadow);
+    result.attributes.gcol = gcol;
+    result.color = gcol + local;
     return result;
 }

@@ -20,7 +20,8 @@ struct Surface {
     color: vec3f,
 }
 
-// 32 units in the last place of the corners: several times what rounding moves the point off its plane.
+// New rays start 32 units in the last place away: of the corners' coordinates along the normal, which bounds how far
+// rounding moves the point off its plane, and of the triangle's size, which bounds the error of the next test.
 const SURFACE_OFFSET: f32 = 3.8e-6;
 
 fn surface_at(ray: Ray, hit: Hit) -> Surface {
@@ -29,6 +30,7 @@ fn surface_at(ray: Ray, hit: Hit) -> Surface {
     var s: Surface;
     s.object = data.w & SURFACE_OBJECT;
     var extent: vec3f;
+    var longest: f32;
     if sphere_is(hit.primitive) {
         let center = corners[0];
         let radius = corners[1].x;
@@ -36,12 +38,13 @@ fn surface_at(ray: Ray, hit: Hit) -> Surface {
         s.face = s.normal;
         s.position = center + radius * s.normal;
         extent = abs(center) + radius;
+        longest = radius;
     } else {
         let w = 1.0 - hit.u - hit.v;
         s.position = w * corners[0] + hit.u * corners[1] + hit.v * corners[2];
         let a = corners[1] - corners[0];
         let b = corners[2] - corners[0];
-        let longest = max(max(max(abs(a.x), abs(a.y)), abs(a.z)), max(max(abs(b.x), abs(b.y)), abs(b.z)));
+        longest = max(max(max(abs(a.x), abs(a.y)), abs(a.z)), max(max(abs(b.x), abs(b.y)), abs(b.z)));
         s.face = normalize(cross(a / longest, b / longest));
         s.normal = normalize(
             w * octahedral_decode(data.x) + hit.u * octahedral_decode(data.y) + hit.v * octahedral_decode(data.z)
@@ -53,7 +56,7 @@ fn surface_at(ray: Ray, hit: Hit) -> Surface {
     s.inside = dot(s.face, ray.direction) > 0.0;
     s.face = select(s.face, -s.face, s.inside);
     s.normal = select(s.normal, -s.normal, s.inside);
-    s.offset = SURFACE_OFFSET * dot(abs(s.face), extent);
+    s.offset = SURFACE_OFFSET * (dot(abs(s.face), extent) + longest);
     s.texcoord = vertex_texcoord(hit);
     s.color = vertex_color(hit);
     return s;

@@ -3,15 +3,15 @@
 
 var<storage, read> vertices: array<u32>;
 
-const VERTEX_COLORS: u32 = select(0u, 6u, HAS_TEXTURES);
-const VERTEX_STRIDE: u32 = VERTEX_COLORS + select(0u, 3u, HAS_COLORS);
+const VERTEX_COLORS: u32 = select(0u, 6u, VERTEX_HAS_TEXCOORDS);
+const VERTEX_STRIDE: u32 = VERTEX_COLORS + select(0u, 3u, VERTEX_HAS_COLORS);
 
 fn vertex_corner_texcoord(index: u32) -> vec2f {
     return vec2f(bitcast<f32>(vertices[index]), bitcast<f32>(vertices[index + 1u]));
 }
 
 fn vertex_texcoord(hit: Hit) -> vec2f {
-    if !HAS_TEXTURES {
+    if !VERTEX_HAS_TEXCOORDS {
         return vec2f(0.0);
     }
     let i = hit.primitive * VERTEX_STRIDE;
@@ -20,7 +20,7 @@ fn vertex_texcoord(hit: Hit) -> vec2f {
 }
 
 fn vertex_color(hit: Hit) -> vec3f {
-    if !HAS_COLORS {
+    if !VERTEX_HAS_COLORS {
         return vec3f(1.0);
     }
     let i = hit.primitive * VERTEX_STRIDE + VERTEX_COLORS;

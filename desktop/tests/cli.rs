@@ -1,0 +1,82 @@
+//! The program from outside, where no graphics device is needed: exit codes, and one line for each failure.
+
+#![allow(clippy::unwrap_used, reason = "a test stops where it fails")]
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use glimpse::{DisplayImage, to_png};
+
+fn glimpse(folder: &Path, line: &str) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_glimpse"))
+        .args(line.split_whitespace())
+        .current_dir(folder)
+        .env_remove("RUST_LOG")
+        .output()
+        .unwrap()
+}
+
+fn grey(path: &Path, level: u8) {
+    let image = DisplayImage::from_raw(16, 9, [level, level, level, 255].repeat(16 * 9)).unwrap();
+    std::fs::write(path, to_png(&image).unwrap()).unwrap();
+}
+
+#[test]
+fn failures_are_one_line_and_a_code() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("empty.png"), b"").unwrap();
+    for (line, code, expected) in [
+        ("compare gone.png gone.png", 1, "cannot read gone.png"),
+        ("compare empty.png empty.png", 1, "empty.png: expected a PNG or an EXR"),
+        ("render gone.glb -o a.png", 1, "cannot read gone.glb"),
+        ("render builtin:room -o gone/a.png", 1, "gone/a.png: its folder does not exist"),
+        ("render builtin:room -o a.png --stats gone/a.json", 1, "gone/a.json: its folder does not exist"),
+        ("render builtin:attic -o a.png", 2, "there are room"),
+        ("render builtin:room -o a.png --t-tex NaN", 2, "--t-tex"),
+        ("render builtin:room -o a.exr --show depth", 2, "--show"),
+        ("bench builtin:room gone.glb", 1, "cannot read gone.glb"),
+        ("info model.stl", 2, "model.stl: expected a .glb or .gltf"),
+        ("rendr", 2, "rendr: expected"),
+    ] {
+        let output = glimpse(folder.path(), line);
+        let stderr = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(code), "{line}: {stderr}");
+        assert!(stderr.starts_with("glimpse: error: ") && stderr.contains(expected), "{line}: {stderr}");
+        assert_eq!(stderr.lines().count(), 1, "{line}: {stderr}");
+        assert!(output.stdout.is_empty(), "{line}");
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "nothing was written");
+}
+
+#[test]
+fn options_that_do_not_exist_are_wrong_usage() {
+    let folder = tempfile::tempdir().unwrap();
+    for line in ["render builtin:room", "render builtin:room -o a.jpg", "devices --sampling 2"] {
+        let output = glimpse(folder.path(), line);
+        assert_eq!(output.status.code(), Some(2), "{line}");
+        assert!(output.stdout.is_empty() && !output.stderr.is_empty(), "{line}");
+    }
+}
+
+#[test]
+fn compare_prints_the_errors() {
+    let folder = tempfile::tempdir().unwrap();
+    grey(&folder.path().join("a.png"), 100);
+    grey(&folder.path().join("b.png"), 105);
+    let text = |line| {
+        let output = glimpse(folder.path(), line);
+        assert_eq!(output.status.code(), Some(0), "{line}");
+        assert!(output.stderr.is_empty(), "{line}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    assert!(text("compare a.png b.png").starts_with("RMSE 5.000, PSNR 34.15 dB, SSIM 0.99"));
+    assert!(text("compare a.png a.png").contains("PSNR infinite, SSIM 1.00000, FLIP 0.00000"));
+    let json: serde_json::Value = serde_json::from_str(&text("compare a.png b.png --json")).unwrap();
+    assert_eq!((&json["rmse"], &json["worst_tile_rmse"]), (&5.0.into(), &5.0.into()));
+    assert_eq!(json["worst_tile"], serde_json::json!([0, 0]));
+    for name in ["psnr_db", "ssim", "flip_mean", "flip_p99"] {
+        assert!(json[name].is_number(), "{name}");
+    }
+    let equal: serde_json::Value = serde_json::from_str(&text("compare a.png a.png --json")).unwrap();
+    assert!(equal["psnr_db"].is_null(), "infinite");
+}
