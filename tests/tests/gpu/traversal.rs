@@ -12,6 +12,7 @@ use glimpse_tests::{
     random::Random,
     shared_scene,
     traversal::{Hit, Ray, Tracer, Verdict},
+    turn,
 };
 
 const RAYS: usize = 1_000_000;
@@ -46,8 +47,10 @@ fn agree(name: &str, mut scene: Scene) {
     scene.materials.iter_mut().for_each(|m| m.alpha_cutoff = None);
     let rays = random_rays(&scene, 1);
     let tracer = Tracer::new(&scene);
+    let turn = turn();
     let scene = GpuScene::upload(gpu(), scene).expect("the scene fits the device");
     let (hits, _) = trace_rays(gpu(), &scene, &rays).expect("the rays are traced");
+    drop(turn);
     assert_eq!(hits.len(), rays.len(), "{name}");
 
     let judge = &|(ray, hit): (&ProbeRay, &ProbeHit)| {
@@ -56,7 +59,7 @@ fn agree(name: &str, mut scene: Scene) {
             .then(|| Hit { object: hit.object, t: f64::from(hit.t) * length });
         (answer.is_some(), tracer.judge(&ray, answer))
     };
-    let (mut met, mut explained, mut wrong) = (0, 0, Vec::new());
+    let (mut met, mut ties, mut explained, mut wrong) = (0, 0, 0, Vec::new());
     let share = RAYS.div_ceil(thread::available_parallelism().map_or(2, NonZero::get));
     thread::scope(|scope| {
         let workers: Vec<_> = rays
@@ -68,13 +71,14 @@ fn agree(name: &str, mut scene: Scene) {
             met += usize::from(hit);
             match verdict {
                 Verdict::Same => {}
+                Verdict::Tie => ties += 1,
                 Verdict::Explained => explained += 1,
                 Verdict::Wrong(line) => wrong.push(line),
             }
         }
     });
     note(&format!(
-        "{name}: {RAYS} rays, {met} hit, {explained} explained by rounding, {} wrong",
+        "{name}: {RAYS} rays, {met} hit, {ties} ties, {explained} explained by rounding, {} wrong",
         wrong.len()
     ));
     assert!(met > RAYS / 20, "{name}: only {met} rays hit anything");
