@@ -16,7 +16,9 @@ set -eu
 
 mesa_version="25.0.7-2~bpo12+1"
 root=${GLIMPSE_SETUP_ROOT-}
-PATH=$PATH:/usr/sbin:/sbin
+if [ -z "$root" ]; then
+    PATH=$PATH:/usr/sbin:/sbin # ldconfig, for users
+fi
 
 say() { echo "setup: $*"; }
 fail() {

@@ -13,7 +13,7 @@ pub mod traversal;
 use std::{
     io::Write,
     path::{Path, PathBuf},
-    sync::OnceLock,
+    sync::{Mutex, MutexGuard, OnceLock, PoisonError},
 };
 
 use glam::DVec3;
@@ -37,6 +37,13 @@ pub fn gpu() -> &'static Gpu {
             panic!("{error}\nrun `sh desktop/setup.sh`: it installs Mesa's lavapipe where there is no driver")
         }
     })
+}
+
+/// The right to use the device: one test at a time, for a frame takes all of it (and two threads that wait for one
+/// device at once have been seen to wait for ever).
+pub fn turn() -> MutexGuard<'static, ()> {
+    static TURN: Mutex<()> = Mutex::new(());
+    TURN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// One frame, both ways of reading it.
@@ -63,6 +70,7 @@ impl Stage {
     #[must_use]
     pub fn new(scene: Scene) -> Self {
         let camera = *scene.camera(None).expect("the scene has a camera");
+        let _turn = turn();
         Self { scene: GpuScene::upload(gpu(), scene).expect("the scene fits the device"), camera }
     }
 
@@ -81,6 +89,7 @@ impl Stage {
     /// Where the renderer fails.
     #[must_use]
     pub fn frame(&self, size: [u32; 2], settings: &Settings) -> Frame {
+        let _turn = turn();
         let mut renderer = self.renderer(size, settings);
         renderer.render(&self.camera).expect("the frame renders");
         let display = renderer.display_image().expect("the frame can be read");
@@ -102,6 +111,7 @@ impl Stage {
     /// Where the renderer fails.
     #[must_use]
     pub fn inspect(&self, size: [u32; 2], settings: &Settings) -> Inspection {
+        let _turn = turn();
         let inspection = self.renderer(size, settings).inspect(&self.camera).expect("the frame is counted");
         assert_eq!(inspection.pixels.len(), (size[0] * size[1]) as usize, "one record a pixel");
         inspection

@@ -6,7 +6,7 @@
 //! S        = largest distance from the ray's origin to a corner
 //! D        = |e1 . (d x e2)|                twice the triangle's area as the ray sees it (d of unit length)
 //! slack    = e S (longest edge) / D         how far off barycentric coordinates may be
-//! dt       = e S |e1 x e2| / D              how far off the distance may be
+//! dt       = slack (longest edge) + e S      how far off the distance may be: it is interpolated from the corners'
 //! ```
 
 use std::ops::Range;
@@ -41,6 +41,8 @@ pub struct Hit {
 pub enum Verdict {
     /// The same object at the same distance.
     Same,
+    /// Another object at the same distance: two surfaces lie in one place.
+    Tie,
     /// Another answer that rounding explains: it exists, and nothing lies clearly in front of it.
     Explained,
     /// A wrong answer, in words.
@@ -140,12 +142,17 @@ impl Tracer {
         if let Some(missed) = missed {
             return Verdict::Wrong(format!("{answer:?} lies behind {:?}", missed.hit));
         }
-        let same = match (exact, answer) {
-            (None, None) => true,
-            (Some(a), Some(b)) => a.object == b.object && claimed_near(a, b, &candidates),
-            _ => false,
-        };
-        if same { Verdict::Same } else { Verdict::Explained }
+        match (exact, answer) {
+            (None, None) => Verdict::Same,
+            (Some(a), Some(b)) if claimed_near(a, b, &candidates) => {
+                if a.object == b.object {
+                    Verdict::Same
+                } else {
+                    Verdict::Tie
+                }
+            }
+            _ => Verdict::Explained,
+        }
     }
 
     fn visit(&self, ray: &Ray, see: &mut dyn FnMut(&Primitive, &mut f64)) {
@@ -269,7 +276,7 @@ impl Primitive {
                 let span = to.length().max((to + e1).length()).max((to + e2).length());
                 let longest = e1.length().max(e2.length()).max((e2 - e1).length());
                 let slack = ROUNDING * span * longest / seen_area;
-                let tolerance = ROUNDING * span * e1.cross(e2).length() / seen_area + ROUNDING * span;
+                let tolerance = slack * longest + ROUNDING * span;
                 let margin = u.min(v).min(1.0 - u - v);
                 let inside = margin >= -slack && t >= -tolerance && t <= ray.t_max + tolerance;
                 let certain = margin > slack && t > tolerance;

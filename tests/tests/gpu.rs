@@ -7,4 +7,5 @@ mod gpu {
     mod golden;
     mod minray;
     mod scenes;
+    mod traversal;
 }

@@ -78,9 +78,9 @@ fn pos() {
     none(floor(), Tolerances { pos: f32::MAX, ..Tolerances::default() });
 }
 
-/// A ridge towards the viewer, 60 degrees between the normals.
+/// A ridge towards the viewer, 45 degrees between the normals.
 fn ridge() -> Scene {
-    let back = 2.0 * 30.0_f32.to_radians().tan();
+    let back = 2.0 * 22.5_f32.to_radians().tan();
     let mut builder = Builder::new();
     let ridge = builder.object(matte(Vec3::ONE));
     builder.quad(ridge, vec3(BORDER - 2.0, -2.0, -back), vec3(2.0, 0.0, back), 4.0 * Vec3::Y);

@@ -1,0 +1,251 @@
+//! What `setup.sh` would do on other machines: it runs in a made-up system, where every command that changes something
+//! only writes down that it was called.
+#![cfg(target_os = "linux")]
+#![allow(clippy::unwrap_used, reason = "a test may fail wherever it is surprised")]
+
+use std::{
+    fs,
+    os::unix::fs::{PermissionsExt, symlink},
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+use tempfile::TempDir;
+
+const BOOKWORM: &str = "ID=debian\nVERSION_CODENAME=bookworm\n";
+const TRIXIE: &str = "ID=debian\nVERSION_CODENAME=trixie\n";
+const NOBLE: &str = "ID=ubuntu\nVERSION_CODENAME=noble\n";
+const MANIFEST: &str = "usr/share/vulkan/icd.d/lvp_icd.json";
+const SOURCES: &str = "etc/apt/sources.list.d/glimpse-backports.sources";
+
+/// A system in a folder: its files below `root`, its commands in `bin`.
+struct System {
+    folder: TempDir,
+}
+
+struct Outcome {
+    code: i32,
+    said: String,
+    /// The commands that would have changed something.
+    ran: Vec<String>,
+}
+
+impl System {
+    /// As a fresh container: root, apt, nothing else.
+    fn fresh(release: &str) -> Self {
+        let system = Self { folder: tempfile::tempdir().unwrap() };
+        system.file("etc/os-release", release);
+        fs::create_dir_all(system.root().join("etc/apt/sources.list.d")).unwrap();
+        fs::create_dir_all(system.folder.path().join("bin")).unwrap();
+        for tool in ["sh", "grep", "tee", "env", "cat"] {
+            let from = ["/usr/bin", "/bin"].map(|d| Path::new(d).join(tool));
+            let from = from.iter().find(|p| p.exists()).unwrap();
+            symlink(from, system.folder.path().join("bin").join(tool)).unwrap();
+        }
+        system.command("uname", "echo Linux");
+        system.command("id", "echo 0");
+        system.command("ldconfig", "true");
+        system.command("dpkg-query", "exit 1");
+        system.command("apt-get", "echo \"apt-get $*\" >>\"$RAN\"");
+        system.command("apt-cache", "echo ' mesa-vulkan-drivers | 25.0.7-2~bpo12+1 | http://deb/ Packages'");
+        system
+    }
+
+    fn complete(release: &str) -> Self {
+        let system = Self::fresh(release);
+        system.command("cc", "true");
+        system.command("c++", "true");
+        system.command("ldconfig", "echo '	libvulkan.so.1 (libc6,x86-64) => /usr/lib/libvulkan.so.1'");
+        system.file(MANIFEST, "{}");
+        system
+    }
+
+    fn root(&self) -> PathBuf {
+        self.folder.path().join("root")
+    }
+
+    fn file(&self, name: &str, text: &str) {
+        let path = self.root().join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+
+    fn remove(&self, name: &str) {
+        fs::remove_file(self.root().join(name)).unwrap();
+    }
+
+    fn command(&self, name: &str, script: &str) {
+        let path = self.folder.path().join("bin").join(name);
+        let _ = fs::remove_file(&path);
+        fs::write(&path, format!("#!/bin/sh\n{script}\n")).unwrap();
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).unwrap();
+    }
+
+    fn without(&self, name: &str) {
+        fs::remove_file(self.folder.path().join("bin").join(name)).unwrap();
+    }
+
+    fn run(&self) -> Outcome {
+        self.run_with("", "")
+    }
+
+    fn run_with(&self, variable: &str, value: &str) -> Outcome {
+        let ran = self.folder.path().join("ran");
+        let _ = fs::remove_file(&ran);
+        let mut command = Command::new("/bin/sh");
+        command
+            .arg(concat!(env!("CARGO_MANIFEST_DIR"), "/setup.sh"))
+            .env_clear()
+            .env("PATH", self.folder.path().join("bin"))
+            .env("HOME", "/root")
+            .env("RAN", &ran)
+            .env("GLIMPSE_SETUP_ROOT", self.root());
+        if !variable.is_empty() {
+            command.env(variable, value);
+        }
+        let output = command.output().unwrap();
+        Outcome {
+            code: output.status.code().unwrap(),
+            said: String::from_utf8(output.stdout).unwrap() + &String::from_utf8(output.stderr).unwrap(),
+            ran: fs::read_to_string(&ran).unwrap_or_default().lines().map(str::to_owned).collect(),
+        }
+    }
+}
+
+fn install(packages: &str) -> String {
+    format!("apt-get install -y -qq --no-install-recommends {packages}")
+}
+
+const UPDATE: &str = "apt-get update -qq";
+
+#[test]
+fn nothing_is_done_or_said_where_nothing_is_missing() {
+    for release in [BOOKWORM, TRIXIE, NOBLE] {
+        let outcome = System::complete(release).run();
+        assert_eq!((outcome.code, outcome.said.as_str()), (0, ""));
+        assert!(outcome.ran.is_empty(), "{:?}", outcome.ran);
+    }
+}
+
+#[test]
+fn fresh_bookworm_gets_mesa_from_backports() {
+    let system = System::fresh(BOOKWORM);
+    let outcome = system.run();
+    assert_eq!(outcome.code, 0, "{}", outcome.said);
+    let mesa = "-t bookworm-backports mesa-vulkan-drivers=25.0.7-2~bpo12+1";
+    assert_eq!(outcome.ran, [UPDATE, &install("gcc libc6-dev g++ libvulkan1"), &install(mesa)]);
+    let sources = fs::read_to_string(system.root().join(SOURCES)).unwrap();
+    assert!(sources.contains("Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg"), "{sources}");
+    for word in ["a C compiler", "a C++ compiler", "the Vulkan loader", "a Vulkan driver"] {
+        assert!(outcome.said.contains(word), "{}", outcome.said);
+    }
+}
+
+#[test]
+fn backports_that_are_there_are_used() {
+    let system = System::complete(BOOKWORM);
+    system.remove(MANIFEST);
+    system.file("etc/apt/sources.list", "deb http://deb.debian.org/debian bookworm-backports main\n");
+    let outcome = system.run();
+    let mesa = "-t bookworm-backports mesa-vulkan-drivers=25.0.7-2~bpo12+1";
+    assert_eq!(outcome.ran, [UPDATE, &install(mesa)]);
+    assert!(!system.root().join(SOURCES).exists());
+}
+
+#[test]
+fn the_newest_of_backports_where_the_pinned_version_is_gone() {
+    let system = System::fresh(BOOKWORM);
+    system.command("apt-cache", "echo ' mesa-vulkan-drivers | 25.2.1-1~bpo12+1 | http://deb/ Packages'");
+    let outcome = system.run();
+    assert_eq!(outcome.code, 0, "{}", outcome.said);
+    assert_eq!(outcome.ran[2], install("-t bookworm-backports mesa-vulkan-drivers"));
+    assert!(outcome.said.contains("no longer"), "{}", outcome.said);
+}
+
+#[test]
+fn bookworms_own_mesa_is_too_old_unless_there_is_a_gpu() {
+    let system = System::complete(BOOKWORM);
+    system.command("dpkg-query", "printf 22.3.6-1+deb12u1");
+    assert_eq!(system.run().ran.len(), 2);
+    system.file("dev/dri/renderD128", "");
+    assert!(system.run().ran.is_empty());
+}
+
+#[test]
+fn elsewhere_the_distributions_driver_is_taken() {
+    for release in [TRIXIE, NOBLE] {
+        let system = System::fresh(release);
+        let outcome = system.run();
+        assert_eq!(outcome.ran, [UPDATE, &install("gcc libc6-dev g++ libvulkan1 mesa-vulkan-drivers")]);
+        assert!(!system.root().join(SOURCES).exists());
+    }
+}
+
+#[test]
+fn only_what_is_missing_is_installed() {
+    let system = System::complete(NOBLE);
+    system.without("c++");
+    assert_eq!(system.run().ran, [UPDATE, &install("g++")]);
+}
+
+#[test]
+fn a_driver_elsewhere_counts() {
+    for place in ["etc/vulkan/icd.d/nvidia_icd.json", "usr/local/share/vulkan/icd.d/my_icd.json"] {
+        let system = System::complete(NOBLE);
+        system.remove(MANIFEST);
+        system.file(place, "{}");
+        assert!(system.run().ran.is_empty(), "{place}");
+    }
+    for variable in ["VK_DRIVER_FILES", "VK_ICD_FILENAMES"] {
+        let system = System::complete(NOBLE);
+        system.remove(MANIFEST);
+        system.file("opt/my icd.json", "{}");
+        let list = format!("/nonexistent:{}", system.root().join("opt/my icd.json").display());
+        assert!(system.run_with(variable, &list).ran.is_empty(), "{variable}");
+        assert_eq!(system.run_with(variable, "/nonexistent").ran.len(), 2, "{variable}");
+    }
+}
+
+#[test]
+fn users_need_sudo() {
+    let system = System::complete(NOBLE);
+    system.remove(MANIFEST);
+    system.command("id", "echo 1000");
+    let outcome = system.run();
+    assert_eq!(outcome.code, 1);
+    assert!(outcome.said.contains("no sudo"), "{}", outcome.said);
+
+    system.command("sudo", "echo \"sudo $*\" >>\"$RAN\"; \"$@\"");
+    let outcome = system.run();
+    assert_eq!(outcome.code, 0, "{}", outcome.said);
+    assert_eq!(outcome.ran[0], format!("sudo env DEBIAN_FRONTEND=noninteractive {UPDATE}"));
+}
+
+#[test]
+fn what_cannot_be_installed_is_said() {
+    let system = System::complete("ID=arch\n");
+    system.remove(MANIFEST);
+    system.without("apt-get");
+    let outcome = system.run();
+    assert_eq!(outcome.code, 1);
+    assert!(
+        outcome.said.contains("no apt-get") && outcome.said.contains("a Vulkan driver"),
+        "{}",
+        outcome.said
+    );
+
+    let system = System::fresh(NOBLE);
+    system.command("apt-get", "exit 100");
+    let outcome = system.run();
+    assert_eq!(outcome.code, 1);
+    assert!(outcome.said.contains("that failed: apt-get update"), "{}", outcome.said);
+}
+
+#[test]
+fn other_systems_bring_their_own_driver() {
+    let system = System::fresh(NOBLE);
+    system.command("uname", "echo Darwin");
+    let outcome = system.run();
+    assert_eq!((outcome.code, outcome.ran.len()), (0, 0));
+    assert!(outcome.said.contains("Darwin"), "{}", outcome.said);
+}
