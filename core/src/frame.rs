@@ -16,7 +16,7 @@ gpu_struct! {
         background: [f32; 3], tex_tolerance: f32,
         ambient: [f32; 3], gcol_tolerance: f32,
         truncated: [f32; 3], depth: u32,
-        size: [u32; 2], light_count: u32, max_coordinate: f32,
+        size: [u32; 2], padding0: u32, padding1: u32,
     }
 }
 
@@ -31,7 +31,6 @@ impl Frame {
     /// The constants of one frame of a scene.
     pub fn new(scene: &GpuScene, settings: &Settings, size: [u32; 2], camera: &Camera) -> Self {
         let environment = &scene.environment;
-        let (low, high) = scene.bounds();
         Self {
             origin: camera.origin.into(),
             orthographic: if camera.orthographic { 1.0 } else { 0.0 },
@@ -48,8 +47,7 @@ impl Frame {
             truncated: environment.truncated.into(),
             depth: settings.depth,
             size,
-            light_count: scene.light_count,
-            max_coordinate: low.abs().max(high.abs()).max_element(),
+            ..Self::default()
         }
     }
 }

@@ -1,8 +1,8 @@
 // Step-I (Kim 2016, Table 2): a ray through each base pixel, its colour and its attributes.
 
-@compute @workgroup_size(8, 8)
-fn main(@builtin(global_invocation_id) id: vec3u) {
-    let pixel = 2u * id.xy;
+@compute @workgroup_size(64)
+fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
+    let pixel = 2u * (8u * group.xy + frame_tile(local));
     if any(pixel >= frame.size) {
         return;
     }

@@ -129,6 +129,8 @@ pub struct Variant {
     pub bvh_stack: u32,
     /// Levels of rays.
     pub depth: u32,
+    /// Lights of the scene.
+    pub lights: u32,
 }
 
 /// Threads of a workgroup that works through a list.
@@ -160,6 +162,7 @@ impl Variant {
             output: Output::Display,
             bvh_stack: scene.bvh_stack,
             depth,
+            lights: scene.light_count,
         }
     }
 
@@ -266,6 +269,7 @@ impl Variant {
             ("BVH_STACK", self.bvh_stack),
             // Each level leaves at most one branch for later, the last one none; two are put down at a time.
             ("BOUNCE_STACK", self.depth + 1),
+            ("LIGHT_COUNT", self.lights),
             ("TRACE_GROUP", TRACE_GROUP),
             ("TRACE_ROW", TRACE_ROW),
             ("ORIGIN_BASE", Origin::Base as u32),

@@ -1,8 +1,9 @@
 // Step-II-a: the pixels between two base pixels of a row.
 
-@compute @workgroup_size(16, 16)
-fn main(@builtin(global_invocation_id) id: vec3u) {
-    let pixel = vec2u(2u * id.x + 1u, 2u * id.y);
+@compute @workgroup_size(256)
+fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
+    let at = 16u * group.xy + frame_tile(local);
+    let pixel = vec2u(2u, 2u) * at + vec2u(1u, 0u);
     if any(pixel >= frame.size) {
         return;
     }

@@ -1,8 +1,9 @@
 // Step-III-a: the rows between those of the base pixels; their attributes are not needed any more.
 
-@compute @workgroup_size(16, 16)
-fn main(@builtin(global_invocation_id) id: vec3u) {
-    let pixel = vec2u(id.x, 2u * id.y + 1u);
+@compute @workgroup_size(256)
+fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
+    let at = 16u * group.xy + frame_tile(local);
+    let pixel = vec2u(1u, 2u) * at + vec2u(0u, 1u);
     if any(pixel >= frame.size) {
         return;
     }

@@ -33,6 +33,7 @@ fn variants() -> impl Iterator<Item = Variant> {
         output,
         bvh_stack: 12,
         depth: 3,
+        lights: 2,
     };
     let few = || (0..8).map(|i| 1 << i).chain([0, 255]);
     let timed = (0..256).map(move |bits| make(bits, false, Output::Display));

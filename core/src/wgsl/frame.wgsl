@@ -16,8 +16,8 @@ struct Frame {
     truncated: vec3f,
     depth: u32,
     size: vec2u,
-    light_count: u32,
-    max_coordinate: f32,
+    padding0: u32,
+    padding1: u32,
 }
 
 var<uniform> frame: Frame;
@@ -43,4 +43,12 @@ fn frame_ray(pixel: vec2u) -> Ray {
         FAR,
         frame.forward + (1.0 - frame.orthographic) * spread,
     );
+}
+
+// The place of a thread in a square tile, along a Z-order curve: threads that run together see neighbouring pixels.
+fn frame_tile(index: u32) -> vec2u {
+    var bits = vec2u(index, index >> 1u) & vec2u(0x55555555u);
+    bits = (bits | (bits >> vec2u(1u))) & vec2u(0x33333333u);
+    bits = (bits | (bits >> vec2u(2u))) & vec2u(0x0f0f0f0fu);
+    return (bits | (bits >> vec2u(4u))) & vec2u(0x00ff00ffu);
 }

@@ -50,7 +50,7 @@ fn lights_arrival(index: u32, position: vec3f) -> Arrival {
 
 fn lights_reflected(m: Material, diffuse: vec3f, position: vec3f, normal: vec3f, view: vec3f, shadow: u32) -> vec3f {
     var sum = vec3f(0.0);
-    for (var i = 0u; i < frame.light_count; i += 1u) {
+    for (var i = 0u; i < LIGHT_COUNT; i += 1u) {
         if (shadow & (1u << i)) != 0u {
             continue;
         }

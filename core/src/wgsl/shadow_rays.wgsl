@@ -3,7 +3,7 @@
 
 fn shadow_bits(s: Surface) -> u32 {
     var bits = 0u;
-    for (var i = 0u; i < frame.light_count; i += 1u) {
+    for (var i = 0u; i < LIGHT_COUNT; i += 1u) {
         let arrival = lights_arrival(i, s.position);
         if dot(s.normal, arrival.direction) <= 0.0 {
             continue;
