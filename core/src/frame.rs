@@ -16,7 +16,7 @@ gpu_struct! {
         background: [f32; 3], tex_tolerance: f32,
         ambient: [f32; 3], gcol_tolerance: f32,
         truncated: [f32; 3], depth: u32,
-        size: [u32; 2], padding0: u32, padding1: u32,
+        size: [u32; 2], inverse_height: f32, padding: u32,
     }
 }
 
@@ -47,7 +47,8 @@ impl Frame {
             truncated: environment.truncated.into(),
             depth: settings.depth,
             size,
-            ..Self::default()
+            inverse_height: 1.0 / size[1] as f32,
+            padding: 0,
         }
     }
 }

@@ -131,6 +131,8 @@ pub struct Variant {
     pub depth: u32,
     /// Lights of the scene.
     pub lights: u32,
+    /// Objects of the scene.
+    pub objects: u32,
 }
 
 /// Threads of a workgroup that works through a list.
@@ -163,7 +165,14 @@ impl Variant {
             bvh_stack: scene.bvh_stack,
             depth,
             lights: scene.light_count,
+            objects: scene.object_count,
         }
+    }
+
+    /// Where the shadow bits begin in the word of the object; `None` if they need a word of their own.
+    fn shadow_shift(&self) -> Option<u32> {
+        let object_bits = 32 - self.objects.leading_zeros();
+        (object_bits + self.lights < 32).then_some(object_bits)
     }
 
     /// The planes of the attribute buffer, in order.
@@ -171,7 +180,7 @@ impl Variant {
     pub fn planes(&self) -> Vec<&'static str> {
         let f = &self.features;
         let optional = [
-            ("SHADOW", f.lights),
+            ("SHADOW", self.shadow_shift().is_none()),
             ("GCOL", f.reflection || f.refraction),
             ("TEXCOORD", f.textures),
             ("COLOR", f.vertex_colors),
@@ -256,6 +265,7 @@ impl Variant {
         }
         let flags = [
             ("HAS_LIGHTS", f.lights),
+            ("HAS_SHADOW_WORD", self.shadow_shift().is_none()),
             ("HAS_GCOL", f.reflection || f.refraction),
             ("HAS_TEXTURES", f.textures),
             ("HAS_COLORS", f.vertex_colors),
@@ -270,6 +280,8 @@ impl Variant {
             // Each level leaves at most one branch for later, the last one none; two are put down at a time.
             ("BOUNCE_STACK", self.depth + 1),
             ("LIGHT_COUNT", self.lights),
+            ("SHADOW_SHIFT", self.shadow_shift().unwrap_or(0)),
+            ("OBJECT_MASK", self.shadow_shift().map_or(u32::MAX, |shift| (1 << shift) - 1)),
             ("TRACE_GROUP", TRACE_GROUP),
             ("TRACE_ROW", TRACE_ROW),
             ("ORIGIN_BASE", Origin::Base as u32),

@@ -34,6 +34,8 @@ fn variants() -> impl Iterator<Item = Variant> {
         bvh_stack: 12,
         depth: 3,
         lights: 2,
+        // With the shadow bits in the object's word, and without.
+        objects: if bits & 1 != 0 { 1 << 31 } else { 100 },
     };
     let few = || (0..8).map(|i| 1 << i).chain([0, 255]);
     let timed = (0..256).map(move |bits| make(bits, false, Output::Display));

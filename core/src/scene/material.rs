@@ -94,6 +94,17 @@ impl Material {
             .flatten()
     }
 
+    /// Whether the base colour is all there is: a rough dielectric that neither emits nor lets light through.
+    #[must_use]
+    pub fn is_matte(&self) -> bool {
+        self.metallic == 0.0
+            && self.roughness >= 1.0
+            && self.emission == Vec3::ZERO
+            && self.transmission == 0.0
+            && self.weights.is_none()
+            && self.metallic_roughness_texture.is_none()
+    }
+
     /// Whether some view angle makes a reflection ray worth tracing.
     #[must_use]
     pub fn reflects(&self) -> bool {

@@ -1,5 +1,6 @@
 // The ray-attribute vector of a pixel (Kim 2016, section 3.2): OID, POS, NORM, SHDBIT, TCOORD, GCOL.
-// Stored as planes of 32 bits, for the rows of the base pixels alone; POS as the depth along the pixel's own ray.
+// Stored as planes of 32 bits, for the rows of the base pixels alone; POS as the depth along the pixel's own ray,
+// SHDBIT above OID where both fit into one word.
 
 struct Attributes {
     depth: f32,
@@ -21,11 +22,13 @@ fn attributes_plane(plane: u32, pixel: vec2u) -> u32 {
 
 fn attributes_store(pixel: vec2u, a: Attributes) {
     attributes[attributes_plane(PLANE_DEPTH, pixel)] = bitcast<u32>(a.depth);
-    attributes[attributes_plane(PLANE_OBJECT, pixel)] = a.object;
-    attributes[attributes_plane(PLANE_NORMAL, pixel)] = octahedral_encode(a.normal);
-    if HAS_LIGHTS {
+    if !HAS_SHADOW_WORD {
+        attributes[attributes_plane(PLANE_OBJECT, pixel)] = a.object | (a.shadow << SHADOW_SHIFT);
+    } else {
+        attributes[attributes_plane(PLANE_OBJECT, pixel)] = a.object;
         attributes[attributes_plane(PLANE_SHADOW, pixel)] = a.shadow;
     }
+    attributes[attributes_plane(PLANE_NORMAL, pixel)] = octahedral_encode(a.normal);
     if HAS_GCOL {
         attributes[attributes_plane(PLANE_GCOL, pixel)] = rgb9e5_encode(a.gcol);
     }
@@ -40,12 +43,16 @@ fn attributes_store(pixel: vec2u, a: Attributes) {
 fn attributes_load(pixel: vec2u) -> Attributes {
     var a: Attributes;
     a.depth = bitcast<f32>(attributes[attributes_plane(PLANE_DEPTH, pixel)]);
-    a.object = attributes[attributes_plane(PLANE_OBJECT, pixel)];
-    a.normal = octahedral_decode(attributes[attributes_plane(PLANE_NORMAL, pixel)]);
-    a.color = vec3f(1.0);
-    if HAS_LIGHTS {
+    let object = attributes[attributes_plane(PLANE_OBJECT, pixel)];
+    if !HAS_SHADOW_WORD {
+        a.object = object & OBJECT_MASK;
+        a.shadow = object >> SHADOW_SHIFT;
+    } else {
+        a.object = object;
         a.shadow = attributes[attributes_plane(PLANE_SHADOW, pixel)];
     }
+    a.normal = octahedral_decode(attributes[attributes_plane(PLANE_NORMAL, pixel)]);
+    a.color = vec3f(1.0);
     if HAS_GCOL {
         a.gcol = rgb9e5_decode(attributes[attributes_plane(PLANE_GCOL, pixel)]);
     }
@@ -63,9 +70,13 @@ fn rgb9e5_encode(color: vec3f) -> u32 {
     let clamped = clamp(color, vec3f(0.0), vec3f(65408.0));
     let largest = max(clamped.x, max(clamped.y, clamped.z));
     // floor(log2(largest)), read from the exponent's bits; at least -16.
-    let exponent = max(i32(bitcast<u32>(largest) >> 23u) - 127, -16) + 1;
-    let scale = bitcast<f32>(u32(9 - exponent + 127) << 23u);
-    let mantissa = min(vec3u(round(clamped * scale)), vec3u(511u));
+    var exponent = max(i32(bitcast<u32>(largest) >> 23u) - 127, -16) + 1;
+    var scale = bitcast<f32>(u32(9 - exponent + 127) << 23u);
+    if round(largest * scale) > 511.0 {
+        exponent += 1;
+        scale *= 0.5;
+    }
+    let mantissa = vec3u(round(clamped * scale));
     return mantissa.x | (mantissa.y << 9u) | (mantissa.z << 18u) | (u32(exponent + 15) << 27u);
 }
 

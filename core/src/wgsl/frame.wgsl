@@ -16,8 +16,9 @@ struct Frame {
     truncated: vec3f,
     depth: u32,
     size: vec2u,
-    padding0: u32,
-    padding1: u32,
+    // 1 / size.y
+    inverse_height: f32,
+    padding: u32,
 }
 
 var<uniform> frame: Frame;
@@ -35,8 +36,8 @@ struct Ray {
 fn frame_ray(pixel: vec2u) -> Ray {
     let size = vec2f(frame.size);
     let at = vec2f(pixel) + 0.5;
-    let x = (2.0 * at.x - size.x) / size.y;
-    let y = (size.y - 2.0 * at.y) / size.y;
+    let x = (2.0 * at.x - size.x) * frame.inverse_height;
+    let y = (size.y - 2.0 * at.y) * frame.inverse_height;
     let spread = x * frame.right + y * frame.up;
     return Ray(
         frame.origin + frame.orthographic * spread,

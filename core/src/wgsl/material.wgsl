@@ -15,13 +15,17 @@ fn material_at(object: u32, texcoord: vec2f, color: vec3f) -> Material {
     var m: Material;
     m.flags = objects[object].flags;
     m.base = objects[object].base_color * color * texture_color(objects[object].base_color_texture, texcoord).rgb;
-    m.emission = objects[object].emission * texture_color(objects[object].emissive_texture, texcoord).rgb;
-    let surface = texture_data(objects[object].metallic_roughness_texture, texcoord);
-    m.roughness = objects[object].roughness * surface.g;
-    m.metallic = objects[object].metallic * surface.b;
-    m.weights = objects[object].weights;
-    m.transmission = objects[object].transmission;
-    m.ior = objects[object].ior;
+    m.roughness = 1.0;
+    m.ior = 1.5;
+    if !material_is(m, OBJECT_MATTE) {
+        let surface = texture_data(objects[object].metallic_roughness_texture, texcoord);
+        m.emission = objects[object].emission * texture_color(objects[object].emissive_texture, texcoord).rgb;
+        m.roughness = objects[object].roughness * surface.g;
+        m.metallic = objects[object].metallic * surface.b;
+        m.weights = objects[object].weights;
+        m.transmission = objects[object].transmission;
+        m.ior = objects[object].ior;
+    }
     return m;
 }
 

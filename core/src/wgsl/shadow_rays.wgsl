@@ -2,9 +2,10 @@
 // shading normal contributes nothing whatever its bit says, so it gets no ray.
 
 fn shadow_bits(s: Surface) -> u32 {
+    let origin = s.position + s.offset * s.face;
     var bits = 0u;
     for (var i = 0u; i < LIGHT_COUNT; i += 1u) {
-        let arrival = lights_arrival(i, s.position);
+        let arrival = lights_arrival(i, origin);
         if dot(s.normal, arrival.direction) <= 0.0 {
             continue;
         }
@@ -12,7 +13,7 @@ fn shadow_bits(s: Surface) -> u32 {
         if !blocked {
             inspect_ray(RAY_SHADOW);
             let reach = max(arrival.distance * 0.99999 - lights[i].radius, 0.0);
-            blocked = bvh_traverse(surface_spawn(s, arrival.direction, reach), true).primitive != MISS;
+            blocked = bvh_traverse(Ray(origin, reach, arrival.direction), true).primitive != MISS;
         }
         bits |= select(0u, 1u << i, blocked);
     }
