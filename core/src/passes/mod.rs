@@ -181,6 +181,7 @@ impl Variant {
         let f = &self.features;
         let optional = [
             ("SHADOW", self.shadow_shift().is_none()),
+            ("FACE", f.smooth_normals),
             ("GCOL", f.reflection || f.refraction),
             ("TEXCOORD", f.textures),
             ("COLOR", f.vertex_colors),
@@ -259,13 +260,14 @@ impl Variant {
         let f = &self.features;
         let mut text = String::new();
         let planes = self.planes();
-        for name in ["DEPTH", "OBJECT", "NORMAL", "SHADOW", "GCOL", "TEXCOORD", "COLOR"] {
+        for name in ["DEPTH", "OBJECT", "NORMAL", "SHADOW", "FACE", "GCOL", "TEXCOORD", "COLOR"] {
             let index = planes.iter().position(|p| *p == name).unwrap_or(0);
             let _ = writeln!(text, "const PLANE_{name}: u32 = {index}u;");
         }
         let flags = [
             ("HAS_LIGHTS", f.lights),
             ("HAS_SHADOW_WORD", self.shadow_shift().is_none()),
+            ("HAS_FACE", f.smooth_normals),
             ("HAS_GCOL", f.reflection || f.refraction),
             ("HAS_TEXTURES", f.textures),
             ("HAS_COLORS", f.vertex_colors),

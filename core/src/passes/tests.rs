@@ -20,6 +20,7 @@ fn features(bits: u32) -> Features {
         reflection: bit(5),
         refraction: bit(6),
         lights: bit(7),
+        smooth_normals: bit(4),
     }
 }
 

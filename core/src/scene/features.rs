@@ -9,6 +9,8 @@ pub struct Features {
     pub textures: bool,
     /// Some object has vertex colours.
     pub vertex_colors: bool,
+    /// Shading normals differ from those of the faces somewhere.
+    pub smooth_normals: bool,
     /// Some object has holes cut by alpha.
     pub alpha_mask: bool,
     /// Some object lets shadow rays pass.
@@ -31,6 +33,7 @@ impl Features {
         Self {
             textures: used().any(|m| m.textures().next().is_some()),
             vertex_colors: !scene.colors.is_empty(),
+            smooth_normals: scene.normals.iter().any(|[a, b, c]| a != b || b != c),
             alpha_mask: used().any(|m| m.alpha_cutoff.is_some()),
             shadow_filter: used().any(|m| !m.casts_shadow),
             spheres: !scene.spheres.is_empty(),
@@ -46,6 +49,7 @@ impl Features {
         Self {
             textures: true,
             vertex_colors: true,
+            smooth_normals: true,
             alpha_mask: true,
             shadow_filter: true,
             spheres: true,
@@ -57,10 +61,11 @@ impl Features {
 
     /// Every feature with its name in the statistics.
     #[must_use]
-    pub fn list(&self) -> [(&'static str, bool); 8] {
+    pub fn list(&self) -> [(&'static str, bool); 9] {
         [
             ("textures", self.textures),
             ("vertex_colors", self.vertex_colors),
+            ("smooth_normals", self.smooth_normals),
             ("alpha_mask", self.alpha_mask),
             ("shadow_filter", self.shadow_filter),
             ("spheres", self.spheres),

@@ -121,7 +121,8 @@ pub struct Light {
     pub kind: LightKind,
     /// Linear RGB; W/sr for point and spot lights, W/m^2 for directional ones.
     pub intensity: Vec3,
-    /// Shadow rays stop at this distance before the light: an emitter's own body does not shadow it.
+    /// Shadow rays stop at this distance before the light: an emitter's own body does not shadow it. No meaning
+    /// for directional lights. Lights of a file get a hundredth of the scene's longest side.
     pub radius: f32,
 }
 

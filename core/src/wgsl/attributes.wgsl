@@ -1,4 +1,5 @@
-// The ray-attribute vector of a pixel (Kim 2016, section 3.2): OID, POS, NORM, SHDBIT, TCOORD, GCOL.
+// The ray-attribute vector of a pixel (Kim 2016, section 3.2): OID, POS, NORM, SHDBIT, TCOORD, GCOL; and beside them
+// the normal of the face, where shading normals differ from it.
 // Stored as planes of 32 bits, for the rows of the base pixels alone; POS as the depth along the pixel's own ray,
 // SHDBIT above OID where both fit into one word.
 
@@ -7,6 +8,7 @@ struct Attributes {
     // OID + 1, 0 where the ray meets nothing.
     object: u32,
     normal: vec3f,
+    face: vec3f,
     shadow: u32,
     gcol: vec3f,
     texcoord: vec2f,
@@ -29,6 +31,9 @@ fn attributes_store(pixel: vec2u, a: Attributes) {
         attributes[attributes_plane(PLANE_SHADOW, pixel)] = a.shadow;
     }
     attributes[attributes_plane(PLANE_NORMAL, pixel)] = octahedral_encode(a.normal);
+    if HAS_FACE {
+        attributes[attributes_plane(PLANE_FACE, pixel)] = octahedral_encode(a.face);
+    }
     if HAS_GCOL {
         attributes[attributes_plane(PLANE_GCOL, pixel)] = rgb9e5_encode(a.gcol);
     }
@@ -52,6 +57,10 @@ fn attributes_load(pixel: vec2u) -> Attributes {
         a.shadow = attributes[attributes_plane(PLANE_SHADOW, pixel)];
     }
     a.normal = octahedral_decode(attributes[attributes_plane(PLANE_NORMAL, pixel)]);
+    a.face = a.normal;
+    if HAS_FACE {
+        a.face = octahedral_decode(attributes[attributes_plane(PLANE_FACE, pixel)]);
+    }
     a.color = vec3f(1.0);
     if HAS_GCOL {
         a.gcol = rgb9e5_decode(attributes[attributes_plane(PLANE_GCOL, pixel)]);

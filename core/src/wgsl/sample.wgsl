@@ -26,6 +26,7 @@ fn sample_trace(pixel: vec2u) -> Sample {
                 result.attributes.depth = hit.t;
                 result.attributes.object = s.object + 1u;
                 result.attributes.normal = s.normal;
+                result.attributes.face = s.face;
                 result.attributes.shadow = shadow;
                 result.attributes.texcoord = texture_fold(s.object, s.texcoord);
                 result.attributes.color = s.color;

@@ -1,8 +1,9 @@
 // The seven similarity checks of Kim 2016, Table 1, on the attribute vectors of two reference pixels.
 //
 // Deviations: tolerances are strict bounds, so that a tolerance of 0 traces everything. G4 fails only where both
-// distances from the other's tangent plane exceed what the stored normals (5e-5 rad) and depths round to; as
-// printed it compares the signs of rounding errors on flat surfaces. TX is the table's formula, not the prose.
+// distances from the other's tangent plane exceed what the stored normals (6.5e-5 rad) and depths round to; as
+// printed it compares the signs of rounding errors on flat surfaces. Its tangent planes are those of the faces: a
+// shading normal that leans over a flat face looks like an inflection. TX is the table's formula, not the prose.
 
 fn similarity_position(pixel: vec2u, depth: f32) -> vec3f {
     let ray = frame_ray(pixel);
@@ -31,8 +32,8 @@ fn similarity_failed(a: Attributes, a_pixel: vec2u, b: Attributes, b_pixel: vec2
     let distance = length(step);
     var failed = select(CHECK_POS, 0u, distance < frame.pos_tolerance);
     failed |= select(CHECK_NORM, 0u, dot(a.normal, b.normal) > frame.norm_tolerance);
-    let from_a = dot(step, a.normal);
-    let from_b = -dot(step, b.normal);
+    let from_a = dot(step, a.face);
+    let from_b = -dot(step, b.face);
     let rounding = 1.0e-4 * distance + 5.0e-7 * (length(a_position) + length(frame.origin) + a.depth + b.depth);
     failed |= select(0u, CHECK_CONVEX, from_a * from_b < 0.0 && min(abs(from_a), abs(from_b)) > rounding);
     if HAS_TEXTURES {
@@ -60,6 +61,9 @@ fn similarity_interpolate(a: Attributes, b: Attributes) -> Attributes {
     let b_weight = 1.0 - a_weight;
     middle.depth = select(0.5 * (a.depth + b.depth), 2.0 * a.depth * a_weight, perspective);
     middle.normal = normalize(a_weight * a.normal + b_weight * b.normal);
+    if HAS_FACE {
+        middle.face = normalize(a_weight * a.face + b_weight * b.face);
+    }
     middle.gcol = 0.5 * (a.gcol + b.gcol);
     middle.texcoord = a_weight * a.texcoord + b_weight * b.texcoord;
     middle.color = a_weight * a.color + b_weight * b.color;

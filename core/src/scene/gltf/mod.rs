@@ -69,16 +69,22 @@ pub(super) fn read(bytes: &[u8], resolve: &mut Resolve<'_>) -> Result<Scene> {
     }
     import_meshes(&source, &placed, resolve, &mut scene)?;
 
-    match scene.bounds() {
-        None => return Err(Error::scene("file", "the scene holds no triangles")),
-        Some((low, high)) if scene.cameras.is_empty() => {
-            scene.cameras.push(("framing".to_owned(), Camera::framing(low, high)));
-        }
-        Some(_) => {}
+    let Some((low, high)) = scene.bounds() else {
+        return Err(Error::scene("file", "the scene holds no triangles"));
+    };
+    if scene.cameras.is_empty() {
+        scene.cameras.push(("framing".to_owned(), Camera::framing(low, high)));
+    }
+    for light in &mut scene.lights {
+        light.radius = FIXTURE * (high - low).max_element();
     }
     scene.validate()?;
     Ok(scene)
 }
+
+/// The radius of an imported light in units of the scene's longest side. Files put lights inside fixtures and
+/// flush with ceilings; the extension has no size for them.
+const FIXTURE: f32 = 0.01;
 
 fn parse(text: &[u8]) -> Result<json::Root> {
     let root: json::Root = json::deserialize::from_slice(text).map_err(|e| {
