@@ -8,6 +8,7 @@ struct Attributes {
     // OID + 1, 0 where the ray meets nothing.
     object: u32,
     normal: vec3f,
+    // Not of unit length.
     face: vec3f,
     shadow: u32,
     gcol: vec3f,
@@ -59,7 +60,7 @@ fn attributes_load(pixel: vec2u) -> Attributes {
     a.normal = octahedral_decode(attributes[attributes_plane(PLANE_NORMAL, pixel)]);
     a.face = a.normal;
     if HAS_FACE {
-        a.face = octahedral_decode(attributes[attributes_plane(PLANE_FACE, pixel)]);
+        a.face = octahedral_direction(attributes[attributes_plane(PLANE_FACE, pixel)]);
     }
     a.color = vec3f(1.0);
     if HAS_GCOL {

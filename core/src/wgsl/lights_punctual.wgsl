@@ -38,14 +38,15 @@ fn lights_arrival(index: u32, position: vec3f) -> Arrival {
     }
     let to_light = light.position - position;
     let distance2 = max(dot(to_light, to_light), 1.0e-30);
-    let distance = sqrt(distance2);
-    let direction = to_light / distance;
+    let inverse = inverseSqrt(distance2);
+    let distance = distance2 * inverse;
+    let direction = to_light * inverse;
     if light.kind == LIGHT_CONSTANT {
         return Arrival(direction, distance, light.intensity);
     }
     let window = clamp(1.0 - distance2 * distance2 * light.inverse_range4, 0.0, 1.0);
     let cone = clamp(-dot(direction, light.direction) * light.cone_scale + light.cone_offset, 0.0, 1.0);
-    return Arrival(direction, distance, light.intensity * (window * cone * cone / distance2));
+    return Arrival(direction, distance, light.intensity * (window * cone * cone * inverse * inverse));
 }
 
 fn lights_reflected(m: Material, diffuse: vec3f, position: vec3f, normal: vec3f, view: vec3f, shadow: u32) -> vec3f {

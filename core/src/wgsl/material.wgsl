@@ -50,6 +50,13 @@ fn material_fresnel_dielectric(cosine: f32, ratio: f32) -> f32 {
     return 0.5 * (s * s + p * p);
 }
 
+// Schlick's (1 - cos)^5.
+fn material_grazing(cosine: f32) -> f32 {
+    let x = 1.0 - cosine;
+    let x2 = x * x;
+    return x2 * x2 * x;
+}
+
 fn material_fresnel(m: Material, cosine: f32, inside: bool) -> vec3f {
     let solid_inside = inside && m.transmission > 0.0 && !material_is(m, OBJECT_THIN);
     var dielectric = material_fresnel_dielectric(cosine, select(1.0 / m.ior, m.ior, solid_inside));
@@ -57,7 +64,7 @@ fn material_fresnel(m: Material, cosine: f32, inside: bool) -> vec3f {
         // Both faces of the pane, all orders.
         dielectric = 2.0 * dielectric / (1.0 + dielectric);
     }
-    let grazing = pow(1.0 - cosine, 5.0);
+    let grazing = material_grazing(cosine);
     let metal = m.base + (1.0 - m.base) * grazing;
     return mix(vec3f(dielectric), metal, m.metallic);
 }
@@ -115,7 +122,7 @@ fn material_lobe(m: Material, normal: vec3f, view: vec3f, light: vec3f) -> vec3f
     let alpha2 = roughness * roughness * roughness * roughness;
     let exponent = max(2.0 / alpha2 - 2.0, 0.0);
     let distribution = (exponent + 2.0) / (2.0 * PI) * pow(max(dot(normal, half_way), 0.0), exponent);
-    let grazing = pow(1.0 - clamp(dot(view, half_way), 0.0, 1.0), 5.0);
+    let grazing = material_grazing(clamp(dot(view, half_way), 0.0, 1.0));
     let at_normal = (m.ior - 1.0) / (m.ior + 1.0);
     let f0 = mix(vec3f(at_normal * at_normal), m.base, m.metallic);
     let fresnel = f0 + (1.0 - f0) * grazing;

@@ -10,10 +10,15 @@ fn octahedral_encode(n: vec3f) -> u32 {
     return pack2x16snorm(p);
 }
 
-fn octahedral_decode(packed: u32) -> vec3f {
+// A vector of length 0.57 to 1.
+fn octahedral_direction(packed: u32) -> vec3f {
     let p = unpack2x16snorm(packed);
     let z = 1.0 - abs(p.x) - abs(p.y);
     let fold = max(-z, 0.0);
     let xy = p + select(vec2f(fold), vec2f(-fold), p >= vec2f(0.0));
-    return normalize(vec3f(xy, z));
+    return vec3f(xy, z);
+}
+
+fn octahedral_decode(packed: u32) -> vec3f {
+    return normalize(octahedral_direction(packed));
 }

@@ -34,7 +34,8 @@ fn similarity_failed(a: Attributes, a_pixel: vec2u, b: Attributes, b_pixel: vec2
     failed |= select(CHECK_NORM, 0u, dot(a.normal, b.normal) > frame.norm_tolerance);
     let from_a = dot(step, a.face);
     let from_b = -dot(step, b.face);
-    let rounding = 1.0e-4 * distance + 5.0e-7 * (length(a_position) + length(frame.origin) + a.depth + b.depth);
+    let extent = dot(abs(a_position) + abs(frame.origin), vec3f(1.0));
+    let rounding = 1.0e-4 * distance + 5.0e-7 * (extent + a.depth + b.depth);
     failed |= select(0u, CHECK_CONVEX, from_a * from_b < 0.0 && min(abs(from_a), abs(from_b)) > rounding);
     if HAS_TEXTURES {
         let seam = texture_seam_matters(a.object - 1u) && similarity_seam(a.texcoord, b.texcoord);
@@ -62,7 +63,7 @@ fn similarity_interpolate(a: Attributes, b: Attributes) -> Attributes {
     middle.depth = select(0.5 * (a.depth + b.depth), 2.0 * a.depth * a_weight, perspective);
     middle.normal = normalize(a_weight * a.normal + b_weight * b.normal);
     if HAS_FACE {
-        middle.face = normalize(a_weight * a.face + b_weight * b.face);
+        middle.face = a_weight * a.face + b_weight * b.face;
     }
     middle.gcol = 0.5 * (a.gcol + b.gcol);
     middle.texcoord = a_weight * a.texcoord + b_weight * b.texcoord;
