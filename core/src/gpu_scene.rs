@@ -68,6 +68,7 @@ impl GpuScene {
     /// # Errors
     /// [`Error::Missing`] where the device cannot hold it, [`Error::Scene`] where there is nothing in it.
     pub fn upload(gpu: &Gpu, mut scene: Scene) -> Result<Self> {
+        scene.validate()?;
         let bounds = scene.bounds().ok_or_else(|| Error::scene("scene", "nothing to trace in it"))?;
         if scene.lights.len() > MAX_LIGHTS || scene.objects.len() > MAX_OBJECTS {
             return Err(Error::scene(

@@ -47,8 +47,7 @@ impl ProbeHit {
 /// A device that failed or cannot hold the rays.
 pub fn trace_rays(gpu: &Gpu, scene: &GpuScene, rays: &[ProbeRay]) -> Result<(Vec<ProbeHit>, f64)> {
     let variant = Variant::new(scene, Linking::Auto, 1);
-    let entry = Source { file: "wgsl/probe.wgsl", text: include_str!("wgsl/probe.wgsl").into() };
-    let kernel = Kernel::new(gpu, "probe", &variant.tracing_sources([entry]))?;
+    let kernel = Kernel::new(gpu, "probe", &sources(&variant))?;
     let rays_buffer = gpu.storage("rays", rays)?;
     let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
     let hits_buffer =
@@ -71,4 +70,10 @@ pub fn trace_rays(gpu: &Gpu, scene: &GpuScene, rays: &[ProbeRay]) -> Result<(Vec
     let mut hits: Vec<ProbeHit> = bytemuck::pod_collect_to_vec(&bytes[..rays.len() * size_of::<ProbeHit>()]);
     hits.truncate(rays.len());
     Ok((hits, ms))
+}
+
+/// What the probe's kernel is made of.
+pub(crate) fn sources(variant: &Variant) -> Vec<Source> {
+    let entry = Source { file: "wgsl/probe.wgsl", text: include_str!("wgsl/probe.wgsl").into() };
+    variant.tracing_sources([entry])
 }

@@ -94,7 +94,7 @@ fn cells(s: &Statistics) -> [String; 10] {
         ratio(s.gain.map(|g| g.speedup)),
         ratio(s.gain.map(|g| g.efficiency)),
         ratio(s.gain.map(|g| g.cost_efficiency)),
-        ratio(s.non_tracing_share),
+        ratio(s.non_tracing_share.map(|share| share.max(0.0))),
         psnr,
         format!("{:.2}", s.mrays_per_s),
     ]

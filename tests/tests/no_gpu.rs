@@ -3,6 +3,7 @@
 mod no_gpu {
     mod compare;
     mod golden;
+    mod limits;
     mod minray;
     mod traversal;
 }

@@ -1,6 +1,7 @@
 //! Rust structs that the shaders read: declared once here and compared with the WGSL by a test.
 
 /// One field of a mirrored struct.
+#[cfg(test)]
 #[derive(Clone, Copy, Debug)]
 pub struct Field {
     /// The name on both sides.
@@ -10,6 +11,7 @@ pub struct Field {
 }
 
 /// The layout of a Rust struct that WGSL declares under the same name.
+#[cfg(test)]
 #[derive(Clone, Copy, Debug)]
 pub struct Mirror {
     /// The name on both sides.
@@ -28,7 +30,8 @@ macro_rules! gpu_struct {
         $vis struct $name { $($(#[$field_meta])* pub $field: $type),* }
         impl $name {
             /// The layout, for the comparison with WGSL.
-            pub const MIRROR: $crate::gpu::mirror::Mirror = $crate::gpu::mirror::Mirror {
+            #[cfg(test)]
+            pub(crate) const MIRROR: $crate::gpu::mirror::Mirror = $crate::gpu::mirror::Mirror {
                 name: stringify!($name),
                 size: size_of::<$name>(),
                 fields: &[$($crate::gpu::mirror::Field {
@@ -42,7 +45,7 @@ macro_rules! gpu_struct {
 pub(crate) use gpu_struct;
 
 /// The differences between a Rust struct and the WGSL struct of its name; `None` where the module has none.
-#[must_use]
+#[cfg(test)]
 pub fn differences(module: &wgpu::naga::Module, mirror: &Mirror) -> Option<Vec<String>> {
     let (_, found) = module.types.iter().find(|(_, t)| t.name.as_deref() == Some(mirror.name))?;
     let wgpu::naga::TypeInner::Struct { members, span } = &found.inner else {

@@ -1,7 +1,7 @@
 //! The device: which adapter, what it can, how memory comes back from it.
 
 mod kernel;
-pub mod mirror;
+pub(crate) mod mirror;
 pub mod shader;
 mod timer;
 
@@ -267,7 +267,7 @@ impl Gpu {
             let _ = done.send(result);
         });
         self.submit_and_wait(encoder)?;
-        match mapped.try_recv() {
+        match mapped.recv_timeout(PATIENCE) {
             Ok(Ok(())) => {}
             Ok(Err(error)) => return Err(Error::Device(error.to_string())),
             Err(_) => return Err(Error::Device("the readback never came".to_owned())),

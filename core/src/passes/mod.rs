@@ -19,6 +19,7 @@ use std::fmt::Write as _;
 use crate::{
     Features, GpuScene, Linking,
     gpu::shader::Source,
+    scene::OCTAHEDRAL_ERROR,
     stats::{CHECK_NAMES, Origin},
 };
 
@@ -51,6 +52,7 @@ pub enum Stage {
 
 impl Stage {
     /// Every stage.
+    #[cfg(test)]
     pub const ALL: [Self; 8] = [
         Self::Full,
         Self::Base,
@@ -220,7 +222,11 @@ impl Variant {
                 wgsl!("wgsl/vertex_attributes.wgsl"),
                 wgsl!("wgsl/vertex_none.wgsl"),
             ),
-            pick(f.alpha_mask || f.shadow_filter, wgsl!("wgsl/hit_filter.wgsl"), wgsl!("wgsl/hit_all.wgsl")),
+            match (f.alpha_mask, f.shadow_filter) {
+                (true, _) => wgsl!("wgsl/hit_alpha.wgsl"),
+                (false, true) => wgsl!("wgsl/hit_shadow.wgsl"),
+                (false, false) => wgsl!("wgsl/hit_all.wgsl"),
+            },
             wgsl!("wgsl/surface.wgsl"),
             pick(f.lights, wgsl!("wgsl/shadow_rays.wgsl"), wgsl!("wgsl/shadow_none.wgsl")),
             match (f.reflection, f.refraction) {
@@ -270,6 +276,8 @@ impl Variant {
             ("HAS_FACE", f.smooth_normals),
             ("HAS_GCOL", f.reflection || f.refraction),
             ("HAS_TEXTURES", f.textures),
+            ("HAS_METALLIC_ROUGHNESS_TEXTURES", f.metallic_roughness_textures),
+            ("HAS_EMISSIVE_TEXTURES", f.emissive_textures),
             ("HAS_COLORS", f.vertex_colors),
             ("VERTEX_HAS_TEXCOORDS", self.has_texcoords),
             ("VERTEX_HAS_COLORS", self.has_colors),
@@ -303,6 +311,7 @@ impl Variant {
         for (name, value) in numbers {
             let _ = writeln!(text, "const {name}: u32 = {value}u;");
         }
+        let _ = writeln!(text, "const NORMAL_ERROR: f32 = {OCTAHEDRAL_ERROR:e};");
         for (bit, name) in CHECK_NAMES.iter().enumerate() {
             let _ = writeln!(text, "const CHECK_{}: u32 = {}u;", name.to_uppercase(), 1 << bit);
         }

@@ -6,7 +6,7 @@ use super::{Output, Stage, Variant};
 use crate::{
     Features, frame, gpu,
     gpu::{mirror::differences, shader::link},
-    gpu_scene,
+    gpu_scene, probe,
 };
 
 fn features(bits: u32) -> Features {
@@ -21,6 +21,8 @@ fn features(bits: u32) -> Features {
         refraction: bit(6),
         lights: bit(7),
         smooth_normals: bit(4),
+        metallic_roughness_textures: bit(0),
+        emissive_textures: bit(0),
     }
 }
 
@@ -83,6 +85,16 @@ fn workgroup_bytes(module: &wgpu::naga::Module) -> u32 {
     layouter.update(module.to_ctx()).expect("layouts");
     let shared = module.global_variables.iter().filter(|(_, g)| g.space == AddressSpace::WorkGroup);
     shared.map(|(_, global)| layouter[global.ty].size).sum()
+}
+
+#[test]
+fn the_probe_is_declared_alike_on_both_sides() {
+    for variant in variants() {
+        let linked = link(&probe::sources(&variant)).expect("links");
+        for mirror in [probe::ProbeRay::MIRROR, probe::ProbeHit::MIRROR] {
+            assert_eq!(differences(&linked.module, &mirror), Some(vec![]));
+        }
+    }
 }
 
 #[test]

@@ -7,6 +7,10 @@ use super::Scene;
 pub struct Features {
     /// Some object shows a texture: coordinates are stored and check TX is linked.
     pub textures: bool,
+    /// Some object has a texture of metallic and roughness.
+    pub metallic_roughness_textures: bool,
+    /// Some object has a texture of emission.
+    pub emissive_textures: bool,
     /// Some object has vertex colours.
     pub vertex_colors: bool,
     /// Shading normals differ from those of the faces somewhere.
@@ -32,6 +36,8 @@ impl Features {
         let used = || scene.objects.iter().filter_map(|o| scene.materials.get(o.material as usize));
         Self {
             textures: used().any(|m| m.textures().next().is_some()),
+            metallic_roughness_textures: used().any(|m| m.metallic_roughness_texture.is_some()),
+            emissive_textures: used().any(|m| m.emissive_texture.is_some()),
             vertex_colors: !scene.colors.is_empty(),
             smooth_normals: scene.normals.iter().any(|[a, b, c]| a != b || b != c),
             alpha_mask: used().any(|m| m.alpha_cutoff.is_some()),
@@ -48,6 +54,8 @@ impl Features {
     pub fn all() -> Self {
         Self {
             textures: true,
+            metallic_roughness_textures: true,
+            emissive_textures: true,
             vertex_colors: true,
             smooth_normals: true,
             alpha_mask: true,
@@ -61,9 +69,11 @@ impl Features {
 
     /// Every feature with its name in the statistics.
     #[must_use]
-    pub fn list(&self) -> [(&'static str, bool); 9] {
+    pub fn list(&self) -> [(&'static str, bool); 11] {
         [
             ("textures", self.textures),
+            ("metallic_roughness_textures", self.metallic_roughness_textures),
+            ("emissive_textures", self.emissive_textures),
             ("vertex_colors", self.vertex_colors),
             ("smooth_normals", self.smooth_normals),
             ("alpha_mask", self.alpha_mask),

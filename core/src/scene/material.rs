@@ -6,11 +6,11 @@
 //! ```text
 //! g         = max(0, 1 - 2 r)                          the share of the specular lobe that is traced as a mirror
 //! F         = fresnel_dielectric(n) (1 - m) + schlick(c) m
-//! diffuse   = c (1 - m)(1 - tau)(1 - F0)
+//! diffuse   = c (1 - m)(1 - tau)(1 - F g)
 //! mirror    = F g                                      radiance of the reflection ray
-//! refracted = c tau (1 - F)                            radiance of the refraction ray (solid) or of the straight ray (thin)
-//! lobe      = F0 D(r), Blinn-Phong, exponent 2 / r^4 - 2   reflection of the lights
-//! ambient   = (diffuse + F (1 - g)) x ambient radiance
+//! refracted = c tau (1 - m)(1 - F)                     radiance of the refraction ray (solid) or of the straight ray (thin)
+//! lobe      = F(h) (1 - r) D(r) / (4 max(n.l, n.v))    reflection of the lights; Blinn-Phong D, exponent 2 / r^4 - 2, r >= 0.2
+//! ambient   = (diffuse + c m (1 - g)) x ambient radiance
 //! ```
 
 use glam::Vec3;

@@ -17,7 +17,9 @@ use glam::{Vec2, Vec3};
 pub use builtin::{BUILTIN_NAMES, builtin};
 pub use features::Features;
 pub use material::{Material, Weights};
-pub use octahedral::{decode as octahedral_decode, encode as octahedral_encode};
+pub use octahedral::{
+    MAX_ERROR as OCTAHEDRAL_ERROR, decode as octahedral_decode, encode as octahedral_encode,
+};
 
 use crate::camera::Camera;
 

@@ -18,10 +18,17 @@ fn material_at(object: u32, texcoord: vec2f, color: vec3f) -> Material {
     m.roughness = 1.0;
     m.ior = 1.5;
     if !material_is(m, OBJECT_MATTE) {
-        let surface = texture_data(objects[object].metallic_roughness_texture, texcoord);
-        m.emission = objects[object].emission * texture_color(objects[object].emissive_texture, texcoord).rgb;
-        m.roughness = objects[object].roughness * surface.g;
-        m.metallic = objects[object].metallic * surface.b;
+        m.emission = objects[object].emission;
+        if HAS_EMISSIVE_TEXTURES {
+            m.emission *= texture_color(objects[object].emissive_texture, texcoord).rgb;
+        }
+        m.roughness = objects[object].roughness;
+        m.metallic = objects[object].metallic;
+        if HAS_METALLIC_ROUGHNESS_TEXTURES {
+            let surface = texture_data(objects[object].metallic_roughness_texture, texcoord);
+            m.roughness *= surface.g;
+            m.metallic *= surface.b;
+        }
         m.weights = objects[object].weights;
         m.transmission = objects[object].transmission;
         m.ior = objects[object].ior;

@@ -1,7 +1,7 @@
 // The seven similarity checks of Kim 2016, Table 1, on the attribute vectors of two reference pixels.
 //
 // Deviations: tolerances are strict bounds, so that a tolerance of 0 traces everything. G4 fails only where both
-// distances from the other's tangent plane exceed what the stored normals (6.5e-5 rad) and depths round to; as
+// distances from the other's tangent plane exceed what the stored normals and depths round to; as
 // printed it compares the signs of rounding errors on flat surfaces. Its tangent planes are those of the faces: a
 // shading normal that leans over a flat face looks like an inflection. TX is the table's formula, not the prose.
 
@@ -35,7 +35,7 @@ fn similarity_failed(a: Attributes, a_pixel: vec2u, b: Attributes, b_pixel: vec2
     let from_a = dot(step, a.face);
     let from_b = -dot(step, b.face);
     let extent = dot(abs(a_position) + abs(frame.origin), vec3f(1.0));
-    let rounding = 1.0e-4 * distance + 5.0e-7 * (extent + a.depth + b.depth);
+    let rounding = 1.5 * NORMAL_ERROR * distance + 5.0e-7 * (extent + a.depth + b.depth);
     failed |= select(0u, CHECK_CONVEX, from_a * from_b < 0.0 && min(abs(from_a), abs(from_b)) > rounding);
     if HAS_TEXTURES {
         let seam = texture_seam_matters(a.object - 1u) && similarity_seam(a.texcoord, b.texcoord);

@@ -1,0 +1,65 @@
+//! Every pipeline is created and whole frames are recorded on a device that has the limits of a phone and no driver.
+
+use glimpse::{Error, Gpu, GpuScene, Linking, Method, Renderer, Settings, scene::builtin};
+
+/// A device without a driver that enforces these limits.
+fn device(limits: wgpu::Limits) -> glimpse::Result<Gpu> {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = wgpu::Backends::NOOP;
+    descriptor.backend_options.noop = wgpu::NoopBackendOptions {
+        limits: Some(limits),
+        features: Some(wgpu::Features::empty()),
+        ..wgpu::NoopBackendOptions::enabled()
+    };
+    Gpu::from_instance(&wgpu::Instance::new(descriptor), None)
+}
+
+/// The defaults of WebGPU: 8 storage buffers a stage, 16 KiB and 256 invocations a workgroup, 128 MiB a binding.
+fn phone() -> wgpu::Limits {
+    let limits = wgpu::Limits::default();
+    assert_eq!(limits.max_storage_buffers_per_shader_stage, 8);
+    assert_eq!(limits.max_compute_workgroup_storage_size, 16 << 10);
+    assert_eq!(limits.max_compute_invocations_per_workgroup, 256);
+    assert_eq!(limits.max_storage_buffer_binding_size, 128 << 20);
+    limits
+}
+
+#[test]
+fn a_phone_takes_every_pass_at_qhd() {
+    let gpu = device(phone()).unwrap();
+    for name in ["room", "cornell", "minray"] {
+        let scene = builtin(name).unwrap();
+        let camera = *scene.camera(None).unwrap();
+        let scene = GpuScene::upload(&gpu, scene).unwrap();
+        for method in [Method::Full, Method::Adaptive] {
+            for features in [Linking::Auto, Linking::All] {
+                let settings = Settings { method, features, ..Settings::default() };
+                let mut renderer = Renderer::new(&gpu, &scene, [2560, 1440], &settings).unwrap();
+                renderer.render(&camera).unwrap();
+                renderer.inspect(&camera).unwrap();
+                renderer.linear_image(&camera).unwrap();
+            }
+        }
+    }
+}
+
+#[test]
+fn too_few_storage_buffers_are_named() {
+    let error = device(wgpu::Limits { max_storage_buffers_per_shader_stage: 4, ..phone() }).err();
+    let Some(Error::Missing { what, need, have, .. }) = &error else { panic!("{error:?}") };
+    assert!(what.contains("max_storage_buffers_per_shader_stage"), "{what}");
+    assert_eq!((need.as_str(), have.as_str()), ("8", "4"));
+}
+
+#[test]
+fn a_frame_that_exceeds_a_binding_is_an_error() {
+    let gpu = device(phone()).unwrap();
+    let scene = builtin("room").unwrap();
+    let scene = GpuScene::upload(&gpu, scene).unwrap();
+    let error = Renderer::new(&gpu, &scene, [8192, 8192], &Settings::default()).err();
+    assert!(matches!(error, Some(Error::Missing { .. })), "{error:?}");
+    for size in [[0, 10], [10, 0], [8193, 10]] {
+        let error = Renderer::new(&gpu, &scene, size, &Settings::default()).err();
+        assert!(matches!(error, Some(Error::Setting { .. })), "{size:?}: {error:?}");
+    }
+}
