@@ -84,6 +84,7 @@ impl GpuScene {
         let bvh = Bvh::build(&scene);
         let atlas = Atlas::upload(gpu, &mut scene)?;
         let nodes = gpu.storage("nodes", &bvh.nodes)?;
+        log::debug!("{} primitives in {} nodes, stack of {}", bvh.order.len(), bvh.nodes.len(), bvh.stack);
         let Bvh { order, stack, nodes: tree } = bvh;
         drop(tree);
         let primitives = gpu.storage("primitives", &primitives(&scene, &order))?;

@@ -22,7 +22,8 @@ impl Kernel {
     /// A shader that does not compile, or a device that refuses it.
     pub fn new(gpu: &Gpu, label: &str, sources: &[Source]) -> Result<Self> {
         let linked = link(sources)?;
-        let slots = linked.used_resources().map(|(name, _, number)| (name.to_owned(), number)).collect();
+        let slots: HashMap<_, _> =
+            linked.used_resources().map(|(name, _, number)| (name.to_owned(), number)).collect();
         let Linked { module, .. } = linked;
         let pipeline = gpu.checked(|device| {
             let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
@@ -41,6 +42,8 @@ impl Kernel {
                 cache: None,
             })
         })?;
+        let files: Vec<_> = sources.iter().map(|source| source.file).collect();
+        log::debug!("kernel {label}: {} resources, linked from {}", slots.len(), files.join(", "));
         Ok(Self { label: label.to_owned(), pipeline, slots })
     }
 
