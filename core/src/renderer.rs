@@ -133,7 +133,7 @@ fn inspection(bytes: &[u8], size: [u32; 2]) -> Result<Inspection> {
     let origins: [u64; 4] = std::array::from_fn(|i| counter(COUNTER_ORIGINS + i));
     let failed: [u64; 7] = std::array::from_fn(|i| counter(COUNTER_FAILED + i));
     let pixels = u64::from(size[0]) * u64::from(size[1]);
-    let records: Vec<frame::PixelRecord> = bytemuck::pod_collect_to_vec(records);
+    let records = records.chunks_exact(size_of::<frame::PixelRecord>()).map(bytemuck::pod_read_unaligned);
     Ok(Inspection {
         counts: Counts {
             rays: Rays {
@@ -166,7 +166,7 @@ fn inspection(bytes: &[u8], size: [u32; 2]) -> Result<Inspection> {
                 gcol: failed[6],
             },
         },
-        pixels: records.iter().take(pixels as usize).map(pixel_record).collect(),
+        pixels: records.take(pixels as usize).map(|record| pixel_record(&record)).collect(),
     })
 }
 

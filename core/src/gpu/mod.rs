@@ -111,7 +111,12 @@ impl Gpu {
             ..Default::default()
         }))
         .map_err(|e| Error::Device(e.to_string()))?;
-        log::debug!("adapter {} ({}), driver {}", facts.info.name, facts.info.backend, facts.info.driver_info);
+        log::debug!(
+            "adapter {} ({}), driver {}",
+            facts.info.name,
+            facts.info.backend,
+            facts.info.driver_info
+        );
         let uncaught = Arc::new(Mutex::new(None));
         let sink = Arc::clone(&uncaught);
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
