@@ -80,6 +80,9 @@ impl GpuScene {
                 ),
             ));
         }
+        // Before the tree is built, which takes long for a scene that does not fit.
+        let primitive_count = scene.positions.len() + scene.spheres.len();
+        gpu.check_binding("primitives", (primitive_count * size_of::<[f32; 9]>()) as u64)?;
         let features = Features::of(&scene);
         let bvh = Bvh::build(&scene);
         let atlas = Atlas::upload(gpu, &mut scene)?;
@@ -117,7 +120,7 @@ impl GpuScene {
             features,
             bounds,
             cameras: scene.cameras,
-            primitive_count: order.len() as u32,
+            primitive_count: primitive_count as u32,
         })
     }
 

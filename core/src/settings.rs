@@ -88,10 +88,12 @@ impl Settings {
         ];
         for (name, value, low, high) in ranges {
             if !(low..=high).contains(&value) {
-                return Err(crate::Error::setting(
-                    name,
-                    format!("expected a number from {low} to {high}, found {value}"),
-                ));
+                let range = if high == f32::MAX {
+                    format!("a number of at least {low}")
+                } else {
+                    format!("a number from {low} to {high}")
+                };
+                return Err(crate::Error::setting(name, format!("expected {range}, found {value}")));
             }
         }
         if !(1..=MAX_DEPTH).contains(&self.depth) {

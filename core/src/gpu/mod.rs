@@ -198,7 +198,8 @@ impl Gpu {
         })
     }
 
-    fn check_binding(&self, label: &str, bytes: u64) -> Result<()> {
+    /// Whether one binding can hold that many bytes.
+    pub(crate) fn check_binding(&self, label: &str, bytes: u64) -> Result<()> {
         let limits = self.device.limits();
         let have = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
         if bytes <= have {

@@ -43,9 +43,15 @@ fn scenes_are_the_same_every_time() {
 }
 
 #[test]
-fn the_room_needs_everything_but_vertex_colours() {
+fn the_room_needs_nearly_everything() {
     let scene = builtin("room").expect("room");
-    assert_eq!(Features::of(&scene), Features { vertex_colors: false, ..Features::all() });
+    let expected = Features {
+        vertex_colors: false,
+        metallic_roughness_textures: false,
+        emissive_textures: false,
+        ..Features::all()
+    };
+    assert_eq!(Features::of(&scene), expected);
     assert_eq!(scene.lights.len(), 4);
     assert_eq!(scene.cameras.len(), 2);
     assert!((5_000..100_000).contains(&scene.positions.len()), "{}", scene.positions.len());

@@ -16,7 +16,7 @@ mod tests;
 use glam::{Vec2, Vec3};
 use gltf::json;
 
-use super::{Environment, Scene};
+use super::{Environment, Light, LightKind, Material, Scene};
 use crate::camera::Camera;
 use crate::{Error, Result};
 use accessors::Source;
@@ -75,11 +75,29 @@ pub(super) fn read(bytes: &[u8], resolve: &mut Resolve<'_>) -> Result<Scene> {
     if scene.cameras.is_empty() {
         scene.cameras.push(("framing".to_owned(), Camera::framing(low, high)));
     }
+    if scene.lights.is_empty() {
+        light_from_the_camera(&mut scene);
+    }
     for light in &mut scene.lights {
         light.radius = FIXTURE * (high - low).max_element();
     }
     scene.validate()?;
     Ok(scene)
+}
+
+const NO_LIGHTS: &str = "the file has no lights: a directional one from behind the first camera is added";
+
+/// A scene that nothing lights gets a directional light from behind the first camera, above its left shoulder.
+fn light_from_the_camera(scene: &mut Scene) {
+    let lit = |m: &Material| m.unlit || m.emission != Vec3::ZERO;
+    let Some((_, camera)) = scene.cameras.first().filter(|_| !scene.materials.iter().any(lit)) else {
+        return;
+    };
+    let [forward, right, up] = [camera.forward, camera.right, camera.up].map(Vec3::normalize_or_zero);
+    let direction = (forward + 0.5 * right - 0.7 * up).normalize_or_zero();
+    let kind = LightKind::Directional { direction };
+    scene.lights.push(Light { kind, intensity: Vec3::splat(std::f32::consts::PI), radius: 0.0 });
+    scene.warnings.push(NO_LIGHTS.to_owned());
 }
 
 /// The radius of an imported light in units of the scene's longest side. Files put lights inside fixtures and

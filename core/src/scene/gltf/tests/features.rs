@@ -6,7 +6,8 @@ use glam::{Vec3, vec2, vec3};
 use serde_json::json;
 
 use super::{File, data_uri, import};
-use crate::scene::{LightKind, Scene, octahedral_decode};
+use crate::scene::gltf::NO_LIGHTS;
+use crate::scene::{Light, LightKind, Scene, octahedral_decode};
 
 fn face(scene: &Scene, triangle: usize) -> Vec3 {
     let [a, b, c] = scene.positions[triangle];
@@ -26,7 +27,9 @@ fn gltf_and_glb_give_the_same_triangle() {
     assert_eq!(a.objects[0].name, "n/m[0]");
     assert_eq!(normal(&a, 0), Vec3::Z);
     assert_eq!(a.cameras[0].0, "framing");
-    assert!(a.texcoords.is_empty() && a.colors.is_empty() && a.warnings.is_empty());
+    assert!(a.texcoords.is_empty() && a.colors.is_empty());
+    assert_eq!(a.warnings, [NO_LIGHTS]);
+    assert!(matches!(a.lights[..], [Light { kind: LightKind::Directional { .. }, .. }]), "{:?}", a.lights);
     let default = &a.materials[0];
     assert_eq!((default.metallic, default.roughness, default.base_color), (1.0, 1.0, Vec3::ONE));
 }
@@ -195,11 +198,11 @@ fn triangles_without_area_are_counted_once() {
     file.primitive()["indices"] = json!(indices);
     let scene = file.scene();
     assert_eq!(scene.positions.len(), 1);
-    assert_eq!(scene.warnings, ["2 triangles without area are left out"]);
+    assert_eq!(scene.warnings, ["2 triangles without area are left out", NO_LIGHTS]);
     file.json["nodes"] =
         json!([{ "children": [1] , "mesh": 0}, { "name": "flat", "mesh": 0, "scale": [1, 0, 0] }]);
     let scene = file.scene();
-    assert_eq!((scene.objects.len(), scene.warnings.len()), (1, 2));
+    assert_eq!((scene.objects.len(), scene.warnings.len()), (1, 3));
     assert!(scene.warnings.iter().any(|w| w.contains("flat/m[0]")), "{:?}", scene.warnings);
 }
 

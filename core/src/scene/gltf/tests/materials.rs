@@ -4,6 +4,7 @@ use glam::{Vec3, vec3};
 use serde_json::{Value, json};
 
 use super::{File, data_uri, png};
+use crate::scene::gltf::NO_LIGHTS;
 use crate::scene::{Material, Texture, Wrap};
 
 fn with_material(material: Value) -> File {
@@ -94,7 +95,7 @@ fn three_slots_share_coordinates() {
     assert_eq!(material.textures().collect::<Vec<_>>(), [0, 1, 2]);
     assert_eq!(scene.images.iter().map(|i| i.rgba[0]).collect::<Vec<_>>(), [10, 20, 30]);
     assert_eq!((scene.images[0].width, scene.images[0].height), (2, 1));
-    assert!(scene.warnings.is_empty());
+    assert_eq!(scene.warnings, [NO_LIGHTS]);
 }
 
 #[test]
@@ -156,7 +157,7 @@ fn what_cannot_be_shown_is_said() {
         "KHR_materials_transmission": { "transmissionFactor": 1, "transmissionTexture": { "index": 0 } },
         "KHR_materials_volume": { "attenuationDistance": 2, "attenuationColor": [1, 0, 0] },
     }}]);
-    assert_eq!(file.scene().warnings.len(), 2);
+    assert_eq!(file.scene().warnings.len(), 3);
 }
 
 #[test]
