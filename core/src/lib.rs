@@ -1,4 +1,24 @@
 //! Glimpse: realtime adaptive ray tracing on wgpu.
+//!
+//! ```text
+//! bytes --Scene::from_gltf--> Scene --GpuScene::upload--> GpuScene --Renderer::new--> Renderer --render--> frame
+//!                               |                           |                           |
+//!                               +-- Features: what it needs +-- BVH, atlas, buffers     +-- passes: linked kernels
+//! ```
+//!
+//! [`Scene`] is flat arrays in main memory. [`GpuScene::upload`] consumes it. A [`Renderer`] makes frames of one size by
+//! one [`Method`]; what its kernels are made of follows from the [`Features`] of the scene and the [`Settings`], in
+//! `passes/mod.rs` and nowhere else. `frame.rs` records the passes in order.
+//!
+//! This crate knows no window, no file, no clock and no thread that it was not given, and has no global state.
+//!
+//! # Papers
+//!
+//! - *Kim 2016*: Kim, Seo, Kim, Lim, Nah, Ihm, "Adaptive Undersampling for Efficient Mobile Ray Tracing", The Visual
+//!   Computer 32.
+//! - *Ylitie 2017*: Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs".
+//! - *Woop 2013*: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1).
+//! - *lecture*: Akenine-Moller, Assarsson, "Ray Tracing I", Chalmers; with Heckbert's minimal ray tracer.
 
 mod atlas;
 mod bvh;

@@ -51,16 +51,17 @@ impl<'a> Renderer<'a> {
     /// # Errors
     /// A device that failed, or whose buffers cannot hold a record for every pixel.
     pub fn inspect(&mut self, camera: &Camera) -> Result<Inspection> {
-        if self.inspecting.is_none() {
-            let buffer = inspection_buffer(self.gpu, self.targets.size)?;
-            let variant = Variant { inspect: true, ..variant(self.scene, &self.settings) };
-            let display = &self.targets.display;
-            let passes = self.link(&variant, display, Some(&buffer))?;
-            self.inspecting = Some((passes, buffer));
-        }
-        let Some((passes, buffer)) = &self.inspecting else { unreachable!("made above") };
-        self.submit(passes, camera, Some(buffer))?;
-        let bytes = self.gpu.read_buffer(buffer)?;
+        let (passes, buffer) = match self.inspecting.take() {
+            Some(linked) => linked,
+            None => {
+                let buffer = inspection_buffer(self.gpu, self.targets.size)?;
+                let variant = Variant { inspect: true, ..variant(self.scene, &self.settings) };
+                (self.link(&variant, &self.targets.display, Some(&buffer))?, buffer)
+            }
+        };
+        self.submit(&passes, camera, Some(&buffer))?;
+        let bytes = self.gpu.read_buffer(&buffer)?;
+        self.inspecting = Some((passes, buffer));
         inspection(&bytes, self.targets.size)
     }
 
@@ -80,15 +81,18 @@ impl<'a> Renderer<'a> {
     /// A device that failed.
     pub fn linear_image(&mut self, camera: &Camera) -> Result<LinearImage> {
         let [width, height] = self.targets.size;
-        if self.linear.is_none() {
-            let target = texture(self.gpu, "linear", self.targets.size, wgpu::TextureFormat::Rgba32Float)?;
-            let variant = Variant { output: Output::Linear, ..variant(self.scene, &self.settings) };
-            let passes = self.link(&variant, &target, None)?;
-            self.linear = Some((passes, target));
-        }
-        let Some((passes, target)) = &self.linear else { unreachable!("made above") };
-        self.submit(passes, camera, None)?;
-        let bytes = self.gpu.read_texture(target, 16)?;
+        let (passes, target) = match self.linear.take() {
+            Some(linked) => linked,
+            None => {
+                let format = wgpu::TextureFormat::Rgba32Float;
+                let target = texture(self.gpu, "linear", self.targets.size, format)?;
+                let variant = Variant { output: Output::Linear, ..variant(self.scene, &self.settings) };
+                (self.link(&variant, &target, None)?, target)
+            }
+        };
+        self.submit(&passes, camera, None)?;
+        let bytes = self.gpu.read_texture(&target, 16)?;
+        self.linear = Some((passes, target));
         let texels: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);
         let rgb = texels.iter().flat_map(|t| [t[0], t[1], t[2]]).collect();
         LinearImage::from_raw(width, height, rgb).ok_or_else(|| Error::Device("short readback".into()))
