@@ -7,8 +7,12 @@ use crate::{
     scene::{Image8, Scene, Texture, Wrap},
 };
 
-const TEXTURE_NEAREST: u32 = 0x4000_0000;
-const TEXTURE_PRESENT: u32 = 0x8000_0000;
+/// Flags and wrap modes in the last word of a place, shared with `texture_atlas.wgsl`.
+pub const TEXTURE_NEAREST: u32 = 0x4000_0000;
+pub const TEXTURE_PRESENT: u32 = 0x8000_0000;
+pub const WRAP_REPEAT: u32 = 0;
+pub const WRAP_MIRROR: u32 = 1;
+const WRAP_CLAMP: u32 = 2;
 
 /// The pages on the device, read as sRGB and as plain numbers.
 pub struct Atlas {
@@ -129,9 +133,9 @@ impl Atlas {
 /// A texture's place as `texture_atlas.wgsl` reads it.
 fn shader_place(texture: &Texture, spot: Place, image: &Image8) -> [u32; 3] {
     let wrap = |w| match w {
-        Wrap::Repeat => 0,
-        Wrap::MirroredRepeat => 1,
-        Wrap::ClampToEdge => 2,
+        Wrap::Repeat => WRAP_REPEAT,
+        Wrap::MirroredRepeat => WRAP_MIRROR,
+        Wrap::ClampToEdge => WRAP_CLAMP,
     };
     let nearest = if texture.nearest { TEXTURE_NEAREST } else { 0 };
     [

@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use crate::{
-    Camera, Error, Features, Gpu, Result,
+    Error, Features, Gpu, Result,
     atlas::Atlas,
     bvh::Bvh,
     gpu::mirror::gpu_struct,
@@ -11,11 +11,25 @@ use crate::{
 };
 
 /// Marks a sphere among the primitives; triangles are bounded by [`crate::scene::MAX_COORDINATE`].
-const SPHERE_MARK: f32 = 3.0e38;
-const SURFACE_NO_SHADOW: u32 = 0x4000_0000;
-const SURFACE_ALPHA: u32 = 0x8000_0000;
-/// Object indices share a word with the flags.
-const MAX_OBJECTS: usize = 1 << 24;
+pub const SPHERE_MARK: f32 = 3.0e38;
+/// The bits of a primitive's word that hold its object; flags stand above them.
+pub const SURFACE_OBJECT: u32 = 0x00ff_ffff;
+/// Shadow rays pass.
+pub const SURFACE_NO_SHADOW: u32 = 0x4000_0000;
+/// There are holes.
+pub const SURFACE_ALPHA: u32 = 0x8000_0000;
+const MAX_OBJECTS: usize = SURFACE_OBJECT as usize + 1;
+
+/// Flags of an object. A matte one has nothing but its colour to read.
+pub const OBJECT_UNLIT: u32 = 1;
+pub const OBJECT_THIN: u32 = 2;
+pub const OBJECT_WEIGHTS: u32 = 4;
+pub const OBJECT_MATTE: u32 = 8;
+
+/// Kinds of lights: E of a point light falls with the square of the distance, that of a constant one does not.
+pub const LIGHT_DIRECTIONAL: u32 = 0;
+pub const LIGHT_POINT: u32 = 1;
+pub const LIGHT_CONSTANT: u32 = 2;
 
 gpu_struct! {
     /// An object and its material.
@@ -58,8 +72,6 @@ pub struct GpuScene {
     pub(crate) has_colors: bool,
     features: Features,
     bounds: (Vec3, Vec3),
-    cameras: Vec<(String, Camera)>,
-    primitive_count: u32,
 }
 
 impl GpuScene {
@@ -119,8 +131,6 @@ impl GpuScene {
             has_colors,
             features,
             bounds,
-            cameras: scene.cameras,
-            primitive_count: primitive_count as u32,
         })
     }
 
@@ -128,18 +138,6 @@ impl GpuScene {
     #[must_use]
     pub fn features(&self) -> Features {
         self.features
-    }
-
-    /// The cameras of the scene with their names.
-    #[must_use]
-    pub fn cameras(&self) -> &[(String, Camera)] {
-        &self.cameras
-    }
-
-    /// Triangles and spheres.
-    #[must_use]
-    pub fn primitive_count(&self) -> u32 {
-        self.primitive_count
     }
 
     /// The box around everything.
@@ -230,7 +228,10 @@ fn object(m: &Material, atlas: &Atlas) -> Object {
         transmission: m.transmission,
         ior: m.ior,
         weights: m.weights.map_or([0.0; 3], |w| [w.diffuse, w.mirror, w.refraction]),
-        flags: flag(m.unlit, 1) | flag(m.thin, 2) | flag(m.weights.is_some(), 4) | flag(m.is_matte(), 8),
+        flags: flag(m.unlit, OBJECT_UNLIT)
+            | flag(m.thin, OBJECT_THIN)
+            | flag(m.weights.is_some(), OBJECT_WEIGHTS)
+            | flag(m.is_matte(), OBJECT_MATTE),
         base_color_texture: atlas.place(m.base_color_texture),
         metallic_roughness_texture: atlas.place(m.metallic_roughness_texture),
         emissive_texture: atlas.place(m.emissive_texture),
@@ -247,9 +248,11 @@ fn light(light: &scene::Light) -> Light {
         ..Light::default()
     };
     match &light.kind {
-        LightKind::Directional { direction } => Light { kind: 0, direction: (*direction).into(), ..common },
+        LightKind::Directional { direction } => {
+            Light { kind: LIGHT_DIRECTIONAL, direction: (*direction).into(), ..common }
+        }
         LightKind::Point { position, range, falloff } => Light {
-            kind: if *falloff { 1 } else { 2 },
+            kind: if *falloff { LIGHT_POINT } else { LIGHT_CONSTANT },
             position: (*position).into(),
             inverse_range4: inverse_range4(*range),
             ..common
@@ -258,7 +261,7 @@ fn light(light: &scene::Light) -> Light {
             // KHR_lights_punctual, "Inner and Outer Cone Angles".
             let scale = 1.0 / (cone.start.cos() - cone.end.cos()).max(0.001);
             Light {
-                kind: 1,
+                kind: LIGHT_POINT,
                 position: (*position).into(),
                 direction: (*direction).into(),
                 inverse_range4: inverse_range4(*range),

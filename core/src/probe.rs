@@ -3,7 +3,7 @@
 use crate::{
     Gpu, GpuScene, Linking, Result,
     gpu::{Kernel, Timer, mirror::gpu_struct, shader::Source},
-    passes::Variant,
+    passes::{TRACE_GROUP, TRACE_ROW, Variant},
 };
 
 gpu_struct! {
@@ -56,12 +56,12 @@ pub fn trace_rays(gpu: &Gpu, scene: &GpuScene, rays: &[ProbeRay]) -> Result<(Vec
     resources.extend([("rays", rays_buffer.as_entire_binding()), ("hits", hits_buffer.as_entire_binding())]);
     let bound = kernel.bind(&gpu.device, &resources)?;
     let timer = Timer::new(gpu, &["probe"])?;
-    let groups = (rays.len() as u32).div_ceil(64);
+    let groups = (rays.len() as u32).div_ceil(TRACE_GROUP);
     let mut ms = 0.0;
     // The first run compiles.
     for _ in 0..2 {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        bound.dispatch(&mut timer.pass(&mut encoder, 0), [groups.min(32_768), groups.div_ceil(32_768)]);
+        bound.dispatch(&mut timer.pass(&mut encoder, 0), [groups.min(TRACE_ROW), groups.div_ceil(TRACE_ROW)]);
         timer.resolve(&mut encoder);
         gpu.submit_and_wait(encoder)?;
         ms = timer.read(gpu)?.ms;

@@ -17,8 +17,9 @@ mod tests;
 use std::fmt::Write as _;
 
 use crate::{
-    Features, GpuScene, Linking,
+    Features, GpuScene, Linking, atlas,
     gpu::shader::Source,
+    gpu_scene,
     scene::OCTAHEDRAL_ERROR,
     stats::{CHECK_NAMES, Origin},
 };
@@ -298,6 +299,19 @@ impl Variant {
             ("ORIGIN_TRACED_A1", Origin::TracedA1 as u32),
             ("ORIGIN_TRACED_A2", Origin::TracedA2 as u32),
             ("ORIGIN_INTERPOLATED", Origin::Interpolated as u32),
+            ("TEXTURE_NEAREST", atlas::TEXTURE_NEAREST),
+            ("TEXTURE_PRESENT", atlas::TEXTURE_PRESENT),
+            ("WRAP_REPEAT", atlas::WRAP_REPEAT),
+            ("WRAP_MIRROR", atlas::WRAP_MIRROR),
+            ("SURFACE_OBJECT", gpu_scene::SURFACE_OBJECT),
+            ("SURFACE_NO_SHADOW", gpu_scene::SURFACE_NO_SHADOW),
+            ("SURFACE_ALPHA", gpu_scene::SURFACE_ALPHA),
+            ("OBJECT_UNLIT", gpu_scene::OBJECT_UNLIT),
+            ("OBJECT_THIN", gpu_scene::OBJECT_THIN),
+            ("OBJECT_WEIGHTS", gpu_scene::OBJECT_WEIGHTS),
+            ("OBJECT_MATTE", gpu_scene::OBJECT_MATTE),
+            ("LIGHT_DIRECTIONAL", gpu_scene::LIGHT_DIRECTIONAL),
+            ("LIGHT_CONSTANT", gpu_scene::LIGHT_CONSTANT),
             ("RAY_PRIMARY", 0),
             ("RAY_SHADOW", 1),
             ("RAY_REFLECTION", 2),
@@ -311,6 +325,7 @@ impl Variant {
         for (name, value) in numbers {
             let _ = writeln!(text, "const {name}: u32 = {value}u;");
         }
+        let _ = writeln!(text, "const SPHERE_MARK: f32 = {:e};", gpu_scene::SPHERE_MARK);
         let _ = writeln!(text, "const NORMAL_ERROR: f32 = {OCTAHEDRAL_ERROR:e};");
         for (bit, name) in CHECK_NAMES.iter().enumerate() {
             let _ = writeln!(text, "const CHECK_{}: u32 = {}u;", name.to_uppercase(), 1 << bit);

@@ -16,12 +16,6 @@ struct Light {
     padding1: f32,
 }
 
-const LIGHT_DIRECTIONAL: u32 = 0u;
-// E falls with the square of the distance.
-const LIGHT_POINT: u32 = 1u;
-// E does not fall.
-const LIGHT_CONSTANT: u32 = 2u;
-
 var<uniform> lights: array<Light, 32>;
 
 struct Arrival {

@@ -21,10 +21,5 @@ struct Object {
     padding2: u32,
 }
 
-const OBJECT_UNLIT: u32 = 1u;
-const OBJECT_THIN: u32 = 2u;
-const OBJECT_WEIGHTS: u32 = 4u;
-// Neither emits, mirrors, shines nor lets light through: the colour is all there is to read.
-const OBJECT_MATTE: u32 = 8u;
 
 var<storage, read> objects: array<Object>;

@@ -18,9 +18,9 @@ struct ProbeHit {
 var<storage, read> rays: array<ProbeRay>;
 var<storage, read_write> hits: array<ProbeHit>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let index = (group.y * 32768u + group.x) * 64u + local;
+    let index = (group.y * TRACE_ROW + group.x) * TRACE_GROUP + local;
     if index >= arrayLength(&rays) {
         return;
     }

@@ -1,7 +1,5 @@
 // Analytic spheres stand among the triangles: centre and radius, and SPHERE_MARK where a triangle cannot have it.
 
-const SPHERE_MARK: f32 = 3.0e38;
-
 fn sphere_is(primitive: u32) -> bool {
     return primitives[9u * primitive + 4u] == SPHERE_MARK;
 }

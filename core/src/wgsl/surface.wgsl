@@ -3,10 +3,6 @@
 // Normals of a primitive's corners (octahedral), and object | SURFACE_* flags.
 var<storage, read> shading: array<vec4u>;
 
-const SURFACE_OBJECT: u32 = 0x00ffffffu;
-const SURFACE_NO_SHADOW: u32 = 0x40000000u;
-const SURFACE_ALPHA: u32 = 0x80000000u;
-
 struct Surface {
     position: vec3f,
     object: u32,

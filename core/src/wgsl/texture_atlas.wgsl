@@ -1,11 +1,6 @@
 // All images in one array of pages, filtered bilinearly with glTF's wrap modes. A place is
 // (x | y << 16, width | height << 16, page | wrap_s << 16 | wrap_t << 18 | TEXTURE_* flags).
 
-const TEXTURE_NEAREST: u32 = 0x40000000u;
-const TEXTURE_PRESENT: u32 = 0x80000000u;
-const WRAP_REPEAT: u32 = 0u;
-const WRAP_MIRROR: u32 = 1u;
-
 // Decodes sRGB.
 var atlas_color: texture_2d_array<f32>;
 // The same texels as they are.
