@@ -31,10 +31,12 @@ mod image;
 pub mod metrics;
 mod passes;
 pub mod probe;
+pub mod reference;
 mod renderer;
 pub mod scene;
 mod settings;
 mod stats;
+pub mod stress;
 
 pub use camera::Camera;
 pub use error::{Error, Result};
@@ -43,7 +45,7 @@ pub use gpu_scene::GpuScene;
 pub use image::{DisplayImage, LinearImage, Picture, encode_display, to_exr, to_png};
 pub use renderer::Renderer;
 pub use scene::{Features, Scene};
-pub use settings::{Linking, MAX_DEPTH, Method, Settings, Tolerances};
+pub use settings::{Linking, MAX_DEPTH, Method, Robustness, Settings, Tolerances};
 pub use stats::{
     CHECK_NAMES, Cost, Counts, FailedChecks, FrameTime, Inspection, Memory, Origin, PassTime, PixelRecord,
     Rays, Samples,

@@ -105,3 +105,21 @@ impl Settings {
         Ok(())
     }
 }
+
+/// The measures against rounding that traversal and spawned rays take. All are on in every frame; the stress cases leave
+/// one out to see that they notice, and to measure what it costs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Robustness {
+    /// Edges of triangles are decided exactly (after Woop 2013).
+    pub watertight: bool,
+    /// Boxes are widened by what rounding may move a ray (after Ize 2013).
+    pub boxes: bool,
+    /// Spawned rays start off their surface.
+    pub offset: bool,
+}
+
+impl Default for Robustness {
+    fn default() -> Self {
+        Self { watertight: true, boxes: true, offset: true }
+    }
+}

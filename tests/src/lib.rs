@@ -7,8 +7,6 @@ pub mod builder;
 pub mod compare;
 pub mod golden;
 pub mod minray;
-pub mod random;
-pub mod traversal;
 
 use std::{
     io::Write,

@@ -17,18 +17,23 @@ mod tests;
 use std::fmt::Write as _;
 
 use crate::{
-    Features, GpuScene, Linking, atlas,
+    Features, GpuScene, Linking, Robustness, atlas,
     gpu::shader::Source,
     gpu_scene,
     scene::OCTAHEDRAL_ERROR,
     stats::{CHECK_NAMES, Origin},
 };
 
+/// A file of this crate.
 macro_rules! wgsl {
     ($path:literal) => {
-        Source { file: $path, text: include_str!(concat!("../", $path)).into() }
+        $crate::gpu::shader::Source {
+            file: $path,
+            text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/src/", $path)).into(),
+        }
     };
 }
+pub(crate) use wgsl;
 
 /// A kernel of the frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -136,6 +141,8 @@ pub struct Variant {
     pub lights: u32,
     /// Objects of the scene.
     pub objects: u32,
+    /// The measures against rounding.
+    pub robustness: Robustness,
 }
 
 /// Threads of a workgroup that works through a list.
@@ -169,6 +176,7 @@ impl Variant {
             depth,
             lights: scene.light_count,
             objects: scene.object_count,
+            robustness: Robustness::default(),
         }
     }
 
@@ -210,8 +218,22 @@ impl Variant {
         }
     }
 
-    /// The sources of a kernel of the caller's that traces rays.
-    pub(crate) fn tracing_sources<const N: usize>(&self, entry: [Source; N]) -> Vec<Source> {
+    /// The sources of a kernel that traces rays and ends in these.
+    pub(crate) fn tracing_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
+        let hit = match (self.features.alpha_mask, self.features.shadow_filter) {
+            (true, _) => wgsl!("wgsl/hit_alpha.wgsl"),
+            (false, true) => wgsl!("wgsl/hit_shadow.wgsl"),
+            (false, false) => wgsl!("wgsl/hit_all.wgsl"),
+        };
+        self.tracing_sources_with(hit, entry)
+    }
+
+    /// As [`Variant::tracing_sources`], with another say in which hits count.
+    pub(crate) fn tracing_sources_with(
+        &self,
+        hit: Source,
+        entry: impl IntoIterator<Item = Source>,
+    ) -> Vec<Source> {
         let f = &self.features;
         let pick = |present: bool, with: Source, without: Source| if present { with } else { without };
         let mut sources = self.shading_sources([
@@ -223,11 +245,7 @@ impl Variant {
                 wgsl!("wgsl/vertex_attributes.wgsl"),
                 wgsl!("wgsl/vertex_none.wgsl"),
             ),
-            match (f.alpha_mask, f.shadow_filter) {
-                (true, _) => wgsl!("wgsl/hit_alpha.wgsl"),
-                (false, true) => wgsl!("wgsl/hit_shadow.wgsl"),
-                (false, false) => wgsl!("wgsl/hit_all.wgsl"),
-            },
+            hit,
             wgsl!("wgsl/surface.wgsl"),
             pick(f.lights, wgsl!("wgsl/shadow_rays.wgsl"), wgsl!("wgsl/shadow_none.wgsl")),
             match (f.reflection, f.refraction) {

@@ -4,7 +4,7 @@ use wgpu::naga::{AddressSpace, proc::Layouter};
 
 use super::{Output, Stage, Variant};
 use crate::{
-    Features, frame, gpu,
+    Features, Robustness, frame, gpu,
     gpu::{mirror::differences, shader::link},
     gpu_scene, probe,
 };
@@ -37,6 +37,7 @@ fn variants() -> impl Iterator<Item = Variant> {
         bvh_stack: 12,
         depth: 3,
         lights: 2,
+        robustness: Robustness::default(),
         // With the shadow bits in the object's word, and without.
         objects: if bits & 1 != 0 { 1 << 31 } else { 100 },
     };
@@ -88,11 +89,18 @@ fn workgroup_bytes(module: &wgpu::naga::Module) -> u32 {
 }
 
 #[test]
-fn the_probe_is_declared_alike_on_both_sides() {
+fn probes_are_declared_alike_on_both_sides() {
     for variant in variants() {
-        let linked = link(&probe::sources(&variant)).expect("links");
-        for mirror in [probe::ProbeRay::MIRROR, probe::ProbeHit::MIRROR] {
-            assert_eq!(differences(&linked.module, &mirror), Some(vec![]));
+        for (sources, result) in [
+            (probe::trace_sources(&variant), Some(probe::ProbeHit::MIRROR)),
+            (probe::count_sources(&variant), None),
+            (probe::spawn_sources(&variant), Some(probe::ProbeSpawn::MIRROR)),
+            (probe::shade_sources(&variant), Some(probe::ProbeSample::MIRROR)),
+        ] {
+            let linked = link(&sources).expect("links");
+            for mirror in [Some(probe::ProbeRay::MIRROR), result].into_iter().flatten() {
+                assert_eq!(differences(&linked.module, &mirror), Some(vec![]));
+            }
         }
     }
 }

@@ -6,12 +6,16 @@ struct Sample {
 }
 
 fn sample_trace(pixel: vec2u) -> Sample {
+    return sample_follow(frame_ray(pixel));
+}
+
+fn sample_follow(ray: Ray) -> Sample {
     var result: Sample;
     result.attributes.color = vec3f(1.0);
     result.attributes.depth = FAR;
     var local = vec3f(0.0);
     var gcol = vec3f(0.0);
-    var branch = Branch(frame_ray(pixel), vec3f(1.0), 1u, RAY_PRIMARY);
+    var branch = Branch(ray, vec3f(1.0), 1u, RAY_PRIMARY);
     loop {
         inspect_ray(branch.kind);
         let hit = bvh_traverse(branch.ray, false);

@@ -4,16 +4,12 @@ use std::{num::NonZero, thread};
 
 use glam::DVec3;
 use glimpse::{
-    GpuScene, Scene,
-    probe::{ProbeHit, ProbeRay, trace_rays},
+    GpuScene, Robustness, Scene,
+    probe::{Probe, ProbeHit, ProbeRay},
+    reference::{Hit, Ray, Tracer, Verdict},
+    stress::Random,
 };
-use glimpse_tests::{
-    gpu, note,
-    random::Random,
-    shared_scene,
-    traversal::{Hit, Ray, Tracer, Verdict},
-    turn,
-};
+use glimpse_tests::{gpu, note, shared_scene, turn};
 
 const RAYS: usize = 1_000_000;
 
@@ -49,7 +45,8 @@ fn agree(name: &str, mut scene: Scene) {
     let tracer = Tracer::new(&scene);
     let turn = turn();
     let scene = GpuScene::upload(gpu(), scene).expect("the scene fits the device");
-    let (hits, _) = trace_rays(gpu(), &scene, &rays).expect("the rays are traced");
+    let (hits, _) =
+        Probe::new(gpu(), &scene, Robustness::default()).trace(&rays).expect("the rays are traced");
     drop(turn);
     assert_eq!(hits.len(), rays.len(), "{name}");
 

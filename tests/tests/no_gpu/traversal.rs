@@ -1,12 +1,12 @@
 //! The f64 traversal by itself.
 
 use glam::{DVec3, Vec3};
-use glimpse::Scene;
-use glimpse_tests::{
-    builder::{Builder, front_camera, matte},
-    random::Random,
-    traversal::{Hit, Ray, Tracer, Verdict},
+use glimpse::{
+    Scene,
+    reference::{Hit, Ray, Tracer, Verdict},
+    stress::Random,
 };
+use glimpse_tests::builder::{Builder, front_camera, matte};
 
 fn soup(seed: u64) -> Scene {
     let mut random = Random(seed);

@@ -1,11 +1,4 @@
-// Rays of the caller's.
-
-struct ProbeRay {
-    origin: vec3f,
-    t_max: f32,
-    direction: vec3f,
-    any: u32,
-}
+// What rays meet.
 
 struct ProbeHit {
     t: f32,
@@ -15,16 +8,15 @@ struct ProbeHit {
     v: f32,
 }
 
-var<storage, read> rays: array<ProbeRay>;
-var<storage, read_write> hits: array<ProbeHit>;
+var<storage, read_write> results: array<ProbeHit>;
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let index = (group.y * TRACE_ROW + group.x) * TRACE_GROUP + local;
+    let index = probe_index(group, local);
     if index >= arrayLength(&rays) {
         return;
     }
-    let ray = Ray(rays[index].origin, rays[index].t_max, rays[index].direction);
+    let ray = probe_ray(index);
     var hit: Hit;
     if rays[index].any != 0u {
         hit = bvh_traverse(ray, true);
@@ -35,5 +27,5 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     if hit.primitive != MISS {
         object = shading[hit.primitive].w & SURFACE_OBJECT;
     }
-    hits[index] = ProbeHit(hit.t, hit.primitive, object, hit.u, hit.v);
+    results[index] = ProbeHit(hit.t, hit.primitive, object, hit.u, hit.v);
 }

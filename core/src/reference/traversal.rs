@@ -11,8 +11,8 @@
 
 use std::ops::Range;
 
+use crate::Scene;
 use glam::DVec3;
-use glimpse::Scene;
 
 const ROUNDING: f64 = 16.0 / 16_777_216.0;
 

@@ -1,0 +1,212 @@
+//! Rays of the caller's through the shaders' own functions: what tests, stress cases and measurements look through.
+
+use crate::{
+    Camera, Gpu, GpuScene, Linking, Result, Robustness, Settings,
+    frame::Frame,
+    gpu::{Kernel, Timer, mirror::gpu_struct, shader::Source},
+    passes::{TRACE_GROUP, TRACE_ROW, Variant, wgsl},
+};
+
+gpu_struct! {
+    /// A ray; `direction` need not have unit length.
+    pub struct ProbeRay {
+        /// World space.
+        origin: [f32; 3],
+        /// Hits at this parameter or beyond do not count.
+        t_max: f32,
+        /// World space.
+        direction: [f32; 3],
+        /// Not 0: any hit will do (a shadow ray).
+        any: u32,
+    }
+}
+
+gpu_struct! {
+    /// What a ray meets.
+    pub struct ProbeHit {
+        /// In units of the ray's direction.
+        t: f32,
+        /// In the order of the leaves; [`ProbeHit::MISS`] without a hit.
+        primitive: u32,
+        /// OID, 0 without a hit.
+        object: u32,
+        /// Weight of the triangle's second corner.
+        u: f32,
+        /// Weight of the triangle's third corner.
+        v: f32,
+    }
+}
+
+gpu_struct! {
+    /// Where a ray arrives, and where rays that leave the surface start.
+    pub struct ProbeSpawn {
+        /// World space.
+        position: [f32; 3],
+        /// In the order of the leaves; [`ProbeHit::MISS`] without a hit, with zeros in everything else.
+        primitive: u32,
+        /// Unit shading normal on the viewer's side.
+        normal: [f32; 3],
+        /// OID.
+        object: u32,
+        /// Unit normal of the face on the viewer's side.
+        face: [f32; 3],
+        /// 1 where the ray comes from behind the surface.
+        inside: u32,
+        /// Where rays to the viewer's side of the face start.
+        above: [f32; 3],
+        /// In units of the ray's direction.
+        t: f32,
+        /// Where rays to the other side of the face start.
+        below: [f32; 3],
+        /// Distance of both from the face.
+        offset: f32,
+    }
+}
+
+gpu_struct! {
+    /// What a ray sees.
+    pub struct ProbeSample {
+        /// Linear radiance.
+        color: [f32; 3],
+        /// Parameter of the first hit.
+        depth: f32,
+        /// Unit shading normal of the first hit.
+        normal: [f32; 3],
+        /// OID + 1, 0 where the ray meets nothing.
+        object: u32,
+        /// The part of the radiance that other rays brought.
+        gcol: [f32; 3],
+        /// Bit i is set where light i does not reach the first hit.
+        shadow: u32,
+        /// Folded into [0, 1].
+        texcoord: [f32; 2],
+        /// Nothing.
+        padding0: u32,
+        /// Nothing.
+        padding1: u32,
+    }
+}
+
+impl ProbeHit {
+    /// `primitive` of a ray that meets nothing.
+    pub const MISS: u32 = u32::MAX;
+}
+
+/// A scene that can be asked.
+pub struct Probe<'a> {
+    gpu: &'a Gpu,
+    scene: &'a GpuScene,
+    variant: Variant,
+}
+
+impl<'a> Probe<'a> {
+    /// A probe with these measures against rounding.
+    #[must_use]
+    pub fn new(gpu: &'a Gpu, scene: &'a GpuScene, robustness: Robustness) -> Self {
+        let variant = Variant { robustness, ..Variant::new(scene, Linking::Auto, 1) };
+        Self { gpu, scene, variant }
+    }
+
+    /// The nearest hits (some hit where the ray asks for any), and the GPU time in milliseconds (0 without timestamps).
+    ///
+    /// # Errors
+    /// A device that failed or cannot hold the rays.
+    pub fn trace(&self, rays: &[ProbeRay]) -> Result<(Vec<ProbeHit>, f64)> {
+        self.run("probe_trace", &trace_sources(&self.variant), rays)
+    }
+
+    /// How many surfaces each ray passes through before its end.
+    ///
+    /// # Errors
+    /// A device that failed or cannot hold the rays.
+    pub fn count(&self, rays: &[ProbeRay]) -> Result<Vec<u32>> {
+        Ok(self.run("probe_count", &count_sources(&self.variant), rays)?.0)
+    }
+
+    /// Where rays arrive, and where those that leave the surface start.
+    ///
+    /// # Errors
+    /// A device that failed or cannot hold the rays.
+    pub fn spawn(&self, rays: &[ProbeRay]) -> Result<Vec<ProbeSpawn>> {
+        Ok(self.run("probe_spawn", &spawn_sources(&self.variant), rays)?.0)
+    }
+
+    /// What rays see, with the settings' recursion limits.
+    ///
+    /// # Errors
+    /// Invalid settings, or a device that failed or cannot hold the rays.
+    pub fn shade(&self, rays: &[ProbeRay], settings: &Settings) -> Result<Vec<ProbeSample>> {
+        settings.validate()?;
+        let variant = Variant { depth: settings.depth, ..self.variant };
+        let camera = Camera::framing(self.scene.bounds().0, self.scene.bounds().1);
+        let frame = Frame::new(self.scene, settings, [1, 1], &camera);
+        let frame = self.gpu.filled("frame", bytemuck::bytes_of(&frame), wgpu::BufferUsages::UNIFORM)?;
+        let more = [("frame", frame.as_entire_binding())];
+        Ok(self.run_with("probe_shade", &shade_sources(&variant), rays, more)?.0)
+    }
+
+    fn run<O: bytemuck::Pod>(
+        &self,
+        label: &'static str,
+        sources: &[Source],
+        rays: &[ProbeRay],
+    ) -> Result<(Vec<O>, f64)> {
+        self.run_with(label, sources, rays, [])
+    }
+
+    fn run_with<'r, O: bytemuck::Pod>(
+        &'r self,
+        label: &'static str,
+        sources: &[Source],
+        rays: &[ProbeRay],
+        more: impl IntoIterator<Item = (&'static str, wgpu::BindingResource<'r>)>,
+    ) -> Result<(Vec<O>, f64)> {
+        let mut resources = self.scene.resources();
+        resources.extend(more);
+        dispatch(self.gpu, label, sources, rays, &resources)
+    }
+}
+
+/// Runs a kernel with one thread for each of `rays`, which writes one of `results`.
+pub(crate) fn dispatch<I: bytemuck::NoUninit, O: bytemuck::Pod>(
+    gpu: &Gpu,
+    label: &'static str,
+    sources: &[Source],
+    inputs: &[I],
+    resources: &[(&'static str, wgpu::BindingResource<'_>)],
+) -> Result<(Vec<O>, f64)> {
+    let kernel = Kernel::new(gpu, label, sources)?;
+    let rays = gpu.storage("rays", inputs)?;
+    let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
+    let bytes = inputs.len() * size_of::<O>();
+    let results = gpu.buffer("results", bytes as u64, usage)?;
+    let mut resources = resources.to_vec();
+    resources.extend([("rays", rays.as_entire_binding()), ("results", results.as_entire_binding())]);
+    let bound = kernel.bind(&gpu.device, &resources)?;
+    let timer = Timer::new(gpu, &[label])?;
+    let groups = (inputs.len() as u32).div_ceil(TRACE_GROUP);
+    let mut encoder = gpu.device.create_command_encoder(&Default::default());
+    bound.dispatch(&mut timer.pass(&mut encoder, 0), [groups.min(TRACE_ROW), groups.div_ceil(TRACE_ROW)]);
+    timer.resolve(&mut encoder);
+    gpu.submit_and_wait(encoder)?;
+    let ms = timer.read(gpu)?.ms;
+    Ok((bytemuck::pod_collect_to_vec(&gpu.read_buffer(&results)?[..bytes]), ms))
+}
+
+/// The kernels' sources.
+pub(crate) fn trace_sources(variant: &Variant) -> Vec<Source> {
+    variant.tracing_sources([wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_trace.wgsl")])
+}
+
+pub(crate) fn count_sources(variant: &Variant) -> Vec<Source> {
+    let entry = [wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_count.wgsl")];
+    variant.tracing_sources_with(wgsl!("wgsl/hit_count.wgsl"), entry)
+}
+
+pub(crate) fn spawn_sources(variant: &Variant) -> Vec<Source> {
+    variant.tracing_sources([wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_spawn.wgsl")])
+}
+
+pub(crate) fn shade_sources(variant: &Variant) -> Vec<Source> {
+    variant.tracing_sources([wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_shade.wgsl")])
+}

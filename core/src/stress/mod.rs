@@ -1,0 +1,87 @@
+//! Stiff and extreme cases against [`crate::reference`]: what `glimpse stress` runs.
+//!
+//! A [`Case`] is one row of its table: a construction, a number of rays, what must hold. Its [`Outcome`] counts every
+//! answer that is not the reference's: as a failure, or under the cause that explains it. Nothing is masked.
+
+mod random;
+
+pub use random::Random;
+
+use crate::{Gpu, Result, Robustness};
+
+/// What a case runs on.
+pub struct Bench<'a> {
+    /// The device under test.
+    pub gpu: &'a Gpu,
+    /// About as many rays (samples, evaluations) as the case shall use.
+    pub rays: u64,
+    /// Of everything random in it.
+    pub seed: u64,
+    /// The measures that are linked; all of them, unless it is to be seen what one is good for.
+    pub robustness: Robustness,
+}
+
+/// A row of the table.
+pub struct Case {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// How its inputs are made.
+    pub construction: &'static str,
+    /// When it passes.
+    pub rule: &'static str,
+    /// Runs it.
+    pub run: fn(&Bench<'_>) -> Result<Outcome>,
+}
+
+/// What came out.
+#[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize)]
+pub struct Outcome {
+    /// Rays (samples, evaluations) that were judged.
+    pub rays: u64,
+    /// Answers that nothing explains.
+    pub failures: u64,
+    /// Answers that differ from the reference for a known cause, by cause.
+    pub explained: Vec<Explained>,
+    /// The first failure, with all that is needed to repeat it.
+    pub worst: Option<String>,
+}
+
+/// Differences with one cause.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct Explained {
+    /// What they come from.
+    pub cause: &'static str,
+    /// How many.
+    pub count: u64,
+}
+
+impl Outcome {
+    /// Counts a judged answer that is right.
+    pub fn pass(&mut self) {
+        self.rays += 1;
+    }
+
+    /// Counts an answer that is not the reference's for a known cause.
+    pub fn explain(&mut self, cause: &'static str) {
+        self.rays += 1;
+        match self.explained.iter_mut().find(|e| e.cause == cause) {
+            Some(known) => known.count += 1,
+            None => self.explained.push(Explained { cause, count: 1 }),
+        }
+    }
+
+    /// Counts a wrong answer; `replay` says how to get it again.
+    pub fn fail(&mut self, replay: impl FnOnce() -> String) {
+        self.rays += 1;
+        self.failures += 1;
+        self.worst.get_or_insert_with(replay);
+    }
+
+    /// Passes or fails.
+    pub fn check(&mut self, right: bool, replay: impl FnOnce() -> String) {
+        if right { self.pass() } else { self.fail(replay) }
+    }
+}
+
+/// Every case, in the order of the table.
+pub const CASES: [Case; 0] = [];

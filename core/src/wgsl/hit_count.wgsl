@@ -1,0 +1,8 @@
+// Nothing stops a ray; what it passes through is counted.
+
+var<private> hit_counted: u32;
+
+fn hit_counts(primitive: u32, u: f32, v: f32, shadow: bool) -> bool {
+    hit_counted += 1u;
+    return false;
+}

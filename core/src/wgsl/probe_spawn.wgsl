@@ -1,0 +1,43 @@
+// Where rays arrive, and where those that leave the surface start.
+
+struct ProbeSpawn {
+    position: vec3f,
+    // MISS where nothing is hit; everything else is zero then.
+    primitive: u32,
+    normal: vec3f,
+    object: u32,
+    face: vec3f,
+    inside: u32,
+    // Origins of rays to the viewer's side of the face and to the other.
+    above: vec3f,
+    t: f32,
+    below: vec3f,
+    offset: f32,
+}
+
+var<storage, read_write> results: array<ProbeSpawn>;
+
+@compute @workgroup_size(TRACE_GROUP)
+fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
+    let index = probe_index(group, local);
+    if index >= arrayLength(&rays) {
+        return;
+    }
+    let ray = probe_ray(index);
+    let hit = bvh_traverse(ray, false);
+    var result: ProbeSpawn;
+    result.primitive = hit.primitive;
+    if hit.primitive != MISS {
+        let s = surface_at(ray, hit);
+        result.position = s.position;
+        result.normal = s.normal;
+        result.object = s.object;
+        result.face = s.face;
+        result.inside = select(0u, 1u, s.inside);
+        result.above = surface_spawn(s, s.face, FAR).origin;
+        result.t = hit.t;
+        result.below = surface_spawn(s, -s.face, FAR).origin;
+        result.offset = s.offset;
+    }
+    results[index] = result;
+}
