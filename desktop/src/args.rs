@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use glimpse::{CHECK_NAMES, Linking, Method, Settings, Tolerances};
+use serde::Serialize;
 
 /// The largest side of a frame.
 pub const MAX_SIDE: u32 = 16384;
@@ -41,6 +42,8 @@ pub enum Command {
     Devices(DevicesOptions),
     /// Compare the methods' times, interleaved in one run
     Bench(BenchOptions),
+    /// Try stiff and extreme cases against the f64 reference
+    Stress(StressOptions),
 }
 
 /// `glimpse view`
@@ -124,6 +127,38 @@ pub struct BenchOptions {
     /// Print JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// `glimpse stress`
+#[derive(Debug, Args)]
+pub struct StressOptions {
+    /// The cases [default: all]
+    #[arg(value_name = "CASE")]
+    pub cases: Vec<String>,
+    /// Rays of each case
+    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u64).range(1..=10_000_000_000))]
+    pub rays: u64,
+    /// Of everything random; the same seed gives the same rays
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+    /// Leave out a measure against rounding, to see which cases notice
+    #[arg(long, value_enum, value_name = "MEASURE", value_delimiter = ',')]
+    pub without: Vec<Measure>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What `--without` leaves out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Measure {
+    /// Exact decisions at the edges of triangles
+    Watertight,
+    /// Boxes widened by what rounding may move a ray
+    Boxes,
+    /// The distance of spawned rays from their surface
+    Offset,
 }
 
 /// What every rendering command takes.

@@ -14,6 +14,7 @@ mod report;
 mod scene_file;
 mod show;
 mod statistics;
+mod stress;
 
 use std::io::Write;
 use std::panic::PanicHookInfo;
@@ -49,6 +50,7 @@ fn run(arguments: Arguments) -> anyhow::Result<()> {
         Some(Command::Info(options)) => info::run(&options),
         Some(Command::Devices(options)) => devices::run(&options, adapter),
         Some(Command::Bench(options)) => bench::run(&options, adapter),
+        Some(Command::Stress(options)) => stress::run(&options, adapter),
     }
 }
 

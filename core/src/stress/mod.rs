@@ -3,11 +3,19 @@
 //! A [`Case`] is one row of its table: a construction, a number of rays, what must hold. Its [`Outcome`] counts every
 //! answer that is not the reference's: as a failure, or under the cause that explains it. Nothing is masked.
 
+mod mesh;
 mod random;
+mod watertight;
 
 pub use random::Random;
 
-use crate::{Gpu, Result, Robustness};
+use glam::DVec3;
+
+use crate::{
+    Gpu, GpuScene, Result, Robustness, Scene,
+    probe::{Probe, ProbeRay},
+    scene::Material,
+};
 
 /// What a case runs on.
 pub struct Bench<'a> {
@@ -84,4 +92,30 @@ impl Outcome {
 }
 
 /// Every case, in the order of the table.
-pub const CASES: [Case; 0] = [];
+pub const CASES: [Case; 1] = [watertight::CASE];
+
+impl Bench<'_> {
+    fn upload(&self, scene: Scene) -> Result<GpuScene> {
+        GpuScene::upload(self.gpu, scene)
+    }
+
+    fn probe<'a>(&'a self, scene: &'a GpuScene) -> Probe<'a> {
+        Probe::new(self.gpu, scene, self.robustness)
+    }
+}
+
+/// A ray through two points, both rounded to f32 first.
+fn ray_through(eye: DVec3, target: DVec3) -> ProbeRay {
+    let eye = eye.as_vec3();
+    ray(eye.as_dvec3(), target.as_vec3().as_dvec3() - eye.as_dvec3())
+}
+
+/// A ray without end, rounded to f32.
+fn ray(origin: DVec3, direction: DVec3) -> ProbeRay {
+    let (origin, direction) = (origin.as_vec3(), direction.as_vec3());
+    ProbeRay { origin: origin.into(), t_max: 3.0e38, direction: direction.into(), any: 0 }
+}
+
+fn matte() -> Material {
+    Material::default()
+}
