@@ -3,17 +3,30 @@
 //! A [`Case`] is one row of its table: a construction, a number of rays, what must hold. Its [`Outcome`] counts every
 //! answer that is not the reference's: as a failure, or under the cause that explains it. Nothing is masked.
 
+mod camera;
+mod coplanar;
+mod directions;
+mod grazing;
+mod lights;
 mod mesh;
 mod random;
+mod recursion;
+mod scale_mix;
+mod self_hits;
+mod slivers;
+mod time;
+mod tolerances;
+mod vertices;
 mod watertight;
 
 pub use random::Random;
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 use crate::{
     Gpu, GpuScene, Result, Robustness, Scene,
-    probe::{Probe, ProbeRay},
+    probe::{Probe, ProbeHit, ProbeRay},
+    reference::{Hit, Ray, Tracer, Verdict},
     scene::Material,
 };
 
@@ -92,7 +105,21 @@ impl Outcome {
 }
 
 /// Every case, in the order of the table.
-pub const CASES: [Case; 1] = [watertight::CASE];
+pub const CASES: [Case; 13] = [
+    watertight::CASE,
+    vertices::CASE,
+    slivers::CASE,
+    scale_mix::CASE,
+    self_hits::CASE,
+    grazing::CASE,
+    coplanar::CASE,
+    directions::CASE,
+    recursion::CASE,
+    camera::CASE,
+    tolerances::CASE,
+    lights::CASE,
+    time::CASE,
+];
 
 impl Bench<'_> {
     fn upload(&self, scene: Scene) -> Result<GpuScene> {
@@ -118,4 +145,50 @@ fn ray(origin: DVec3, direction: DVec3) -> ProbeRay {
 
 fn matte() -> Material {
     Material::default()
+}
+
+/// Half of the light passes straight on, the other half is lost.
+fn thin_pane() -> Material {
+    Material {
+        base_color: Vec3::splat(0.5),
+        metallic: 0.0,
+        roughness: 0.0,
+        transmission: 1.0,
+        ior: 1.0,
+        thin: true,
+        casts_shadow: false,
+        ..Material::default()
+    }
+}
+
+/// The same ray in f64; and the factor from its parameter to a distance.
+fn exact(ray: &ProbeRay) -> (Ray, f64) {
+    let direction = Vec3::from(ray.direction).as_dvec3();
+    let origin = Vec3::from(ray.origin).as_dvec3();
+    let length = direction.length();
+    (Ray { origin, direction: direction / length, t_max: f64::from(ray.t_max) * length }, length)
+}
+
+/// What a hit says, for the judgement.
+fn answer(hit: &ProbeHit, length: f64) -> Option<Hit> {
+    (hit.primitive != ProbeHit::MISS).then(|| Hit { object: hit.object, t: f64::from(hit.t) * length })
+}
+
+/// Judges hits by the reference.
+fn judge(
+    outcome: &mut Outcome,
+    tracer: &Tracer,
+    rays: &[ProbeRay],
+    hits: &[ProbeHit],
+    replay: impl Fn() -> String,
+) {
+    for (ray, hit) in rays.iter().zip(hits) {
+        let (exact, length) = exact(ray);
+        match tracer.judge(&exact, answer(hit, length)) {
+            Verdict::Same => outcome.pass(),
+            Verdict::Tie => outcome.explain("two surfaces at one distance"),
+            Verdict::Explained => outcome.explain("within 8 ulp of an edge"),
+            Verdict::Wrong(line) => outcome.fail(|| format!("{}: {ray:?}: {line}", replay())),
+        }
+    }
 }

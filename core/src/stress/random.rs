@@ -20,6 +20,11 @@ impl Random {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
+    /// Uniform among 0, 1 ... `count` - 1.
+    pub fn below(&mut self, count: usize) -> usize {
+        (self.bits() % count as u64) as usize
+    }
+
     /// Uniform in a box.
     pub fn inside(&mut self, low: DVec3, high: DVec3) -> DVec3 {
         low + (high - low) * DVec3::new(self.unit(), self.unit(), self.unit())

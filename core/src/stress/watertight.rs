@@ -73,7 +73,7 @@ fn inside(mesh: &Mesh, center: DVec3, random: &mut Random) -> Option<DVec3> {
 }
 
 fn aimed(mesh: &Mesh, eye: DVec3, index: u64, random: &mut Random) -> ProbeRay {
-    let [a, b, _] = mesh.triangles[(random.bits() % mesh.triangles.len() as u64) as usize];
+    let [a, b, _] = mesh.triangles[random.below(mesh.triangles.len())];
     match index % 4 {
         0 if a != eye => ray_through(eye, a),
         1 if a != eye && b != eye => ray_through(eye, a.lerp(b, random.unit())),
