@@ -1,4 +1,5 @@
-//! Rays a second of the traversal alone, by kind of ray, from the pixels of one 1024x1024 frame:
+//! Rays a second of the traversal alone, by kind of ray, from the pixels of one 1024x1024 frame, and what each measure
+//! against rounding costs (medians of interleaved runs with all of them and without each):
 //! `cargo run --release -p glimpse-tests --example traversal_rates -- SCENE.glb`
 //!
 //! On a software driver wall time swings with the machine's other work, so rays are counted against the CPU time of
@@ -15,7 +16,7 @@ use glimpse::{
 };
 
 const SIDE: u32 = 1024;
-const RUNS: u32 = 4;
+const RUNS: usize = 5;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).ok_or("expected a .glb file")?;
@@ -82,26 +83,46 @@ fn ray(origin: Vec3, direction: Vec3, any: bool) -> ProbeRay {
     ProbeRay { origin: origin.into(), t_max: 3e38, direction: direction.into(), any: any.into() }
 }
 
+/// All measures, and each one left out. Spawned rays are no part of the traversal.
+const MEASURES: [(&str, Robustness); 3] = [
+    ("with all measures", Robustness { watertight: true, boxes: true, offset: true }),
+    ("without watertight", Robustness { watertight: false, boxes: true, offset: true }),
+    ("without boxes", Robustness { watertight: true, boxes: false, offset: true }),
+];
+
 fn report(gpu: &Gpu, scene: &GpuScene, kind: &str, rays: &[ProbeRay]) -> Result<(), Box<dyn Error>> {
-    let probe = Probe::new(gpu, scene, Robustness::default());
+    let probes = MEASURES.map(|(_, robustness)| Probe::new(gpu, scene, robustness));
     let cores = std::thread::available_parallelism()?.get() as f64;
-    probe.trace(rays)?;
-    let (mut wall, mut cpu) = (f64::INFINITY, f64::INFINITY);
-    for _ in 0..RUNS {
-        let start = cpu_seconds();
-        probe.trace(&rays[..64])?;
-        let begun = cpu_seconds();
-        let (_, ms) = probe.trace(rays)?;
-        wall = wall.min(ms * 1e-3);
-        // A call costs something besides its rays.
-        cpu = cpu.min(cpu_seconds() - begun - (begun - start));
+    let mut runs = MEASURES.map(|_| Vec::new());
+    for run in 0..=RUNS {
+        for (probe, runs) in probes.iter().zip(&mut runs) {
+            let start = cpu_seconds();
+            probe.trace(&rays[..64])?;
+            let begun = cpu_seconds();
+            let (_, ms) = probe.trace(rays)?;
+            // The first run compiles. A call costs something besides its rays.
+            if run > 0 {
+                runs.push((ms * 1e-3, cpu_seconds() - begun - (begun - start)));
+            }
+        }
     }
+    let median = |mut values: Vec<f64>| {
+        values.sort_by(f64::total_cmp);
+        values[values.len() / 2]
+    };
     let rate = |seconds: f64| rays.len() as f64 / seconds * 1e-6;
-    println!(
-        "{kind:<11}{:>8.2} Mrays/s, {:>8.2} Mrays per CPU second x {cores}",
-        rate(wall),
-        cores * rate(cpu)
-    );
+    let mut with_all = f64::NAN;
+    for ((name, _), runs) in MEASURES.iter().zip(&runs) {
+        let wall = median(runs.iter().map(|r| r.0).collect());
+        let cpu = median(runs.iter().map(|r| r.1).collect());
+        with_all = if with_all.is_nan() { cpu } else { with_all };
+        println!(
+            "{kind:<11}{name:<19}{:>8.2} Mrays/s, {:>8.2} Mrays per CPU second x {cores}, {:+6.1} % time",
+            rate(wall),
+            cores * rate(cpu),
+            100.0 * (cpu / with_all - 1.0)
+        );
+    }
     Ok(())
 }
 

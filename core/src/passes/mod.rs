@@ -150,6 +150,22 @@ pub const TRACE_GROUP: u32 = 64;
 /// Workgroups along x; a longer list goes on along y.
 pub const TRACE_ROW: u32 = 32_768;
 
+/// By what share of the distance a box grows on all sides in the traversal, so that it loses no hit of what is inside.
+/// With `e = 2^-24` (half a unit in the last place), WGSL's 5 e for a quotient and `D`, the largest distance from the ray's
+/// origin to a plane of the node along an axis, rounding moves
+///
+/// | what | by at most |
+/// | --- | --- |
+/// | corners from the ray, across it: their difference to the origin and its share of the shear, the shear, its product, the difference | 1 + 1 + 5 + 1 + 2 = 10 e D |
+/// | a plane from the ray: `p - o`, its product, the quotient, `q 2^e / d`, the sum, the margin's own sum | 1 + 1 + 5 + 2 + 1 + 1 = 11 e D |
+/// | the distance of a hit within its box: corner, sum and reciprocal of the weights, products, sum, `1 / d` | 1 + 2 + 5 + 2 + 2 + 6 = 18 e D |
+/// | two hits at the same distance, of which the second must be looked at too | 8 e D |
+///
+/// together 47 e D; it is 48.
+pub const BVH_ROUNDING: f32 = 48.0 / 16_777_216.0;
+/// New rays start this share of the corners' coordinates and of the triangle's size off their face.
+pub const SURFACE_OFFSET: f32 = 3.8e-6;
+
 /// Counters of an inspected frame: first index and how many.
 pub const COUNTER_RAYS: usize = 0;
 pub const COUNTER_NODE_VISITS: usize = 4;
@@ -237,6 +253,7 @@ impl Variant {
         let f = &self.features;
         let pick = |present: bool, with: Source, without: Source| if present { with } else { without };
         let mut sources = self.shading_sources([
+            pick(self.robustness.watertight, wgsl!("wgsl/edge_exact.wgsl"), wgsl!("wgsl/edge_rounded.wgsl")),
             wgsl!("wgsl/triangle.wgsl"),
             wgsl!("wgsl/bvh.wgsl"),
             pick(f.spheres, wgsl!("wgsl/sphere_analytic.wgsl"), wgsl!("wgsl/sphere_none.wgsl")),
@@ -343,8 +360,15 @@ impl Variant {
         for (name, value) in numbers {
             let _ = writeln!(text, "const {name}: u32 = {value}u;");
         }
-        let _ = writeln!(text, "const SPHERE_MARK: f32 = {:e};", gpu_scene::SPHERE_MARK);
-        let _ = writeln!(text, "const NORMAL_ERROR: f32 = {OCTAHEDRAL_ERROR:e};");
+        let reals = [
+            ("BVH_ROUNDING", if self.robustness.boxes { BVH_ROUNDING } else { 0.0 }),
+            ("SURFACE_OFFSET", if self.robustness.offset { SURFACE_OFFSET } else { 0.0 }),
+            ("SPHERE_MARK", gpu_scene::SPHERE_MARK),
+            ("NORMAL_ERROR", OCTAHEDRAL_ERROR),
+        ];
+        for (name, value) in reals {
+            let _ = writeln!(text, "const {name}: f32 = {value:e};");
+        }
         for (bit, name) in CHECK_NAMES.iter().enumerate() {
             let _ = writeln!(text, "const CHECK_{}: u32 = {}u;", name.to_uppercase(), 1 << bit);
         }

@@ -32,9 +32,11 @@ struct Slabs {
 }
 
 fn bvh_slabs(ray: Ray) -> Slabs {
-    // A component of zero would give 0 x infinity at a plane through the origin.
-    let tiny = abs(ray.direction) < vec3f(1.0e-18);
-    let direction = select(ray.direction, select(vec3f(-1.0e-18), vec3f(1.0e-18), ray.direction >= vec3f(0.0)), tiny);
+    // A component of zero would give 0 x infinity at a plane through the origin. What takes its place turns the ray by
+    // less than the shear of the triangle test is rounded.
+    let size = abs(ray.direction);
+    let least = 1.0e-18 * max(size.x, max(size.y, size.z));
+    let direction = select(ray.direction, select(vec3f(-least), vec3f(least), ray.direction >= vec3f(0.0)), size < vec3f(least));
     let negative = direction < vec3f(0.0);
     let octant = select(4u, 0u, negative.x) | select(2u, 0u, negative.y) | select(1u, 0u, negative.z);
     return Slabs(ray.origin, 1.0 / direction, negative, octant * 0x01010101u);
@@ -42,16 +44,15 @@ fn bvh_slabs(ray: Ray) -> Slabs {
 
 // Four children: the bits of those that the ray meets before t_max.
 fn bvh_four(meta4: u32, octant: u32, lo_x: u32, hi_x: u32, lo_y: u32, hi_y: u32, lo_z: u32, hi_z: u32,
-            scale: vec3f, start: vec3f, negative: vec3<bool>, t_max: f32) -> u32 {
-    let near_x = vec4f(unpack4xU8(select(lo_x, hi_x, negative.x))) * scale.x + start.x;
-    let far_x = vec4f(unpack4xU8(select(hi_x, lo_x, negative.x))) * scale.x + start.x;
-    let near_y = vec4f(unpack4xU8(select(lo_y, hi_y, negative.y))) * scale.y + start.y;
-    let far_y = vec4f(unpack4xU8(select(hi_y, lo_y, negative.y))) * scale.y + start.y;
-    let near_z = vec4f(unpack4xU8(select(lo_z, hi_z, negative.z))) * scale.z + start.z;
-    let far_z = vec4f(unpack4xU8(select(hi_z, lo_z, negative.z))) * scale.z + start.z;
+            scale: vec3f, near_start: vec3f, far_start: vec3f, negative: vec3<bool>, t_max: f32) -> u32 {
+    let near_x = vec4f(unpack4xU8(select(lo_x, hi_x, negative.x))) * scale.x + near_start.x;
+    let far_x = vec4f(unpack4xU8(select(hi_x, lo_x, negative.x))) * scale.x + far_start.x;
+    let near_y = vec4f(unpack4xU8(select(lo_y, hi_y, negative.y))) * scale.y + near_start.y;
+    let far_y = vec4f(unpack4xU8(select(hi_y, lo_y, negative.y))) * scale.y + far_start.y;
+    let near_z = vec4f(unpack4xU8(select(lo_z, hi_z, negative.z))) * scale.z + near_start.z;
+    let far_z = vec4f(unpack4xU8(select(hi_z, lo_z, negative.z))) * scale.z + far_start.z;
     let near = max(max(near_x, near_y), max(near_z, vec4f(0.0)));
-    // The far side is widened by the rounding of the slab test (Ize 2013).
-    let far = min(min(far_x, far_y), far_z) * 1.0000005;
+    let far = min(min(far_x, far_y), far_z);
     let met = near <= min(far, vec4f(t_max));
 
     let inner = (((meta4 & (meta4 << 1u)) & 0x10101010u) >> 4u) * 0xffu;
@@ -74,11 +75,16 @@ fn bvh_visit(index: u32, slabs: Slabs, t_max: f32) -> Visit {
     let n3 = nodes[5u * index + 3u];
     let n4 = nodes[5u * index + 4u];
     let exponents = vec3u(n0.w & 0xffu, (n0.w >> 8u) & 0xffu, (n0.w >> 16u) & 0xffu);
-    let scale = bitcast<vec3f>(exponents << vec3u(23u)) * slabs.inverse;
-    let start = (bitcast<vec3f>(n0.xyz) - slabs.origin) * slabs.inverse;
+    let unit = bitcast<vec3f>(exponents << vec3u(23u));
+    let scale = unit * slabs.inverse;
+    let low = bitcast<vec3f>(n0.xyz) - slabs.origin;
+    let start = low * slabs.inverse;
+    // The boxes grow by BVH_ROUNDING of the largest distance to their planes along an axis.
+    let distance = max(abs(low), abs(low + 256.0 * unit));
+    let margin = abs(slabs.inverse) * (BVH_ROUNDING * max(distance.x, max(distance.y, distance.z)));
     let mask =
-        bvh_four(n1.z, slabs.octant, n2.x, n2.z, n3.x, n3.z, n4.x, n4.z, scale, start, slabs.negative, t_max) |
-        bvh_four(n1.w, slabs.octant, n2.y, n2.w, n3.y, n3.w, n4.y, n4.w, scale, start, slabs.negative, t_max);
+        bvh_four(n1.z, slabs.octant, n2.x, n2.z, n3.x, n3.z, n4.x, n4.z, scale, start - margin, start + margin, slabs.negative, t_max) |
+        bvh_four(n1.w, slabs.octant, n2.y, n2.w, n3.y, n3.w, n4.y, n4.w, scale, start - margin, start + margin, slabs.negative, t_max);
     return Visit(vec2u(n1.x, (mask & 0xff000000u) | (n0.w >> 24u)), vec2u(n1.y, mask & 0x00ffffffu));
 }
 

@@ -16,10 +16,6 @@ struct Surface {
     color: vec3f,
 }
 
-// New rays start 32 units in the last place away: of the corners' coordinates along the normal, which bounds how far
-// rounding moves the point off its plane, and of the triangle's size, which bounds the error of the next test.
-const SURFACE_OFFSET: f32 = 3.8e-6;
-
 fn surface_at(ray: Ray, hit: Hit) -> Surface {
     let data = shading[hit.primitive];
     let corners = bvh_corners(hit.primitive);

@@ -1,0 +1,108 @@
+//! The acceleration structure: an eight-wide compressed BVH (Ylitie, Karras, Laine 2017) over triangles and spheres.
+//!
+//! ```text
+//! boxes --cluster--> binary tree --reinsertion, 16 times--> --obvhs--> wide tree --quantise--> nodes
+//!                         +-- depth: no path is longer than DEPTH_LIMIT, before each step
+//! ```
+//!
+//! What is proven of it, whatever the input: every decoded box holds what is inside in exact arithmetic
+//! ([`quantise`]), no path is longer than [`depth::DEPTH_LIMIT`], and the traversal's stack is as large as it can get.
+
+mod cluster;
+mod depth;
+mod quantise;
+#[cfg(test)]
+mod tests;
+
+use glam::Vec3A;
+use obvhs::{
+    aabb::Aabb,
+    bvh2::reinsertion::ReinsertionOptimizer,
+    cwbvh::{bvh2_to_cwbvh::bvh2_to_cwbvh, node::CwBvhNode},
+};
+
+use crate::scene::{Scene, Sphere};
+
+/// Nodes, and the primitives in the order of their leaves. Primitives below the number of triangles are
+/// triangles, the others spheres.
+pub struct Bvh {
+    /// 80 bytes each.
+    pub nodes: Vec<CwBvhNode>,
+    /// Primitive `order[i]` of the scene stands at place `i`.
+    pub order: Vec<u32>,
+    /// The most groups that wait on the traversal's stack.
+    pub stack: u32,
+}
+
+impl Bvh {
+    /// Builds the structure over everything in the scene.
+    #[must_use]
+    pub fn build(scene: &Scene) -> Self {
+        let triangles = scene.positions.iter().map(|corners| {
+            let [a, b, c] = corners.map(Vec3A::from);
+            Aabb { min: a.min(b).min(c), max: a.max(b).max(c) }
+        });
+        Self::of_boxes(&triangles.chain(scene.spheres.iter().map(sphere_bounds)).collect::<Vec<_>>())
+    }
+
+    fn of_boxes(boxes: &[Aabb]) -> Self {
+        let mut tree = cluster::cluster(&in_sane_units(boxes));
+        let mut optimizer = ReinsertionOptimizer::default();
+        // All nodes are tried, then fewer and fewer of them, the largest: tree quality pays more than layout.
+        for divisor in (1..32).step_by(2) {
+            tree.max_depth = depth::limit(&mut tree) as usize;
+            optimizer.run(&mut tree, 1.0, Some(vec![1.0 / divisor as f32]));
+        }
+        depth::limit(&mut tree);
+        let wide = bvh2_to_cwbvh(&tree, PRIMITIVES_PER_LEAF, true, false);
+        let (mut nodes, order) = (wide.nodes, wide.primitive_indices);
+        quantise::quantise(&mut nodes, &order, boxes);
+        let stack = stack_bound(&nodes);
+        Self { nodes, order, stack }
+    }
+}
+
+/// The most that a node can encode.
+const PRIMITIVES_PER_LEAF: u32 = 3;
+
+/// A rounding outwards.
+fn sphere_bounds(sphere: &Sphere) -> Aabb {
+    let center = Vec3A::from(sphere.center);
+    Aabb {
+        min: (center - sphere.radius).map(f32::next_down),
+        max: (center + sphere.radius).map(f32::next_up),
+    }
+}
+
+/// The boxes in a unit, a power of two, in which no area overflows and those of visible size do not underflow. They
+/// decide the shape of the tree alone.
+fn in_sane_units(boxes: &[Aabb]) -> Vec<Aabb> {
+    const LARGEST: f64 = 1_048_576.0;
+    let largest = boxes.iter().map(|b| b.min.abs().max(b.max.abs()).max_element()).fold(0.0, f32::max);
+    if largest == 0.0 {
+        return boxes.to_vec();
+    }
+    let factor = (LARGEST / f64::from(largest)).log2().floor().exp2();
+    let scaled = |v: Vec3A| v.map(|x| (f64::from(x) * factor) as f32);
+    boxes.iter().map(|b| Aabb { min: scaled(b.min), max: scaled(b.max) }).collect()
+}
+
+/// The children of a node that are nodes themselves.
+fn inner_children(node: &CwBvhNode) -> std::ops::Range<usize> {
+    let first = node.child_base_idx as usize;
+    first..first + node.imask.count_ones() as usize
+}
+
+/// A visit leaves the node's other inner children on the stack while it goes down one of them, whichever comes first
+/// for the ray; the last of them leaves nothing.
+fn stack_bound(nodes: &[CwBvhNode]) -> u32 {
+    let mut bounds = vec![0; nodes.len()];
+    // Children stand behind their parents.
+    for (index, node) in nodes.iter().enumerate().rev() {
+        let children = inner_children(node);
+        let left = u32::from(children.len() > 1);
+        bounds[index] = bounds[children].iter().max().map_or(0, |deepest| deepest + left);
+    }
+    // WGSL has no empty arrays.
+    bounds.first().map_or(1, |&bound| bound.max(1))
+}
