@@ -54,15 +54,30 @@ impl Builder {
     /// A point light without limit.
     pub fn point_light(&mut self, position: Vec3, intensity: Vec3) {
         let kind = LightKind::Point { position, range: f32::INFINITY, falloff: true };
-        self.0.lights.push(Light { kind, intensity, radius: 0.0 });
+        self.light(Light { kind, intensity, radius: 0.0 });
+    }
+
+    /// Any light.
+    pub fn light(&mut self, light: Light) {
+        self.0.lights.push(light);
     }
 
     /// A grey ramp of 8x8 texels that repeats; its index.
     pub fn ramp_texture(&mut self) -> u32 {
         let grey = |i: u8| [32 + 3 * i, 32 + 3 * i, 32 + 3 * i, 255];
-        self.0.images.push(Image8 { width: 8, height: 8, rgba: (0..64).flat_map(grey).collect() });
-        let image = self.0.images.len() as u32 - 1;
-        self.0.textures.push(Texture { image, wrap: [Wrap::Repeat; 2], nearest: false });
+        let image = self.image(Image8 { width: 8, height: 8, rgba: (0..64).flat_map(grey).collect() });
+        self.texture(Texture { image, wrap: [Wrap::Repeat; 2], nearest: false })
+    }
+
+    /// An image; its index.
+    pub fn image(&mut self, image: Image8) -> u32 {
+        self.0.images.push(image);
+        self.0.images.len() as u32 - 1
+    }
+
+    /// A way to read an image; its index.
+    pub fn texture(&mut self, texture: Texture) -> u32 {
+        self.0.textures.push(texture);
         self.0.textures.len() as u32 - 1
     }
 

@@ -3,8 +3,10 @@
 //! `tests/no_gpu.rs` needs no graphics driver; `tests/gpu.rs` renders on the best adapter there is (lavapipe where
 //! there is no other), and fails without one: `desktop/setup.sh` installs it.
 
+pub mod agreement;
 pub mod builder;
 pub mod compare;
+pub mod gallery;
 pub mod golden;
 pub mod minray;
 

@@ -2,6 +2,7 @@
 
 mod gpu {
     mod adaptive;
+    mod agreement;
     mod checks;
     mod closed_forms;
     mod golden;

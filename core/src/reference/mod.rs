@@ -1,5 +1,97 @@
-//! What is right: the steps of the shaders in f64 on the CPU, slow and obvious. It shares no arithmetic with them.
+//! What is right: the steps of the shaders by the same names, in f64 on the CPU, slow and obvious.
+//!
+//! | here | shaders |
+//! | --- | --- |
+//! | [`Tracer`] | `bvh.wgsl`, `triangle.wgsl`, `sphere_analytic.wgsl` |
+//! | [`Reference::first`], [`Reference::occluded`], [`Reference::shadow_bits`] | `hit_*.wgsl`, `shadow_rays.wgsl` |
+//! | [`Reference::surface`], [`Reference::texture`], [`Reference::material`], [`Reference::arrival`] | `surface.wgsl`, `texture_atlas.wgsl`, `material.wgsl`, `lights_punctual.wgsl` |
+//! | [`Reference::sample`] | `sample.wgsl`, `bounce_*.wgsl` |
+//! | [`Frame::ray`], [`Frame::traced`], [`Frame::adaptive`] | `frame.wgsl`, the passes |
+//! | [`Frame::failed`], [`Frame::interpolated`], [`Frame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes.wgsl` |
+//!
+//! Shared with what it judges: the [`Scene`] in main memory (with its normals in octahedral words, for that is what the
+//! scene holds), the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), and the Rust functions that pack and
+//! unpack octahedral words, which the shaders do not use. Nothing else is: no tree, no buffer, no formula.
+//!
+//! Spawned rays start exactly on the surface and cannot meet the primitive that they leave; the shaders start them a
+//! little off it. Lights and materials are the formulas of `scene/material.rs` and of the glTF extensions.
+//!
+//! An f32 answer that differs is judged in one of two ways. [`Tracer::judge`] knows how far off f32 may be, from the
+//! geometry of one ray. For everything that follows from a hit, [`Rounding::explain`] asks the reference again with all
+//! numbers displaced by up to [`ULPS`] units in the last place (and the starts of spawned rays by [`SPAWN_ULPS`]), one
+//! [`Cause`] after the other: an answer that none of these gives is wrong.
 
+mod attributes;
+mod bounce;
+mod frame;
+mod intersection;
+mod judge;
+mod lights;
+mod material;
+mod rounding;
+mod sample;
+mod shadow;
+mod similarity;
+mod surface;
+mod texture;
 mod traversal;
 
-pub use traversal::{Hit, Ray, Tracer, Verdict};
+use glam::DVec3;
+
+pub use attributes::Attributes;
+pub use frame::{Frame, Pixel};
+pub use intersection::{Crossing, Ray};
+pub use judge::Verdict;
+pub use lights::Arrival;
+pub use material::{Material, fresnel_dielectric};
+pub use rounding::{Cause, Rounding, SPAWN_ULPS, ULPS};
+pub use sample::{Limits, Sample};
+pub use similarity::Reached;
+pub use surface::Surface;
+pub use texture::Encoding;
+pub use traversal::{Hit, Tracer};
+
+use crate::{Features, Scene};
+
+/// A scene that is asked in f64.
+pub struct Reference {
+    scene: Scene,
+    tracer: Tracer,
+    features: Features,
+    bounds: (DVec3, DVec3),
+    /// The linear value of each byte of sRGB.
+    srgb: [f64; 256],
+}
+
+impl Reference {
+    /// A scene that is [valid](Scene::validate).
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        let (low, high) = scene.bounds().unwrap_or_default();
+        Self {
+            tracer: Tracer::new(scene),
+            features: Features::of(scene),
+            bounds: (low.as_dvec3(), high.as_dvec3()),
+            srgb: texture::srgb_table(),
+            scene: scene.clone(),
+        }
+    }
+
+    /// The same with an adapter's own values of the bytes of sRGB: graphics interfaces grant it half a byte.
+    #[must_use]
+    pub fn with_srgb(self, srgb: [f64; 256]) -> Self {
+        Self { srgb, ..self }
+    }
+
+    /// The geometry alone.
+    #[must_use]
+    pub fn tracer(&self) -> &Tracer {
+        &self.tracer
+    }
+
+    /// The scene's longest box side: the unit of Kim 2016's distance tolerance.
+    #[must_use]
+    pub fn longest_side(&self) -> f64 {
+        (self.bounds.1 - self.bounds.0).max_element()
+    }
+}

@@ -1,31 +1,14 @@
-//! What a ray hits, in f64 on the CPU: a median-split tree of boxes and Moeller-Trumbore. And the judgement of an f32
-//! answer, with tolerances from the rounding of f32 instead of guesses:
-//!
-//! ```text
-//! e        = 16 x 2^-24                     a handful of roundings
-//! S        = largest distance from the ray's origin to a corner
-//! D        = |e1 . (d x e2)|                twice the triangle's area as the ray sees it (d of unit length)
-//! slack    = e S (longest edge) / D         how far off barycentric coordinates may be
-//! dt       = slack (longest edge) + e S      how far off the distance may be: it is interpolated from the corners'
-//! ```
+//! What a ray hits, in f64 on the CPU: a median-split tree of boxes, or no tree at all.
 
 use std::ops::Range;
 
-use crate::Scene;
 use glam::DVec3;
 
-const ROUNDING: f64 = 16.0 / 16_777_216.0;
+use super::intersection::{Crossing, Primitive, Ray, Shape};
+use crate::Scene;
 
-/// A ray with a direction of unit length.
-#[derive(Clone, Copy, Debug)]
-pub struct Ray {
-    /// Where it starts.
-    pub origin: DVec3,
-    /// Where it goes.
-    pub direction: DVec3,
-    /// Where it ends.
-    pub t_max: f64,
-}
+/// A handful of roundings of f32.
+pub(super) const ROUNDING: f64 = 16.0 / 16_777_216.0;
 
 /// The first thing on a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,31 +17,6 @@ pub struct Hit {
     pub object: u32,
     /// Distance.
     pub t: f64,
-}
-
-/// How an f32 answer compares.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Verdict {
-    /// The same object at the same distance.
-    Same,
-    /// Another object at the same distance: two surfaces lie in one place.
-    Tie,
-    /// Another answer that rounding explains: it exists, and nothing lies clearly in front of it.
-    Explained,
-    /// A wrong answer, in words.
-    Wrong(String),
-}
-
-enum Primitive {
-    Triangle { corner: DVec3, e1: DVec3, e2: DVec3, object: u32 },
-    Sphere { center: DVec3, radius: f64, object: u32 },
-}
-
-/// A possible hit: how far off its distance may be, and whether f32 must see it.
-struct Candidate {
-    hit: Hit,
-    tolerance: f64,
-    certain: bool,
 }
 
 #[derive(Clone, Copy)]
@@ -84,14 +42,17 @@ impl Tracer {
     pub fn new(scene: &Scene) -> Self {
         let triangles = scene.positions.iter().zip(&scene.triangle_objects).map(|(corners, &object)| {
             let [a, b, c] = corners.map(|p| p.as_dvec3());
-            Primitive::Triangle { corner: a, e1: b - a, e2: c - a, object }
+            (Shape::Triangle { corner: a, e1: b - a, e2: c - a }, object)
         });
-        let spheres = scene.spheres.iter().map(|s| Primitive::Sphere {
-            center: s.center.as_dvec3(),
-            radius: f64::from(s.radius),
-            object: s.object,
-        });
-        let mut boxed: Vec<(Box3, Primitive)> = triangles.chain(spheres).map(|p| (p.bounds(), p)).collect();
+        let spheres = scene
+            .spheres
+            .iter()
+            .map(|s| (Shape::Sphere { center: s.center.as_dvec3(), radius: f64::from(s.radius) }, s.object));
+        let primitives = triangles.chain(spheres).enumerate();
+        let mut boxed: Vec<(Box3, Primitive)> = primitives
+            .map(|(index, (shape, object))| Primitive { shape, object, index })
+            .map(|p| (Box3::of(&p), p))
+            .collect();
         let mut nodes = Vec::new();
         let count = boxed.len();
         build(&mut nodes, &mut boxed, 0..count);
@@ -101,61 +62,45 @@ impl Tracer {
     /// The nearest hit.
     #[must_use]
     pub fn nearest(&self, ray: &Ray) -> Option<Hit> {
-        let mut best: Option<Hit> = None;
-        self.visit(ray, &mut |primitive, reach: &mut f64| {
-            if let Some(hit) = primitive.hit(ray).filter(|hit| hit.t < *reach) {
-                *reach = hit.t;
-                best = Some(hit);
-            }
-        });
-        best
+        self.first(ray, None, |_| true).map(|c| Hit { object: c.object, t: c.t })
     }
 
     /// The nearest hit, without the tree.
     #[must_use]
     pub fn nearest_of_all(&self, ray: &Ray) -> Option<Hit> {
-        let hits = self.primitives.iter().filter_map(|p| p.hit(ray)).filter(|hit| hit.t < ray.t_max);
-        hits.min_by(|a, b| a.t.total_cmp(&b.t))
+        self.crossings(ray, None).first().map(|c| Hit { object: c.object, t: c.t })
     }
 
-    /// Judges the answer of an f32 tracer.
+    /// The nearest crossing that counts, of a ray that starts on the primitive `left`, if on any.
     #[must_use]
-    pub fn judge(&self, ray: &Ray, answer: Option<Hit>) -> Verdict {
-        let exact = self.nearest(ray);
-        let mut candidates = Vec::new();
-        self.visit(ray, &mut |primitive, _| candidates.extend(primitive.candidates(ray)));
-        let claimed = answer.map(|answer| {
-            candidates
-                .iter()
-                .filter(|c| c.hit.object == answer.object)
-                .find(|c| (c.hit.t - answer.t).abs() <= c.tolerance)
-                .map(|c| (answer.t, c.tolerance))
+    pub fn first(
+        &self,
+        ray: &Ray,
+        left: Option<usize>,
+        counts: impl Fn(&Crossing) -> bool,
+    ) -> Option<Crossing> {
+        let mut best: Option<Crossing> = None;
+        self.visit(ray, &mut |primitive, reach: &mut f64| {
+            let crossing = primitive.crossing(ray, left == Some(primitive.index));
+            if let Some(crossing) = crossing.filter(|c| c.t < *reach && counts(c)) {
+                *reach = crossing.t;
+                best = Some(crossing);
+            }
         });
-        let reach = match claimed {
-            Some(None) => {
-                return Verdict::Wrong(format!("{answer:?} is not there; the first hit is {exact:?}"));
-            }
-            Some(Some((t, tolerance))) => t - tolerance,
-            None => ray.t_max - ROUNDING * ray.t_max.min(1e30),
-        };
-        let missed = candidates.iter().filter(|c| c.certain).find(|c| c.hit.t + c.tolerance < reach);
-        if let Some(missed) = missed {
-            return Verdict::Wrong(format!("{answer:?} lies behind {:?}", missed.hit));
-        }
-        match (exact, answer) {
-            (None, None) => Verdict::Same,
-            (Some(a), Some(b)) if claimed_near(a, b, &candidates) => {
-                if a.object == b.object {
-                    Verdict::Same
-                } else {
-                    Verdict::Tie
-                }
-            }
-            _ => Verdict::Explained,
-        }
+        best
     }
 
-    fn visit(&self, ray: &Ray, see: &mut dyn FnMut(&Primitive, &mut f64)) {
+    /// Everything on a ray before its end, the nearest first, at most once a primitive; without the tree.
+    #[must_use]
+    pub fn crossings(&self, ray: &Ray, left: Option<usize>) -> Vec<Crossing> {
+        let all = self.primitives.iter().filter_map(|p| p.crossing(ray, left == Some(p.index)));
+        let mut before: Vec<_> = all.filter(|c| c.t < ray.t_max).collect();
+        before.sort_by(|a, b| a.t.total_cmp(&b.t));
+        before
+    }
+
+    /// Shows everything whose box the ray meets before `reach`, which the viewer may shorten.
+    pub(super) fn visit(&self, ray: &Ray, see: &mut dyn FnMut(&Primitive, &mut f64)) {
         let inverse = ray.direction.recip();
         let mut reach = ray.t_max;
         let mut stack = vec![0];
@@ -171,10 +116,6 @@ impl Tracer {
             }
         }
     }
-}
-
-fn claimed_near(exact: Hit, answer: Hit, candidates: &[Candidate]) -> bool {
-    candidates.iter().filter(|c| c.hit == exact).any(|c| (exact.t - answer.t).abs() <= c.tolerance)
 }
 
 /// Splits at the median centre along the longest side; children follow their parent.
@@ -208,6 +149,11 @@ fn build(nodes: &mut Vec<Node>, items: &mut [(Box3, Primitive)], range: Range<us
 }
 
 impl Box3 {
+    fn of(primitive: &Primitive) -> Self {
+        let (low, high) = primitive.bounds();
+        Self { low, high }
+    }
+
     fn union(self, other: Self) -> Self {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
@@ -235,97 +181,4 @@ impl Box3 {
         }
         near <= far
     }
-}
-
-impl Primitive {
-    fn bounds(&self) -> Box3 {
-        match *self {
-            Self::Triangle { corner, e1, e2, .. } => {
-                let (b, c) = (corner + e1, corner + e2);
-                Box3 { low: corner.min(b).min(c), high: corner.max(b).max(c) }
-            }
-            Self::Sphere { center, radius, .. } => Box3 { low: center - radius, high: center + radius },
-        }
-    }
-
-    fn hit(&self, ray: &Ray) -> Option<Hit> {
-        match *self {
-            Self::Triangle { corner, e1, e2, object } => {
-                let (u, v, t, _) = moeller_trumbore(ray, corner, e1, e2)?;
-                (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0).then_some(Hit { object, t })
-            }
-            Self::Sphere { center, radius, object } => {
-                let (b, u) = sphere_terms(ray, center, radius);
-                if u < 0.0 {
-                    return None;
-                }
-                let t = if b - u.sqrt() > 0.0 { b - u.sqrt() } else { b + u.sqrt() };
-                (t > 0.0).then_some(Hit { object, t })
-            }
-        }
-    }
-
-    /// Every hit that f32 may see.
-    fn candidates(&self, ray: &Ray) -> Vec<Candidate> {
-        match *self {
-            Self::Triangle { corner, e1, e2, object } => {
-                let Some((u, v, t, seen_area)) = moeller_trumbore(ray, corner, e1, e2) else {
-                    return Vec::new();
-                };
-                let to = corner - ray.origin;
-                let span = to.length().max((to + e1).length()).max((to + e2).length());
-                let longest = e1.length().max(e2.length()).max((e2 - e1).length());
-                let slack = ROUNDING * span * longest / seen_area;
-                let tolerance = slack * longest + ROUNDING * span;
-                let margin = u.min(v).min(1.0 - u - v);
-                let inside = margin >= -slack && t >= -tolerance && t <= ray.t_max + tolerance;
-                let certain = margin > slack && t > tolerance;
-                if inside {
-                    vec![Candidate { hit: Hit { object, t }, tolerance, certain }]
-                } else {
-                    Vec::new()
-                }
-            }
-            Self::Sphere { center, radius, object } => {
-                let (b, u) = sphere_terms(ray, center, radius);
-                let span = (center - ray.origin).length() + radius;
-                let doubt = ROUNDING * span * span;
-                if u < -doubt {
-                    return Vec::new();
-                }
-                let root = u.max(0.0).sqrt();
-                let tolerance = (u + doubt).max(0.0).sqrt() - (u - doubt).max(0.0).sqrt() + ROUNDING * span;
-                [b - root, b + root]
-                    .into_iter()
-                    .filter(|t| *t >= -tolerance && *t <= ray.t_max + tolerance)
-                    .map(|t| Candidate {
-                        hit: Hit { object, t },
-                        tolerance,
-                        certain: u > doubt && t > tolerance,
-                    })
-                    .collect()
-            }
-        }
-    }
-}
-
-/// Barycentric coordinates, distance, and twice the area as the ray sees it; `None` for a triangle seen edge-on.
-fn moeller_trumbore(ray: &Ray, corner: DVec3, e1: DVec3, e2: DVec3) -> Option<(f64, f64, f64, f64)> {
-    let p = ray.direction.cross(e2);
-    let determinant = e1.dot(p);
-    if determinant == 0.0 {
-        return None;
-    }
-    let s = ray.origin - corner;
-    let q = s.cross(e1);
-    let scale = determinant.recip();
-    Some((s.dot(p) * scale, ray.direction.dot(q) * scale, e2.dot(q) * scale, determinant.abs()))
-}
-
-/// `b` and `u` of `t = b +- sqrt(u)`.
-fn sphere_terms(ray: &Ray, center: DVec3, radius: f64) -> (f64, f64) {
-    let to_center = center - ray.origin;
-    let b = ray.direction.dot(to_center);
-    let beside = to_center - b * ray.direction;
-    (b, radius * radius - beside.length_squared())
 }

@@ -18,7 +18,8 @@ pub use builtin::{BUILTIN_NAMES, builtin};
 pub use features::Features;
 pub use material::{Material, Weights};
 pub use octahedral::{
-    MAX_ERROR as OCTAHEDRAL_ERROR, decode as octahedral_decode, encode as octahedral_encode,
+    MAX_ERROR as OCTAHEDRAL_ERROR, decode as octahedral_decode, decode_exact as octahedral_decode_exact,
+    encode as octahedral_encode,
 };
 
 use crate::camera::Camera;

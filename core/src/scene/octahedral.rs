@@ -23,11 +23,17 @@ pub fn encode(n: Vec3) -> u32 {
 /// The unit vector of a packed one.
 #[must_use]
 pub fn decode(packed: u32) -> Vec3 {
+    decode_exact(packed).as_vec3()
+}
+
+/// The unit vector of a packed one, in f64.
+#[must_use]
+pub fn decode_exact(packed: u32) -> DVec3 {
     let component = |bits: u32| f64::from(bits as u16 as i16).max(-32767.0) / 32767.0;
     let (x, y) = (component(packed), component(packed >> 16));
     let z = 1.0 - x.abs() - y.abs();
     let fold = (-z).max(0.0);
-    DVec3::new(x - fold.copysign(x), y - fold.copysign(y), z).normalize_or_zero().as_vec3()
+    DVec3::new(x - fold.copysign(x), y - fold.copysign(y), z).normalize_or_zero()
 }
 
 #[cfg(test)]

@@ -1,0 +1,106 @@
+//! The ray-attribute vector of a pixel (Kim 2016, section 3.2), exact or as it is stored between the passes.
+
+use glam::{DVec2, DVec3};
+
+use super::{Cause, Rounding};
+use crate::{
+    Features,
+    scene::{octahedral_decode_exact, octahedral_encode},
+};
+
+/// Mantissas, exponents and bias of three radiances in 32 bits (EXT_texture_shared_exponent).
+const MANTISSA_BITS: i32 = 9;
+const EXPONENT_BIAS: i32 = 15;
+const MOST_RADIANCE: f64 = 65408.0;
+
+/// What similarity is judged by and what is interpolated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attributes {
+    /// Parameter along the pixel's ray (POS).
+    pub depth: f64,
+    /// OID; `None` where the ray meets nothing.
+    pub object: Option<u32>,
+    /// Unit shading normal on the viewer's side of the face (NORM).
+    pub normal: DVec3,
+    /// Unit normal of the face on the viewer's side.
+    pub face: DVec3,
+    /// Bit i is set where light i does not reach the point (SHDBIT).
+    pub shadow: u32,
+    /// The part of the radiance that other rays brought (GCOL).
+    pub gcol: DVec3,
+    /// Folded into [0, 1] (TCOORD).
+    pub texcoord: DVec2,
+    /// Vertex colour, linear.
+    pub color: DVec3,
+}
+
+impl Attributes {
+    /// Of a ray that meets nothing.
+    #[must_use]
+    pub fn miss() -> Self {
+        Self {
+            depth: f64::INFINITY,
+            object: None,
+            normal: DVec3::ZERO,
+            face: DVec3::ZERO,
+            shadow: 0,
+            gcol: DVec3::ZERO,
+            texcoord: DVec2::ZERO,
+            color: DVec3::ONE,
+        }
+    }
+
+    /// What is left of it after it has been stored: numbers in steps, and only what a scene with these features needs.
+    #[must_use]
+    pub fn stored(&self, features: &Features, rounding: &mut Rounding) -> Self {
+        if self.object.is_none() {
+            return Self::miss();
+        }
+        let normal = stored_direction(rounding.direction(Cause::Storage, self.normal));
+        let depth = rounding.number(Cause::Storage, self.depth, self.depth);
+        let largest = self.gcol.max_element();
+        let gcol = rounding.vector(Cause::Storage, self.gcol, largest);
+        let texcoord = rounding.pair(Cause::Storage, self.texcoord, 1.0);
+        let color = rounding.vector(Cause::Storage, self.color, 1.0);
+        Self {
+            depth: f64::from(depth as f32),
+            normal,
+            face: if features.smooth_normals {
+                stored_direction(rounding.direction(Cause::Storage, self.face))
+            } else {
+                normal
+            },
+            gcol: stored_radiance(gcol),
+            texcoord: if features.textures {
+                DVec2::from_array(texcoord.to_array().map(|x| in_steps(x, 65535.0)))
+            } else {
+                DVec2::ZERO
+            },
+            color: if features.vertex_colors {
+                DVec3::from_array(color.to_array().map(|x| in_steps(x, 255.0)))
+            } else {
+                DVec3::ONE
+            },
+            ..*self
+        }
+    }
+}
+
+fn in_steps(x: f64, steps: f64) -> f64 {
+    (x.clamp(0.0, 1.0) * steps).round() / steps
+}
+
+fn stored_direction(d: DVec3) -> DVec3 {
+    octahedral_decode_exact(octahedral_encode(d.as_vec3()))
+}
+
+/// Three radiances with nine bits each and the exponent of the largest.
+fn stored_radiance(color: DVec3) -> DVec3 {
+    let color = color.clamp(DVec3::ZERO, DVec3::splat(MOST_RADIANCE));
+    let power = color.max_element().log2().floor().max(f64::from(-EXPONENT_BIAS - 1)) as i32 + 1;
+    let step = |power: i32| 2.0_f64.powi(power - MANTISSA_BITS);
+    // A mantissa that rounds to 2^9 needs the next exponent.
+    let rounded = (color.max_element() / step(power)).round();
+    let step = if rounded >= step(2 * MANTISSA_BITS) { step(power + 1) } else { step(power) };
+    (color / step).round() * step
+}

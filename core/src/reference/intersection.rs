@@ -1,0 +1,103 @@
+//! Rays against triangles (Moeller, Trumbore 1997) and spheres.
+
+use glam::DVec3;
+
+/// A ray with a direction of unit length.
+#[derive(Clone, Copy, Debug)]
+pub struct Ray {
+    /// Where it starts.
+    pub origin: DVec3,
+    /// Where it goes.
+    pub direction: DVec3,
+    /// Where it ends.
+    pub t_max: f64,
+}
+
+/// Where a ray crosses a primitive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// Distance.
+    pub t: f64,
+    /// Triangles of the scene by index, then its spheres.
+    pub primitive: usize,
+    /// OID.
+    pub object: u32,
+    /// Weight of the triangle's second corner.
+    pub u: f64,
+    /// Weight of the triangle's third corner.
+    pub v: f64,
+}
+
+pub(super) enum Shape {
+    Triangle { corner: DVec3, e1: DVec3, e2: DVec3 },
+    Sphere { center: DVec3, radius: f64 },
+}
+
+pub(super) struct Primitive {
+    pub shape: Shape,
+    pub object: u32,
+    pub index: usize,
+}
+
+impl Primitive {
+    /// Its box.
+    pub fn bounds(&self) -> (DVec3, DVec3) {
+        match self.shape {
+            Shape::Triangle { corner, e1, e2 } => {
+                let (b, c) = (corner + e1, corner + e2);
+                (corner.min(b).min(c), corner.max(b).max(c))
+            }
+            Shape::Sphere { center, radius } => (center - radius, center + radius),
+        }
+    }
+
+    /// The first crossing in front of the ray. A ray that starts on the primitive itself (`left`) has left it, unless it
+    /// goes through a sphere: then it crosses the other side.
+    pub fn crossing(&self, ray: &Ray, left: bool) -> Option<Crossing> {
+        let (t, u, v) = match self.shape {
+            Shape::Triangle { corner, e1, e2 } => {
+                let (u, v, t, _) = moeller_trumbore(ray, corner, e1, e2)?;
+                let inside = u >= 0.0 && v >= 0.0 && u + v <= 1.0;
+                (!left && inside).then_some((t, u, v))?
+            }
+            Shape::Sphere { center, radius } => {
+                let (b, u) = sphere_terms(ray, center, radius);
+                let root = (u >= 0.0).then(|| u.sqrt())?;
+                let t = match left {
+                    // The start is one of the two places where the distance from the centre is the radius.
+                    true => 2.0 * b,
+                    false if b - root > 0.0 => b - root,
+                    false => b + root,
+                };
+                (t, 0.0, 0.0)
+            }
+        };
+        (t > 0.0).then_some(Crossing { t, primitive: self.index, object: self.object, u, v })
+    }
+}
+
+/// Barycentric coordinates, distance, and twice the area as the ray sees it; `None` for a triangle seen edge-on.
+pub(super) fn moeller_trumbore(
+    ray: &Ray,
+    corner: DVec3,
+    e1: DVec3,
+    e2: DVec3,
+) -> Option<(f64, f64, f64, f64)> {
+    let p = ray.direction.cross(e2);
+    let determinant = e1.dot(p);
+    if determinant == 0.0 {
+        return None;
+    }
+    let s = ray.origin - corner;
+    let q = s.cross(e1);
+    let scale = determinant.recip();
+    Some((s.dot(p) * scale, ray.direction.dot(q) * scale, e2.dot(q) * scale, determinant.abs()))
+}
+
+/// `b` and `u` of `t = b +- sqrt(u)`.
+pub(super) fn sphere_terms(ray: &Ray, center: DVec3, radius: f64) -> (f64, f64) {
+    let to_center = center - ray.origin;
+    let b = ray.direction.dot(to_center);
+    let beside = to_center - b * ray.direction;
+    (b, radius * radius - beside.length_squared())
+}

@@ -1,0 +1,122 @@
+//! The judgement of an f32 answer, with tolerances from the rounding of f32 instead of guesses:
+//!
+//! ```text
+//! e        = 16 x 2^-24                     a handful of roundings
+//! S        = largest distance from the ray's origin to a corner
+//! D        = |e1 . (d x e2)|                twice the triangle's area as the ray sees it (d of unit length)
+//! slack    = e S (longest edge) / D         how far off barycentric coordinates may be
+//! dt       = slack (longest edge) + e S      how far off the distance may be: it is interpolated from the corners'
+//! ```
+
+use super::{
+    intersection::{Primitive, Ray, Shape, moeller_trumbore, sphere_terms},
+    traversal::{Hit, ROUNDING, Tracer},
+};
+
+/// How an f32 answer compares.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// The same object at the same distance.
+    Same,
+    /// Another object at the same distance: two surfaces lie in one place.
+    Tie,
+    /// Another answer that rounding explains: it exists, and nothing lies clearly in front of it.
+    Explained,
+    /// A wrong answer, in words.
+    Wrong(String),
+}
+
+/// A possible hit: how far off its distance may be, and whether f32 must see it.
+struct Candidate {
+    hit: Hit,
+    tolerance: f64,
+    certain: bool,
+}
+
+impl Tracer {
+    /// Judges the answer of an f32 tracer.
+    #[must_use]
+    pub fn judge(&self, ray: &Ray, answer: Option<Hit>) -> Verdict {
+        let exact = self.nearest(ray);
+        let mut candidates = Vec::new();
+        self.visit(ray, &mut |primitive, _| candidates.extend(primitive.candidates(ray)));
+        let claimed = answer.map(|answer| {
+            candidates
+                .iter()
+                .filter(|c| c.hit.object == answer.object)
+                .find(|c| (c.hit.t - answer.t).abs() <= c.tolerance)
+                .map(|c| (answer.t, c.tolerance))
+        });
+        let reach = match claimed {
+            Some(None) => {
+                return Verdict::Wrong(format!("{answer:?} is not there; the first hit is {exact:?}"));
+            }
+            Some(Some((t, tolerance))) => t - tolerance,
+            None => ray.t_max - ROUNDING * ray.t_max.min(1e30),
+        };
+        let missed = candidates.iter().filter(|c| c.certain).find(|c| c.hit.t + c.tolerance < reach);
+        if let Some(missed) = missed {
+            return Verdict::Wrong(format!("{answer:?} lies behind {:?}", missed.hit));
+        }
+        match (exact, answer) {
+            (None, None) => Verdict::Same,
+            (Some(a), Some(b)) if claimed_near(a, b, &candidates) => {
+                if a.object == b.object {
+                    Verdict::Same
+                } else {
+                    Verdict::Tie
+                }
+            }
+            _ => Verdict::Explained,
+        }
+    }
+}
+
+fn claimed_near(exact: Hit, answer: Hit, candidates: &[Candidate]) -> bool {
+    candidates.iter().filter(|c| c.hit == exact).any(|c| (exact.t - answer.t).abs() <= c.tolerance)
+}
+
+impl Primitive {
+    /// Every hit that f32 may see.
+    fn candidates(&self, ray: &Ray) -> Vec<Candidate> {
+        match self.shape {
+            Shape::Triangle { corner, e1, e2 } => {
+                let Some((u, v, t, seen_area)) = moeller_trumbore(ray, corner, e1, e2) else {
+                    return Vec::new();
+                };
+                let to = corner - ray.origin;
+                let span = to.length().max((to + e1).length()).max((to + e2).length());
+                let longest = e1.length().max(e2.length()).max((e2 - e1).length());
+                let slack = ROUNDING * span * longest / seen_area;
+                let tolerance = slack * longest + ROUNDING * span;
+                let margin = u.min(v).min(1.0 - u - v);
+                let inside = margin >= -slack && t >= -tolerance && t <= ray.t_max + tolerance;
+                let certain = margin > slack && t > tolerance;
+                if inside {
+                    vec![Candidate { hit: Hit { object: self.object, t }, tolerance, certain }]
+                } else {
+                    Vec::new()
+                }
+            }
+            Shape::Sphere { center, radius } => {
+                let (b, u) = sphere_terms(ray, center, radius);
+                let span = (center - ray.origin).length() + radius;
+                let doubt = ROUNDING * span * span;
+                if u < -doubt {
+                    return Vec::new();
+                }
+                let root = u.max(0.0).sqrt();
+                let tolerance = (u + doubt).max(0.0).sqrt() - (u - doubt).max(0.0).sqrt() + ROUNDING * span;
+                [b - root, b + root]
+                    .into_iter()
+                    .filter(|t| *t >= -tolerance && *t <= ray.t_max + tolerance)
+                    .map(|t| Candidate {
+                        hit: Hit { object: self.object, t },
+                        tolerance,
+                        certain: u > doubt && t > tolerance,
+                    })
+                    .collect()
+            }
+        }
+    }
+}

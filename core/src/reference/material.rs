@@ -1,0 +1,171 @@
+//! Materials in Whitted's terms; the formulas stand in `scene/material.rs`.
+
+use glam::{DVec2, DVec3, Vec4Swizzles};
+
+use super::{Cause, Reference, Rounding, texture::Encoding};
+use crate::scene::Weights;
+
+/// The least roughness whose image of a light has a width.
+const LEAST_ROUGHNESS: f64 = 0.2;
+/// The visibility term of the lobe divides by no less.
+const LEAST_COSINE: f64 = 0.05;
+
+/// A material at a point of a surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Material {
+    base: DVec3,
+    emission: DVec3,
+    metallic: f64,
+    roughness: f64,
+    transmission: f64,
+    /// Index of refraction.
+    pub ior: f64,
+    /// A pane without thickness.
+    pub thin: bool,
+    unlit: bool,
+    weights: Option<Weights>,
+}
+
+/// A material with what its shading depends on.
+pub(super) struct Shading<'a> {
+    pub material: Material,
+    pub position: DVec3,
+    pub normal: DVec3,
+    /// Unit vector to the viewer.
+    pub view: DVec3,
+    pub inside: bool,
+    /// Bit i says that light i does not reach the point.
+    pub shadow: u32,
+    pub rounding: &'a mut Rounding,
+}
+
+impl Reference {
+    /// The material of an object at these texture coordinates with this vertex colour.
+    #[must_use]
+    pub fn material(&self, object: u32, texcoord: DVec2, color: DVec3) -> Material {
+        let m = self.material_of(object);
+        let base = self.texture(m.base_color_texture, Encoding::Srgb, texcoord);
+        let emission = self.texture(m.emissive_texture, Encoding::Srgb, texcoord);
+        let surface = self.texture(m.metallic_roughness_texture, Encoding::Linear, texcoord);
+        Material {
+            base: m.base_color.as_dvec3() * color * base.xyz(),
+            emission: m.emission.as_dvec3() * emission.xyz(),
+            metallic: f64::from(m.metallic) * surface.z,
+            roughness: f64::from(m.roughness) * surface.y,
+            transmission: f64::from(m.transmission),
+            ior: f64::from(m.ior),
+            thin: m.thin,
+            unlit: m.unlit,
+            weights: m.weights,
+        }
+    }
+
+    /// What a surface sends towards the viewer by itself: emission, ambient and direct light.
+    pub(super) fn local(&self, mut s: Shading<'_>) -> DVec3 {
+        let m = s.material;
+        if m.unlit {
+            return m.base;
+        }
+        let cosine = s.normal.dot(s.view).clamp(0.0, 1.0);
+        let (diffuse, ambient) = match m.weights {
+            Some(weights) => (m.base * f64::from(weights.diffuse), DVec3::ZERO),
+            None => (
+                m.base
+                    * (1.0 - m.metallic)
+                    * (1.0 - m.transmission)
+                    * (1.0 - m.fresnel(cosine, s.inside) * m.gloss()),
+                m.base * m.metallic * (1.0 - m.gloss()),
+            ),
+        };
+        let lights = self.lights_reflected(&mut s, diffuse);
+        m.emission + (diffuse + ambient) * self.scene.environment.ambient.as_dvec3() + lights
+    }
+}
+
+impl Material {
+    /// The share of the specular lobe that is traced as a mirror.
+    fn gloss(&self) -> f64 {
+        (1.0 - 2.0 * self.roughness).max(0.0)
+    }
+
+    /// The viewer's index of refraction over that of the other side.
+    #[must_use]
+    pub fn ratio(&self, inside: bool) -> f64 {
+        if inside { self.ior } else { 1.0 / self.ior }
+    }
+
+    /// Reflectance at this cosine of the view angle.
+    #[must_use]
+    pub fn fresnel(&self, cosine: f64, inside: bool) -> DVec3 {
+        let from_within = inside && self.transmission > 0.0 && !self.thin;
+        let mut dielectric = fresnel_dielectric(cosine, self.ratio(from_within));
+        if self.thin {
+            // Both faces of the pane, all orders.
+            dielectric = 2.0 * dielectric / (1.0 + dielectric);
+        }
+        let metal = schlick(self.base, cosine);
+        DVec3::splat(dielectric).lerp(metal, self.metallic)
+    }
+
+    /// The share of the radiance along the reflected ray.
+    #[must_use]
+    pub fn mirror(&self, cosine: f64, inside: bool) -> DVec3 {
+        match self.weights {
+            Some(weights) => DVec3::splat(f64::from(weights.mirror)),
+            None if self.unlit => DVec3::ZERO,
+            None => self.fresnel(cosine, inside) * self.gloss(),
+        }
+    }
+
+    /// The share of the radiance along the refracted ray, where there is one.
+    #[must_use]
+    pub fn refraction(&self, cosine: f64, inside: bool) -> DVec3 {
+        match self.weights {
+            Some(weights) => DVec3::splat(f64::from(weights.refraction)),
+            None if self.unlit => DVec3::ZERO,
+            None => {
+                let enters = self.transmission * (1.0 - self.metallic);
+                self.base * enters * (1.0 - self.fresnel(cosine, inside))
+            }
+        }
+    }
+}
+
+impl Shading<'_> {
+    /// Reflection of a light by the rough part of the surface: Blinn-Phong distribution, Neumann's visibility.
+    pub fn lobe(&mut self, light: DVec3) -> DVec3 {
+        let m = self.material;
+        if m.roughness >= 1.0 || m.weights.is_some() {
+            return DVec3::ZERO;
+        }
+        let half_way = (self.view + light).normalize_or_zero();
+        let exponent = 2.0 / m.roughness.max(LEAST_ROUGHNESS).powi(4) - 2.0;
+        let cosine = self.rounding.number(Cause::Highlight, self.normal.dot(half_way), 1.0).max(0.0);
+        let distribution = (exponent + 2.0) / std::f64::consts::TAU * cosine.powf(exponent);
+        let at_normal = ((m.ior - 1.0) / (m.ior + 1.0)).powi(2);
+        let f0 = DVec3::splat(at_normal).lerp(m.base, m.metallic);
+        let fresnel = schlick(f0, self.view.dot(half_way).clamp(0.0, 1.0));
+        let widest = self.normal.dot(light).max(self.normal.dot(self.view)).max(LEAST_COSINE);
+        fresnel * (1.0 - m.roughness) * distribution / (4.0 * widest)
+    }
+}
+
+/// Schlick's reflectance from that at normal incidence.
+fn schlick(f0: DVec3, cosine: f64) -> DVec3 {
+    f0 + (1.0 - f0) * (1.0 - cosine).powi(5)
+}
+
+/// Fresnel's reflectance of a dielectric boundary for unpolarised light; `ratio` is the viewer's index over the other
+/// side's. Beyond the critical angle it is 1.
+#[must_use]
+pub fn fresnel_dielectric(cosine: f64, ratio: f64) -> f64 {
+    // Snell: the cosine on the other side.
+    let other2 = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
+    if other2 <= 0.0 {
+        return 1.0;
+    }
+    let other = other2.sqrt();
+    let s = (ratio * cosine - other) / (ratio * cosine + other);
+    let p = (cosine - ratio * other) / (cosine + ratio * other);
+    0.5 * (s * s + p * p)
+}

@@ -1,0 +1,109 @@
+//! A traced sample: a primary ray with everything that follows from it (Whitted), as a plain recursion.
+
+use glam::DVec3;
+
+use super::{
+    Attributes, Cause, Crossing, Ray, Reference, Rounding, bounce::Branch, material::Shading,
+    texture::Encoding,
+};
+use crate::Settings;
+
+/// When the recursion ends. A sample follows every ray inside these limits, however many they are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Levels of rays.
+    pub depth: u32,
+    /// Rays that would contribute less to the sample are not followed.
+    pub min_weight: f64,
+}
+
+impl Limits {
+    /// Those of a frame.
+    #[must_use]
+    pub fn of(settings: &Settings) -> Self {
+        Self { depth: settings.depth, min_weight: f64::from(settings.min_weight) }
+    }
+}
+
+/// What a ray sees.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    /// Of the first hit, exact; [`Attributes::miss`] without one.
+    pub attributes: Attributes,
+    /// Linear radiance times the ray's weight.
+    pub color: DVec3,
+}
+
+impl Reference {
+    /// The first thing on a ray that stops it: holes cut by alpha do not, transmissive surfaces stop no `shadow` ray.
+    #[must_use]
+    pub fn first(
+        &self,
+        ray: &Ray,
+        left: Option<usize>,
+        shadow: bool,
+        rounding: &mut Rounding,
+    ) -> Option<Crossing> {
+        // Every number of the intersection is as large as the scene seen from the ray's start.
+        let span = (self.bounds.0 - ray.origin).abs().max((self.bounds.1 - ray.origin).abs()).max_element();
+        let cause = if shadow { Cause::ShadowEdge } else { Cause::Silhouette };
+        let ray = Ray {
+            origin: rounding.vector(cause, ray.origin, span),
+            direction: rounding.direction(cause, ray.direction),
+            ..*ray
+        };
+        let rounding = std::cell::RefCell::new(rounding);
+        self.tracer.first(&ray, left, |c| self.hit_counts(c, shadow, &mut rounding.borrow_mut()))
+    }
+
+    fn hit_counts(&self, crossing: &Crossing, shadow: bool, rounding: &mut Rounding) -> bool {
+        let m = self.material_of(crossing.object);
+        if shadow && !m.casts_shadow {
+            return false;
+        }
+        m.alpha_cutoff.is_none_or(|cutoff| {
+            let texcoord = self.texcoord(crossing, rounding);
+            let alpha = self.texture(m.base_color_texture, Encoding::Srgb, texcoord).w;
+            let alpha = rounding.number(Cause::TexelEdge, f64::from(m.alpha) * alpha, 1.0);
+            alpha >= f64::from(cutoff)
+        })
+    }
+
+    /// What a ray sees.
+    #[must_use]
+    pub fn sample(&self, ray: &Ray, limits: &Limits, rounding: &mut Rounding) -> Sample {
+        self.follow(&Branch { ray: *ray, left: None, weight: DVec3::ONE, level: 1 }, limits, rounding)
+    }
+
+    pub(super) fn follow(&self, branch: &Branch, limits: &Limits, rounding: &mut Rounding) -> Sample {
+        let ray = &branch.ray;
+        let Some(crossing) = self.first(ray, branch.left, false, rounding) else {
+            let color = branch.weight * self.scene.environment.background.as_dvec3();
+            return Sample { attributes: Attributes::miss(), color };
+        };
+        let s = self.surface(ray, &crossing, rounding);
+        let m = self.material(s.object, s.texcoord, s.color);
+        let shadow = self.shadow_bits(&s, rounding);
+        let local = self.local(Shading {
+            material: m,
+            position: s.position,
+            normal: s.normal,
+            view: -ray.direction,
+            inside: s.inside,
+            shadow,
+            rounding,
+        });
+        let gcol = self.bounced(&s, &m, branch, limits, rounding);
+        let attributes = Attributes {
+            depth: crossing.t,
+            object: Some(s.object),
+            normal: s.normal,
+            face: s.face,
+            shadow,
+            gcol,
+            texcoord: self.folded(s.object, s.texcoord),
+            color: s.color,
+        };
+        Sample { attributes, color: branch.weight * local + gcol }
+    }
+}

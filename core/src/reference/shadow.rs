@@ -1,0 +1,42 @@
+//! A shadow ray for every light that stands before the surface (SHDBIT of Kim 2016, section 3.2).
+
+use super::{Cause, Ray, Reference, Rounding, Surface};
+
+/// Shadow rays end this part of the way before a light, so that a light which lies in a surface is not shadowed by it.
+const REACH: f64 = 0.99999;
+
+impl Reference {
+    /// Whether something that casts shadows lies on the ray, which starts on the primitive `left`, if on any.
+    #[must_use]
+    pub fn occluded(&self, ray: &Ray, left: Option<usize>, rounding: &mut Rounding) -> bool {
+        self.first(ray, left, true, rounding).is_some()
+    }
+
+    /// Bit i is set where light i does not reach the surface, except where it stands behind the shading normal, for it
+    /// contributes nothing there.
+    #[must_use]
+    pub fn shadow_bits(&self, s: &Surface, rounding: &mut Rounding) -> u32 {
+        let lights = 0..self.scene.lights.len();
+        lights.filter(|i| self.in_shadow(s, *i, rounding)).fold(0, |bits, i| bits | 1 << i)
+    }
+
+    fn in_shadow(&self, s: &Surface, light: usize, rounding: &mut Rounding) -> bool {
+        let origin = s.position + rounding.spawn(Cause::ShadowEdge, s.extent) * s.face;
+        let origin = rounding.vector(Cause::ShadowEdge, origin, s.extent);
+        let arrival = self.arrival(light, origin);
+        let direction = rounding.direction(Cause::ShadowEdge, arrival.direction);
+        if s.normal.dot(direction) <= 0.0 {
+            return false;
+        }
+        if s.face.dot(direction) <= 0.0 {
+            return true;
+        }
+        let t_max = REACH * arrival.distance - f64::from(self.scene.lights[light].radius);
+        let t_max = if t_max.is_finite() {
+            rounding.number(Cause::ShadowEdge, t_max, arrival.distance)
+        } else {
+            t_max
+        };
+        self.occluded(&Ray { origin, direction, t_max }, Some(s.primitive), rounding)
+    }
+}

@@ -1,0 +1,112 @@
+//! The seven similarity checks of Kim 2016, Table 1, and the interpolation of what passes them.
+//!
+//! Deviations from the paper: tolerances are strict bounds. G4 takes the tangent planes of the faces, and counts a
+//! distance from them only where it exceeds what the stored normals and depths round to. Interpolation is in
+//! perspective: weights are inverse depths, which is exact on planes.
+
+use glam::{DVec2, DVec3};
+
+use super::{Attributes, Frame, Rounding, material::Shading};
+use crate::{CHECK_NAMES, scene::OCTAHEDRAL_ERROR};
+
+/// An attribute vector with the place that it stands for.
+#[derive(Clone, Copy, Debug)]
+pub struct Reached {
+    /// As stored.
+    pub attributes: Attributes,
+    /// World space.
+    pub position: DVec3,
+}
+
+/// The bit of a check in [`crate::PixelRecord::failed`].
+fn bit(name: &str) -> u32 {
+    CHECK_NAMES.iter().position(|n| *n == name).map_or(0, |i| 1 << i)
+}
+
+impl Frame<'_> {
+    /// The checks that two reference pixels fail, as bits in the order of [`CHECK_NAMES`].
+    #[must_use]
+    pub fn failed(&self, a: &Reached, b: &Reached) -> u32 {
+        let tolerances = &self.settings.tolerances;
+        let pos = f64::from(tolerances.pos) * self.reference.longest_side();
+        let (p, q) = (&a.attributes, &b.attributes);
+        if p.object != q.object {
+            return bit("oid");
+        }
+        let Some(object) = p.object else {
+            // Two misses differ in nothing.
+            return if pos > 0.0 { 0 } else { bit("pos") };
+        };
+        let seam = self.reference.first_texture(object).is_some()
+            && at_seam(p.texcoord, q.texcoord, f64::from(tolerances.tex));
+        let checks = [
+            ("pos", (b.position - a.position).length() < pos),
+            ("norm", p.normal.dot(q.normal) > f64::from(tolerances.norm)),
+            ("convex", !self.inflected(a, b)),
+            ("tex", !seam),
+            ("shadow", p.shadow == q.shadow),
+            ("gcol", (p.gcol - q.gcol).length() < f64::from(tolerances.gcol)),
+        ];
+        checks.iter().filter(|(_, passed)| !passed).map(|(name, _)| bit(name)).sum()
+    }
+
+    /// G4: each point lies on another side of the other's tangent plane, by more than rounding.
+    fn inflected(&self, a: &Reached, b: &Reached) -> bool {
+        let step = b.position - a.position;
+        let from_a = step.dot(a.attributes.face);
+        let from_b = -step.dot(b.attributes.face);
+        let coordinates = (a.position.abs() + self.camera.origin.as_dvec3().abs()).element_sum();
+        let rounding = 1.5 * f64::from(OCTAHEDRAL_ERROR) * step.length()
+            + 5.0e-7 * (coordinates + a.attributes.depth + b.attributes.depth);
+        from_a * from_b < 0.0 && from_a.abs().min(from_b.abs()) > rounding
+    }
+
+    /// The attribute vector half way between two references.
+    #[must_use]
+    pub fn interpolated(&self, a: &Attributes, b: &Attributes) -> Attributes {
+        if a.object.is_none() {
+            return *a;
+        }
+        let perspective = !self.camera.orthographic;
+        // In the image inverse depths are linear, and so is everything on a plane that is divided by the depth.
+        let weight = if perspective { a.depth.recip() / (a.depth.recip() + b.depth.recip()) } else { 0.5 };
+        let depth =
+            if perspective { 2.0 / (a.depth.recip() + b.depth.recip()) } else { 0.5 * (a.depth + b.depth) };
+        let mix = |a: DVec3, b: DVec3| weight * a + (1.0 - weight) * b;
+        Attributes {
+            depth,
+            object: a.object,
+            normal: mix(a.normal, b.normal).normalize_or_zero(),
+            face: mix(a.face, b.face).normalize_or_zero(),
+            shadow: a.shadow,
+            gcol: 0.5 * (a.gcol + b.gcol),
+            texcoord: weight * a.texcoord + (1.0 - weight) * b.texcoord,
+            color: mix(a.color, b.color),
+        }
+    }
+
+    /// The colour that follows from an attribute vector.
+    #[must_use]
+    pub fn shaded(&self, pixel: [u32; 2], a: &Attributes, rounding: &mut Rounding) -> DVec3 {
+        let Some(object) = a.object else {
+            return self.reference.scene.environment.background.as_dvec3();
+        };
+        let (ray, _) = self.ray(pixel);
+        let local = self.reference.local(Shading {
+            material: self.reference.material(object, a.texcoord, a.color),
+            position: self.position(pixel, a.depth),
+            normal: a.normal,
+            view: -ray.direction,
+            inside: false,
+            shadow: a.shadow,
+            rounding,
+        });
+        a.gcol + local
+    }
+}
+
+/// TX: the coordinates lie at opposite borders of the texture.
+fn at_seam(a: DVec2, b: DVec2, tolerance: f64) -> bool {
+    let apart = |a: f64, b: f64| a.min(b) < tolerance && a.max(b) > 1.0 - tolerance;
+    apart(a.x, b.x) || apart(a.y, b.y)
+}

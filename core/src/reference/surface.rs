@@ -1,0 +1,103 @@
+//! The surface where a ray arrives, and the rays that leave it: exactly from the point of the hit, past the primitive
+//! that they leave, instead of from a little off it.
+
+use glam::{DVec2, DVec3};
+
+use super::{Cause, Crossing, Ray, Reference, Rounding};
+use crate::scene::octahedral_decode_exact;
+
+/// The surface at a hit.
+#[derive(Clone, Copy, Debug)]
+pub struct Surface {
+    /// World space.
+    pub position: DVec3,
+    /// OID.
+    pub object: u32,
+    /// The primitive that is hit.
+    pub primitive: usize,
+    /// Unit shading normal on the viewer's side of the face.
+    pub normal: DVec3,
+    /// Unit normal of the face on the viewer's side.
+    pub face: DVec3,
+    /// The ray comes from behind the surface.
+    pub inside: bool,
+    /// As the corners have it, neither folded nor clamped.
+    pub texcoord: DVec2,
+    /// Vertex colour, linear.
+    pub color: DVec3,
+    /// The size of the numbers that describe the place: coordinates along the normal and the primitive's size.
+    pub extent: f64,
+}
+
+impl Reference {
+    /// The surface where `ray` crosses a primitive.
+    #[must_use]
+    pub fn surface(&self, ray: &Ray, crossing: &Crossing, rounding: &mut Rounding) -> Surface {
+        let spheres = &self.scene.spheres;
+        let triangles = self.scene.positions.len();
+        let at = ray.origin + crossing.t * ray.direction;
+        let (position, mut normal, mut face, low, high) =
+            match spheres.get(crossing.primitive.wrapping_sub(triangles)) {
+                Some(sphere) => {
+                    let (center, radius) = (sphere.center.as_dvec3(), f64::from(sphere.radius));
+                    let normal = (at - center).normalize_or_zero();
+                    (center + radius * normal, normal, normal, center - radius, center + radius)
+                }
+                None => {
+                    let [a, b, c] = self.scene.positions[crossing.primitive].map(|p| p.as_dvec3());
+                    let [na, nb, nc] = self.scene.normals[crossing.primitive].map(octahedral_decode_exact);
+                    let w = 1.0 - crossing.u - crossing.v;
+                    let normal = (w * na + crossing.u * nb + crossing.v * nc).normalize_or_zero();
+                    let face = (b - a).cross(c - a).normalize_or_zero();
+                    // The normals say which side is out; the winding may disagree.
+                    let face = if face.dot(normal) < 0.0 { -face } else { face };
+                    let position = w * a + crossing.u * b + crossing.v * c;
+                    (position, normal, face, a.min(b).min(c), a.max(b).max(c))
+                }
+            };
+        normal = rounding.direction(Cause::Silhouette, normal);
+        let inside = face.dot(ray.direction) > 0.0;
+        if inside {
+            (normal, face) = (-normal, -face);
+        }
+        Surface {
+            position,
+            object: crossing.object,
+            primitive: crossing.primitive,
+            normal,
+            face,
+            inside,
+            texcoord: self.texcoord(crossing, rounding),
+            color: self.vertex_color(crossing),
+            extent: face.abs().dot(low.abs().max(high.abs())) + (high - low).max_element(),
+        }
+    }
+
+    /// The texture coordinates at a crossing; (0, 0) where the scene has none.
+    pub(super) fn texcoord(&self, crossing: &Crossing, rounding: &mut Rounding) -> DVec2 {
+        let Some(corners) = self.scene.texcoords.get(crossing.primitive) else { return DVec2::ZERO };
+        let [a, b, c] = corners.map(|t| t.as_dvec2());
+        let at = (1.0 - crossing.u - crossing.v) * a + crossing.u * b + crossing.v * c;
+        let largest = a.abs().max(b.abs()).max(c.abs()).max_element().max(1.0);
+        rounding.pair(Cause::TexelEdge, at, largest)
+    }
+
+    fn vertex_color(&self, crossing: &Crossing) -> DVec3 {
+        let Some(corners) = self.scene.colors.get(crossing.primitive) else { return DVec3::ONE };
+        let [a, b, c] = corners.map(|word| {
+            let [r, g, b, _] = word.to_le_bytes().map(|byte| f64::from(byte) / 255.0);
+            DVec3::new(r, g, b)
+        });
+        (1.0 - crossing.u - crossing.v) * a + crossing.u * b + crossing.v * c
+    }
+}
+
+impl Surface {
+    /// A ray that leaves the surface.
+    #[must_use]
+    pub fn spawn(&self, direction: DVec3, rounding: &mut Rounding) -> Ray {
+        let off = rounding.spawn(Cause::Silhouette, self.extent);
+        let side = if direction.dot(self.face) >= 0.0 { off } else { -off };
+        Ray { origin: self.position + side * self.face, direction, t_max: f64::INFINITY }
+    }
+}

@@ -1,0 +1,101 @@
+//! Textures: glTF's wrap modes and filters (glTF 2.0, section 3.8.4), sRGB by its formula (IEC 61966-2-1).
+
+use glam::{DVec2, DVec4};
+
+use super::Reference;
+use crate::scene::{Image8, Material, Wrap};
+
+/// What the bytes of an image mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Encoding {
+    /// Colours; alpha is linear.
+    Srgb,
+    /// Numbers.
+    Linear,
+}
+
+impl Reference {
+    /// A texture's value, linear RGBA; ones without a texture.
+    #[must_use]
+    pub fn texture(&self, texture: Option<u32>, encoding: Encoding, texcoord: DVec2) -> DVec4 {
+        let Some(texture) = texture.and_then(|i| self.scene.textures.get(i as usize)) else {
+            return DVec4::ONE;
+        };
+        let image = &self.scene.images[texture.image as usize];
+        let size = DVec2::new(f64::from(image.width), f64::from(image.height));
+        let texel = |x: f64, y: f64| {
+            let x = wrapped(x, size.x, texture.wrap[0]);
+            let y = wrapped(y, size.y, texture.wrap[1]);
+            self.texel(image, x, y, encoding)
+        };
+        if texture.nearest {
+            let at = (texcoord * size).floor();
+            return texel(at.x, at.y);
+        }
+        let at = texcoord * size - 0.5;
+        let (low, part) = (at.floor(), at - at.floor());
+        let top = texel(low.x, low.y).lerp(texel(low.x + 1.0, low.y), part.x);
+        let bottom = texel(low.x, low.y + 1.0).lerp(texel(low.x + 1.0, low.y + 1.0), part.x);
+        top.lerp(bottom, part.y)
+    }
+
+    fn texel(&self, image: &Image8, x: f64, y: f64, encoding: Encoding) -> DVec4 {
+        let at = 4 * (y as usize * image.width as usize + x as usize);
+        let color = |byte: u8| match encoding {
+            Encoding::Srgb => self.srgb[usize::from(byte)],
+            Encoding::Linear => f64::from(byte) / 255.0,
+        };
+        let [r, g, b, a] = [0, 1, 2, 3].map(|i| image.rgba[at + i]);
+        DVec4::new(color(r), color(g), color(b), f64::from(a) / 255.0)
+    }
+
+    /// Texture coordinates inside [0, 1] that show the same place, as the first texture of the object wraps;
+    /// (0, 0) in a scene without textures.
+    pub(super) fn folded(&self, object: u32, texcoord: DVec2) -> DVec2 {
+        if !self.features.textures {
+            return DVec2::ZERO;
+        }
+        let wrap = match self.first_texture(object) {
+            Some(texture) => self.scene.textures[texture as usize].wrap,
+            None => [Wrap::Repeat; 2],
+        };
+        DVec2::new(folded(texcoord.x, wrap[0]), folded(texcoord.y, wrap[1]))
+    }
+
+    /// The texture whose coordinates an object's pixels store.
+    pub(super) fn first_texture(&self, object: u32) -> Option<u32> {
+        self.material_of(object).textures().next()
+    }
+
+    pub(super) fn material_of(&self, object: u32) -> &Material {
+        &self.scene.materials[self.scene.objects[object as usize].material as usize]
+    }
+}
+
+/// The linear value of each byte of sRGB.
+pub(super) fn srgb_table() -> [f64; 256] {
+    std::array::from_fn(|byte| {
+        let c = byte as f64 / 255.0;
+        if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+    })
+}
+
+/// The texel that index `i` of a row of `size` shows.
+fn wrapped(i: f64, size: f64, wrap: Wrap) -> f64 {
+    match wrap {
+        Wrap::Repeat => i.rem_euclid(size),
+        Wrap::MirroredRepeat => {
+            let within = i.rem_euclid(2.0 * size);
+            within.min(2.0 * size - 1.0 - within)
+        }
+        Wrap::ClampToEdge => i.clamp(0.0, size - 1.0),
+    }
+}
+
+fn folded(x: f64, wrap: Wrap) -> f64 {
+    match wrap {
+        Wrap::Repeat => x.rem_euclid(1.0),
+        Wrap::MirroredRepeat => x.rem_euclid(2.0).min(2.0 - x.rem_euclid(2.0)),
+        Wrap::ClampToEdge => x.clamp(0.0, 1.0),
+    }
+}

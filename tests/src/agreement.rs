@@ -1,0 +1,164 @@
+//! The comparison of f32 answers with the f64 reference. An answer is the same, or rounding explains it, or it is wrong;
+//! all are counted, none is masked.
+
+use std::{collections::BTreeMap, num::NonZero, thread};
+
+use glam::DVec3;
+use glimpse::reference::{Cause, Rounding};
+
+use crate::note;
+
+/// How far off radiance may be without an explanation, of the larger of itself and [`DIM`]: 2^-13, a thousand roundings.
+pub const RADIANCE: f64 = 1.0 / 8192.0;
+/// Radiance that dark is not told from black by its digits.
+pub const DIM: f64 = 0.1;
+
+/// So much farther than the tolerance may an answer and a displaced one lie apart for what lies between them to count.
+const SMOOTH: f64 = 100.0;
+
+/// An answer to one question: what must be equal, and numbers with how far off they may be.
+#[derive(Clone, Debug)]
+pub struct Answer<const N: usize> {
+    /// Objects, bits, whatever is right or wrong.
+    pub labels: [u32; 2],
+    /// Whatever is more or less right.
+    pub values: [f64; N],
+    /// How far off each of the values may be.
+    pub tolerances: [f64; N],
+}
+
+impl Answer<3> {
+    /// Radiance.
+    #[must_use]
+    pub fn radiance(color: DVec3) -> Self {
+        let tolerance = RADIANCE * color.abs().max_element().max(DIM);
+        Self { labels: [0; 2], values: color.to_array(), tolerances: [tolerance; 3] }
+    }
+}
+
+impl<const N: usize> Answer<N> {
+    /// The largest difference of the values in units of their tolerances; infinite where labels differ or something is
+    /// not a number.
+    fn distance(&self, exact: &Self) -> f64 {
+        if self.labels != exact.labels {
+            return f64::INFINITY;
+        }
+        let each = (0..N).map(|i| {
+            let (found, right) = (self.values[i], exact.values[i]);
+            if found == right { 0.0 } else { (found - right).abs() / exact.tolerances[i] }
+        });
+        each.map(|d| if d.is_nan() { f64::INFINITY } else { d }).fold(0.0, f64::max)
+    }
+
+    /// Whether it lies between two answers that are nearly the same.
+    fn between(&self, exact: &Self, other: &Self) -> bool {
+        let inside = |i: usize| {
+            let (a, b) = (exact.values[i], other.values[i]);
+            (a.min(b) - exact.tolerances[i]..=a.max(b) + exact.tolerances[i]).contains(&self.values[i])
+        };
+        self.labels == exact.labels && other.distance(exact) <= SMOOTH && (0..N).all(inside)
+    }
+}
+
+/// What became of one comparison.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outcome {
+    /// Within the tolerance, by this part of it.
+    Same(f64),
+    /// The reference gives this answer too, if rounding displaces it so.
+    Explained(Cause),
+    /// Nothing explains it.
+    Wrong(String),
+}
+
+/// Judges an answer by the reference, which is asked again with displaced numbers where they differ.
+pub fn judge<const N: usize>(found: &Answer<N>, reference: impl Fn(&mut Rounding) -> Answer<N>) -> Outcome {
+    let exact = reference(&mut Rounding::none());
+    let distance = found.distance(&exact);
+    if distance <= 1.0 {
+        return Outcome::Same(distance);
+    }
+    let cause = Rounding::explain(|rounding| {
+        let other = reference(rounding);
+        found.distance(&other) <= 1.0 || found.between(&exact, &other)
+    });
+    cause.map_or_else(
+        || {
+            let (labels, values) = (exact.labels, exact.values);
+            Outcome::Wrong(format!(
+                "{:?} {:?}, the reference says {labels:?} {values:?}",
+                found.labels, found.values
+            ))
+        },
+        Outcome::Explained,
+    )
+}
+
+/// The count of many comparisons.
+#[derive(Debug, Default)]
+pub struct Tally {
+    /// Within the tolerance.
+    pub same: usize,
+    /// By cause.
+    pub explained: BTreeMap<Cause, usize>,
+    /// One line each.
+    pub wrong: Vec<String>,
+    /// The largest difference of those that are the same, in units of the tolerance.
+    pub worst: f64,
+}
+
+impl Tally {
+    /// Judges every item, on all cores.
+    pub fn of<T: Sync>(items: &[T], judge: impl Fn(&T) -> Outcome + Sync) -> Self {
+        let workers = thread::available_parallelism().map_or(2, NonZero::get);
+        let mut tally = Self::default();
+        // Interleaved: neighbours cost about the same.
+        let share = |w| items.iter().skip(w).step_by(workers).map(&judge).collect::<Vec<_>>();
+        thread::scope(|scope| {
+            let share = &share;
+            let threads: Vec<_> = (0..workers).map(|w| scope.spawn(move || share(w))).collect();
+            threads.into_iter().flat_map(|t| t.join().expect("a judge")).for_each(|o| tally.add(o));
+        });
+        tally
+    }
+
+    fn add(&mut self, outcome: Outcome) {
+        match outcome {
+            Outcome::Same(distance) => {
+                self.same += 1;
+                self.worst = self.worst.max(distance);
+            }
+            Outcome::Explained(cause) => *self.explained.entry(cause).or_default() += 1,
+            Outcome::Wrong(line) => self.wrong.push(line),
+        }
+    }
+
+    /// Says what was counted, and insists that nothing is wrong and at most this share needs an explanation.
+    ///
+    /// # Panics
+    /// Where that is not so.
+    pub fn check(&self, what: &str, share: f64) {
+        let explained: usize = self.explained.values().sum();
+        let total = self.same + explained + self.wrong.len();
+        let causes: Vec<_> = self.explained.iter().map(|(cause, n)| format!("{n} {cause:?}")).collect();
+        note(&format!(
+            "{what}: {total} compared, {} same (largest difference {:.2} of the tolerance), {explained} explained \
+             ({}), {} wrong",
+            self.same,
+            self.worst,
+            causes.join(", "),
+            self.wrong.len()
+        ));
+        let first: Vec<_> = self.wrong.iter().take(8).map(String::as_str).collect();
+        assert!(
+            self.wrong.is_empty(),
+            "{what}: {} wrong, the first:\n{}",
+            self.wrong.len(),
+            first.join("\n")
+        );
+        assert!(
+            explained as f64 <= share * total as f64,
+            "{what}: {explained} of {total} need an explanation, {share} may: {causes:?}"
+        );
+    }
+}

@@ -1,0 +1,232 @@
+//! Scenes in which everything that a material, a texture or a light can be stands side by side.
+
+use glam::{Vec2, Vec3, Vec4, vec2, vec3};
+use glimpse::{
+    Camera, Scene,
+    scene::{Environment, Image8, Light, LightKind, Material, Texture, Weights, Wrap, octahedral_encode},
+};
+
+use crate::builder::{Builder, glass, matte, mirror, unlit};
+
+const WRAPS: [Wrap; 3] = [Wrap::Repeat, Wrap::MirroredRepeat, Wrap::ClampToEdge];
+
+/// Texels without any order; alpha too.
+fn noise(width: u32, height: u32, seed: u32) -> Image8 {
+    let byte = |i: u32| (i.wrapping_add(seed).wrapping_mul(2_654_435_761) >> 24) as u8;
+    Image8 { width, height, rgba: (0..4 * width * height).map(byte).collect() }
+}
+
+/// Every wrap mode and filter, textures of every kind, vertex colours, holes, bent normals, every kind of light.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn textures() -> Scene {
+    let mut b = Builder::new();
+    let images = [noise(5, 3, 1), noise(16, 16, 2), noise(8, 8, 3)].map(|image| b.image(image));
+    for (i, wrap_s) in WRAPS.into_iter().enumerate() {
+        for (j, nearest) in [false, true].into_iter().enumerate() {
+            let wrap = [wrap_s, WRAPS[(i + 1 + j) % 3]];
+            let texture = b.texture(Texture { image: images[0], wrap, nearest });
+            let tile = b.object(Material { base_color_texture: Some(texture), ..matte(Vec3::ONE) });
+            let corner = vec3(-2.4 + 0.82 * i as f32, 0.1 + 0.82 * j as f32, -1.0);
+            b.textured_quad(
+                tile,
+                [corner, 0.8 * Vec3::X, 0.8 * Vec3::Y],
+                [vec2(-1.33, -0.71), vec2(2.41, 1.9)],
+            );
+        }
+    }
+    let plain =
+        |image: u32, nearest: bool| Texture { image, wrap: [Wrap::Repeat, Wrap::MirroredRepeat], nearest };
+    let base = b.texture(plain(images[1], false));
+    let rough = b.texture(plain(images[2], false));
+    let glow = b.texture(plain(images[2], true));
+    let pillow = b.object(Material { roughness: 0.45, ..matte(vec3(0.7, 0.8, 0.9)) });
+    b.quad(pillow, vec3(0.1, 0.1, -0.9), 0.7 * Vec3::X, 0.7 * Vec3::Y);
+    let painted = b.object(Material {
+        base_color_texture: Some(base),
+        metallic_roughness_texture: Some(rough),
+        metallic: 0.8,
+        roughness: 0.9,
+        ior: 1.5,
+        ..matte(vec3(0.9, 0.8, 0.7))
+    });
+    b.textured_quad(
+        painted,
+        [vec3(0.9, 0.1, -1.0), vec3(0.9, 0.0, 0.4), 0.8 * Vec3::Y],
+        [vec2(-0.2, 0.1), vec2(1.4, 1.2)],
+    );
+    let shining = b.object(Material {
+        emission: vec3(0.9, 0.5, 0.2),
+        emissive_texture: Some(glow),
+        roughness: 0.15,
+        metallic: 1.0,
+        ..matte(vec3(0.4, 0.6, 0.9))
+    });
+    b.textured_quad(
+        shining,
+        [vec3(0.1, 0.95, -1.0), 0.8 * Vec3::X, 0.7 * Vec3::Y],
+        [vec2(0.05, 0.03), vec2(2.2, 1.7)],
+    );
+    for (i, nearest) in [false, true].into_iter().enumerate() {
+        let holes = b.texture(plain(images[1], nearest));
+        let fence = b.object(Material {
+            base_color_texture: Some(holes),
+            alpha_cutoff: Some(0.45),
+            alpha: 0.9,
+            ..matte(Vec3::ONE)
+        });
+        let corner = vec3(1.0 + 0.35 * i as f32, 0.95, -0.6);
+        b.textured_quad(
+            fence,
+            [corner, 0.3 * Vec3::X, 0.7 * Vec3::Y],
+            [Vec2::ZERO, vec2(0.6 + i as f32, 1.3)],
+        );
+    }
+    let ball = b.object(Material { base_color_texture: Some(base), roughness: 0.3, ..matte(Vec3::ONE) });
+    b.sphere(ball, vec3(-0.7, 0.35, 0.1), 0.3);
+    let sign = b.object(unlit(vec3(0.2, 0.9, 0.4)));
+    b.quad(sign, vec3(-1.9, 0.02, 0.2), 0.5 * Vec3::X, 0.3 * Vec3::Y);
+    let floor = b.object(Material { roughness: 0.3, ..matte(vec3(0.5, 0.45, 0.4)) });
+    b.quad(floor, vec3(-3.0, 0.0, 2.0), 6.0 * Vec3::X, -4.0 * Vec3::Z);
+    lamps(&mut b);
+    b.environment(vec3(0.2, 0.3, 0.5), vec3(0.06, 0.07, 0.08));
+    let camera = Camera::look_at(vec3(0.1, 1.2, 3.4), vec3(-0.2, 0.85, 0.0), 0.72).expect("a valid camera");
+    let mut scene = b.seen_by(camera);
+    bend_normals(&mut scene, pillow);
+    paint_corners(&mut scene);
+    scene
+}
+
+fn lamps(b: &mut Builder) {
+    let direction = vec3(-0.5, -1.2, -2.0).normalize();
+    let kinds = [
+        (LightKind::Directional { direction: vec3(0.4, -0.7, -0.6).normalize() }, Vec3::splat(0.9), 0.0),
+        (
+            LightKind::Spot { position: vec3(0.4, 2.2, 1.8), range: 6.0, direction, cone: 0.15..0.4 },
+            vec3(9.0, 7.0, 5.0),
+            0.02,
+        ),
+        (
+            LightKind::Point { position: vec3(1.2, 1.6, 0.9), range: 2.5, falloff: true },
+            vec3(1.0, 1.5, 2.0),
+            0.01,
+        ),
+        (
+            LightKind::Point { position: vec3(-2.0, 1.5, 1.5), range: f32::INFINITY, falloff: false },
+            vec3(0.3, 0.1, 0.2),
+            0.0,
+        ),
+    ];
+    for (kind, intensity, radius) in kinds {
+        b.light(Light { kind, intensity, radius });
+    }
+}
+
+/// Corner normals of a quad that lean outwards.
+fn bend_normals(scene: &mut Scene, object: u32) {
+    let of_object = |i: &usize| scene.triangle_objects[*i] == object;
+    let triangles: Vec<usize> = (0..scene.positions.len()).filter(of_object).collect();
+    let corners: Vec<Vec3> = triangles.iter().flat_map(|i| scene.positions[*i]).collect();
+    let center = corners.iter().sum::<Vec3>() / corners.len() as f32;
+    for i in triangles {
+        let bent = |p: Vec3| octahedral_encode((1.2 * (p - center) + Vec3::Z).normalize());
+        scene.normals[i] = scene.positions[i].map(bent);
+    }
+}
+
+/// Vertex colours for every triangle: most are white.
+fn paint_corners(scene: &mut Scene) {
+    let word = |c: Vec4| u32::from_le_bytes(c.to_array().map(|x| (255.0 * x).round() as u8));
+    let white = [u32::MAX; 3];
+    let bright =
+        [Vec4::new(1.0, 0.4, 0.3, 1.0), Vec4::new(0.2, 1.0, 0.5, 1.0), Vec4::new(0.3, 0.5, 1.0, 1.0)];
+    scene.colors =
+        (0..scene.positions.len()).map(|i| if i % 5 == 3 { bright.map(word) } else { white }).collect();
+}
+
+/// Glass in glass, panes, mirrors that face each other, constant weights.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn glasshouse() -> Scene {
+    let mut b = Builder::new();
+    let tint = |color: Vec3, m: Material| Material { base_color: color, ..m };
+    let outer = b.object(tint(vec3(0.9, 1.0, 0.95), glass(1.5)));
+    b.sphere(outer, vec3(-0.9, 0.9, 0.0), 0.8);
+    let inner = b.object(tint(vec3(1.0, 0.9, 0.8), glass(1.33)));
+    b.sphere(inner, vec3(-0.8, 0.95, 0.1), 0.45);
+    let core = b.object(matte(vec3(0.9, 0.2, 0.1)));
+    b.sphere(core, vec3(-0.75, 0.9, 0.15), 0.15);
+    let block = b.object(tint(vec3(0.8, 0.9, 1.0), glass(2.42)));
+    cuboid(&mut b, block, vec3(0.4, 0.05, -0.3), vec3(1.0, 0.9, 0.3));
+    let pane = b.object(Material { thin: true, ..tint(vec3(0.95, 1.0, 0.97), glass(1.5)) });
+    b.quad(pane, vec3(-0.2, 0.1, 0.9), vec3(0.9, 0.0, 0.2), 1.3 * Vec3::Y);
+    for (x, side) in [(-2.0, 1.0), (2.0, -1.0)] {
+        let wall = b.object(mirror(vec3(0.9, 0.92, 0.88)));
+        b.quad(wall, vec3(x, 0.0, side * 2.0), -4.0 * side * Vec3::Z, 2.5 * Vec3::Y);
+    }
+    let steel = b.object(Material { roughness: 0.25, ..mirror(vec3(0.8, 0.6, 0.4)) });
+    b.sphere(steel, vec3(1.4, 0.3, 0.8), 0.3);
+    let shares = Some(Weights { diffuse: 0.4, mirror: 0.3, refraction: 0.2 });
+    let heckbert = b.object(Material { weights: shares, ior: 1.2, ..matte(vec3(0.3, 0.5, 1.0)) });
+    b.sphere(heckbert, vec3(0.1, 0.25, 1.1), 0.2);
+    let floor = b.object(Material { roughness: 0.3, ior: 1.5, ..matte(vec3(0.6, 0.6, 0.55)) });
+    b.quad(floor, vec3(-2.0, 0.0, 2.0), 4.0 * Vec3::X, -4.0 * Vec3::Z);
+    let back = b.object(Material { roughness: 0.7, ior: 1.5, ..matte(vec3(0.7, 0.5, 0.3)) });
+    b.quad(back, vec3(-2.0, 0.0, -2.0), 4.0 * Vec3::X, 2.5 * Vec3::Y);
+    b.point_light(vec3(0.3, 2.3, 1.4), vec3(6.0, 5.5, 5.0));
+    b.point_light(vec3(-1.5, 1.9, -1.2), vec3(1.0, 2.0, 3.0));
+    b.environment(vec3(0.3, 0.5, 0.8), vec3(0.08, 0.08, 0.1));
+    b.seen_by(Camera::look_at(vec3(0.3, 1.3, 4.2), vec3(0.0, 0.8, 0.0), 0.75).expect("a valid camera"))
+}
+
+fn cuboid(b: &mut Builder, object: u32, low: Vec3, high: Vec3) {
+    let size = high - low;
+    let (x, y, z) = (size.x * Vec3::X, size.y * Vec3::Y, size.z * Vec3::Z);
+    let faces = [(low, y, x), (low, z, y), (low, x, z), (high, -x, -y), (high, -y, -z), (high, -z, -x)];
+    for (corner, u, v) in faces {
+        b.quad(object, corner, u, v);
+    }
+}
+
+/// Matte things in parallel rays.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn orthographic() -> Scene {
+    let mut b = Builder::new();
+    for i in 0..4 {
+        let ball = b.object(matte(vec3(0.9, 0.2 + 0.2 * i as f32, 0.3)));
+        b.sphere(ball, vec3(-1.2 + 0.8 * i as f32, 0.3 + 0.1 * i as f32, -0.5), 0.35);
+    }
+    let block = b.object(Material { roughness: 0.6, ior: 1.5, ..matte(vec3(0.4, 0.6, 0.8)) });
+    cuboid(&mut b, block, vec3(-0.4, -0.6, -0.2), vec3(0.5, 0.1, 0.6));
+    let floor = b.object(matte(Vec3::splat(0.7)));
+    b.quad(floor, vec3(-2.0, -0.6, 2.0), 4.0 * Vec3::X, -4.0 * Vec3::Z);
+    b.point_light(vec3(1.0, 2.0, 1.5), Vec3::splat(8.0));
+    b.environment(vec3(0.1, 0.2, 0.4), Vec3::splat(0.05));
+    // Half a frame is as high as the tangent of half the field of view.
+    let camera = Camera::look_at(vec3(1.5, 1.2, 2.5), Vec3::ZERO, 2.0 * 1.1_f32.atan());
+    b.seen_by(Camera { orthographic: true, ..camera.expect("a valid camera") })
+}
+
+/// A wall whose texels are the 256 greys in sRGB, shown as they are, with `z` = 0 and `x` from 0 to 256.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn greys() -> Scene {
+    let mut b = Builder::new();
+    let rgba = (0..=255).flat_map(|byte| [byte, byte, byte, 255]).collect();
+    let image = b.image(Image8 { width: 256, height: 1, rgba });
+    let texture = b.texture(Texture { image, wrap: [Wrap::ClampToEdge; 2], nearest: true });
+    let wall = b.object(Material { base_color_texture: Some(texture), ..unlit(Vec3::ONE) });
+    b.textured_quad(wall, [Vec3::ZERO, 256.0 * Vec3::X, Vec3::Y], [Vec2::ZERO, Vec2::ONE]);
+    let dark = Environment { background: Vec3::ZERO, ambient: Vec3::ZERO, truncated: Vec3::ZERO };
+    let camera = Camera::look_at(vec3(128.0, 0.5, 300.0), vec3(128.0, 0.5, 0.0), 0.8).expect("a camera");
+    Scene { environment: dark, ..b.seen_by(camera) }
+}
