@@ -69,7 +69,8 @@ impl Atlas {
             });
         }
         let side = if images.is_empty() { 1 } else { side };
-        let texture = gpu.checked(|device| {
+        let bytes = 4 * u64::from(side) * u64::from(side) * u64::from(pages);
+        let texture = gpu.checked("the textures", Some(bytes), |device| {
             device.create_texture(&wgpu::TextureDescriptor {
                 label: Some("atlas"),
                 size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: pages },

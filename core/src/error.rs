@@ -39,7 +39,45 @@ pub enum Error {
     /// A kernel does not compile or is bound wrongly.
     #[error(transparent)]
     Shader(#[from] crate::gpu::shader::ShaderError),
-    /// The device failed at run time (lost, out of memory, validation).
+    /// The device is gone: its driver reset it, it was unplugged, or [`crate::Gpu::destroy`] was called. Everything
+    /// made from it is gone too; a new [`crate::Gpu`], upload and renderer make the same pictures again.
+    #[error(
+        "the graphics device `{adapter}` was lost ({reason}): try again; if it is lost again, try a smaller --size or \
+         another --adapter"
+    )]
+    Lost {
+        /// The adapter's name.
+        adapter: String,
+        /// The driver's words.
+        reason: String,
+    },
+    /// The device has no memory left for this. What was there before is still usable.
+    #[error(
+        "the graphics device `{adapter}` is out of memory for {what}{}: try a smaller --size, a smaller scene or \
+         another --adapter",
+        .bytes.map_or_else(String::new, |bytes| format!(" ({bytes} bytes)"))
+    )]
+    OutOfMemory {
+        /// What was being made.
+        what: String,
+        /// Its size, where it is known.
+        bytes: Option<u64>,
+        /// The adapter's name.
+        adapter: String,
+    },
+    /// The device was not done in time; see [`crate::Gpu::with_patience`]. It may be slow or hung.
+    #[error(
+        "the graphics device `{adapter}` was not done after {} s: try a smaller --size, a smaller --depth or another \
+         --adapter",
+        .waited.as_secs_f32()
+    )]
+    Timeout {
+        /// The adapter's name.
+        adapter: String,
+        /// How long it was waited for.
+        waited: std::time::Duration,
+    },
+    /// The device failed at run time in another way: a bug of this crate or of the driver.
     #[error("the graphics device failed: {0}")]
     Device(String),
     /// An image cannot be read or written.

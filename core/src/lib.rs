@@ -8,7 +8,7 @@
 //!
 //! [`Scene`] is flat arrays in main memory. [`GpuScene::upload`] consumes it. A [`Renderer`] makes frames of one size by
 //! one [`Method`]; what its kernels are made of follows from the [`Features`] of the scene and the [`Settings`], in
-//! `passes/mod.rs` and nowhere else. `frame.rs` records the passes in order.
+//! `passes/mod.rs` and nowhere else. `plan.rs` puts the passes in order, in parts of bounded work; `frame.rs` records them.
 //!
 //! This crate knows no window, no file, no clock and no thread that it was not given, and has no global state.
 //!
@@ -30,6 +30,7 @@ mod gpu_scene;
 mod image;
 pub mod metrics;
 mod passes;
+mod plan;
 pub mod probe;
 pub mod reference;
 mod renderer;
@@ -37,12 +38,14 @@ pub mod scene;
 mod settings;
 mod stats;
 pub mod stress;
+mod targets;
 
 pub use camera::Camera;
 pub use error::{Error, Result};
 pub use gpu::Gpu;
 pub use gpu_scene::GpuScene;
 pub use image::{DisplayImage, LinearImage, Picture, encode_display, to_exr, to_png};
+pub use plan::SAMPLES_PER_SUBMISSION;
 pub use renderer::Renderer;
 pub use scene::{Features, Scene};
 pub use settings::{Linking, MAX_DEPTH, Method, Robustness, Settings, Tolerances};

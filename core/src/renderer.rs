@@ -5,12 +5,13 @@ use glam::Vec3;
 use crate::{
     Camera, Cost, Counts, DisplayImage, Error, FailedChecks, FrameTime, Gpu, GpuScene, Inspection,
     LinearImage, Memory, Origin, PixelRecord, Rays, Result, Samples, Settings,
-    frame::{self, Frame, Passes, Targets, inspection_buffer, texture},
+    frame::{self, Frame, Passes},
     passes::{
         COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS, COUNTER_RAYS,
         COUNTER_WORDS, Output, Variant,
     },
     scene::octahedral_decode,
+    targets::{Targets, inspection_buffer, texture},
 };
 
 /// Renders frames of one size of one scene.
@@ -33,7 +34,7 @@ impl<'a> Renderer<'a> {
         settings.validate()?;
         let variant = variant(scene, settings);
         let targets = Targets::new(gpu, &variant, settings.method, size)?;
-        let passes = Passes::new(gpu, scene, &targets, &variant, settings.method, &targets.display, None)?;
+        let passes = Passes::new(gpu, scene, &targets, &variant, &targets.display, None)?;
         Ok(Self { gpu, scene, settings: *settings, targets, passes, inspecting: None, linear: None })
     }
 
@@ -110,18 +111,12 @@ impl<'a> Renderer<'a> {
         color: &wgpu::Texture,
         inspection: Option<&wgpu::Buffer>,
     ) -> Result<Passes> {
-        Passes::new(self.gpu, self.scene, &self.targets, variant, self.settings.method, color, inspection)
+        Passes::new(self.gpu, self.scene, &self.targets, variant, color, inspection)
     }
 
     fn submit(&self, passes: &Passes, camera: &Camera, cleared: Option<&wgpu::Buffer>) -> Result<()> {
         let constants = Frame::new(self.scene, &self.settings, self.targets.size, camera);
-        self.gpu.queue.write_buffer(&self.targets.frame, 0, bytemuck::bytes_of(&constants));
-        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        if let Some(buffer) = cleared {
-            encoder.clear_buffer(buffer, 0, None);
-        }
-        passes.record(&mut encoder, &self.targets);
-        self.gpu.submit_and_wait(encoder)
+        passes.run(self.gpu, &self.targets, &constants, cleared)
     }
 }
 

@@ -115,7 +115,7 @@ fn table(report: &Report<'_>) -> String {
         for cause in &row.outcome.explained {
             text += &format!("            {} x {}\n", grouped(cause.count), cause.cause);
         }
-        for worst in &row.outcome.worst {
+        if let Some(worst) = &row.outcome.worst {
             text += &format!("            worst: {worst}\n");
         }
     }

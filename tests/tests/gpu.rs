@@ -8,5 +8,6 @@ mod gpu {
     mod golden;
     mod minray;
     mod scenes;
+    mod stress;
     mod traversal;
 }

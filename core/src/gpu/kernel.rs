@@ -6,7 +6,7 @@ use super::{
     Gpu,
     shader::{Linked, ShaderError, Source, link},
 };
-use crate::Result;
+use crate::{Error, Result};
 
 /// A compute pipeline with entry point `main`.
 pub struct Kernel {
@@ -25,7 +25,7 @@ impl Kernel {
         let slots: HashMap<_, _> =
             linked.used_resources().map(|(name, _, number)| (name.to_owned(), number)).collect();
         let Linked { module, .. } = linked;
-        let pipeline = gpu.checked(|device| {
+        let pipeline = gpu.checked(&format!("kernel `{label}`"), None, |device| {
             let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
                 label: Some(label),
                 source: wgpu::ShaderSource::Naga(Cow::Owned(module)),
@@ -41,6 +41,15 @@ impl Kernel {
                 },
                 cache: None,
             })
+        });
+        let pipeline = pipeline.map_err(|error| match error {
+            Error::Device(message) => ShaderError::Refused {
+                kernel: label.to_owned(),
+                adapter: gpu.facts().info.name.clone(),
+                message,
+            }
+            .into(),
+            other => other,
         })?;
         let files: Vec<_> = sources.iter().map(|source| source.file).collect();
         log::debug!("kernel {label}: {} resources, linked from {}", slots.len(), files.join(", "));
@@ -99,10 +108,10 @@ impl Bound {
         pass.dispatch_workgroups(x, y, 1);
     }
 
-    /// Dispatches as many workgroups as the buffer says.
-    pub fn dispatch_indirect(&self, pass: &mut wgpu::ComputePass<'_>, arguments: &wgpu::Buffer) {
+    /// Dispatches as many workgroups as the buffer says at that byte.
+    pub fn dispatch_indirect(&self, pass: &mut wgpu::ComputePass<'_>, arguments: &wgpu::Buffer, offset: u64) {
         self.set(pass);
-        pass.dispatch_workgroups_indirect(arguments, 0);
+        pass.dispatch_workgroups_indirect(arguments, offset);
     }
 
     fn set(&self, pass: &mut wgpu::ComputePass<'_>) {

@@ -1,22 +1,28 @@
 //! The device: which adapter, what it can, how memory comes back from it.
 
+mod health;
 mod kernel;
+mod memory;
 pub(crate) mod mirror;
 pub mod shader;
 mod timer;
+mod wait;
 
 use std::{
-    sync::{Arc, Mutex, PoisonError},
+    sync::{Arc, Mutex},
     time::Duration,
 };
+
+use health::Health;
 
 pub use kernel::{Bound, Kernel};
 pub use timer::Timer;
 
 use crate::{Error, Result};
 
-/// The longest wait for one frame; a device that needs more is taken for hung.
-const PATIENCE: Duration = Duration::from_secs(600);
+/// The longest wait for a frame or a readback unless set otherwise. A device that needs more is taken for hung: the
+/// slowest frame that is still useful (a software driver, 16384x16384) takes a few minutes.
+pub const PATIENCE: Duration = Duration::from_secs(600);
 
 /// What is known of an adapter.
 #[derive(Clone, Debug)]
@@ -39,13 +45,19 @@ impl AdapterFacts {
     }
 }
 
-/// A device and its queue.
+/// A device and its queue. Threads may share it; they take turns at waiting for it.
+///
+/// A device that is lost stays lost: every call on what was made from it gives [`Error::Lost`]. A program recovers by a
+/// new `Gpu`, [`crate::GpuScene::upload`] and [`crate::Renderer::new`], which make the same pictures again.
 pub struct Gpu {
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
     facts: AdapterFacts,
-    /// The first error that no scope caught.
-    uncaught: Arc<Mutex<Option<String>>>,
+    health: Arc<Health>,
+    patience: Duration,
+    /// Held from a submission until its result has been copied: whoever polls a lost device frees its buffers, those
+    /// that another thread has mapped included.
+    turn: Mutex<()>,
 }
 
 impl Gpu {
@@ -117,12 +129,21 @@ impl Gpu {
             facts.info.backend,
             facts.info.driver_info
         );
-        let uncaught = Arc::new(Mutex::new(None));
-        let sink = Arc::clone(&uncaught);
-        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
-            sink.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error.to_string());
-        }));
-        Ok(Self { device, queue, facts, uncaught })
+        let health = Health::watch(&device);
+        Ok(Self { device, queue, facts, health, patience: PATIENCE, turn: Mutex::new(()) })
+    }
+
+    /// Waits at most that long for a frame or a readback ([`PATIENCE`]).
+    #[must_use]
+    pub fn with_patience(self, patience: Duration) -> Self {
+        Self { patience, ..self }
+    }
+
+    /// Gives the device up, as a driver does that resets it: from here on everything made from it gives
+    /// [`Error::Lost`]. For tests of recovery, and for programs that must free a device's memory at once.
+    pub fn destroy(&self) {
+        self.health.lose("it was destroyed".to_owned());
+        self.device.destroy();
     }
 
     /// All adapters.
@@ -142,145 +163,6 @@ impl Gpu {
     #[must_use]
     pub fn limits(&self) -> wgpu::Limits {
         self.device.limits()
-    }
-
-    /// Runs device calls under error scopes.
-    pub(crate) fn checked<T>(&self, calls: impl FnOnce(&wgpu::Device) -> T) -> Result<T> {
-        let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
-        let validation = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let result = calls(&self.device);
-        let error = pollster::block_on(validation.pop());
-        let error = pollster::block_on(memory.pop()).or(error);
-        match error {
-            None => Ok(result),
-            Some(error) => Err(Error::Device(error.to_string())),
-        }
-    }
-
-    /// A buffer that only the device touches, filled with zeros.
-    pub(crate) fn buffer(&self, label: &str, bytes: u64, usage: wgpu::BufferUsages) -> Result<wgpu::Buffer> {
-        self.check_binding(label, bytes)?;
-        self.checked(|device| {
-            device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some(label),
-                size: bytes.next_multiple_of(4).max(16),
-                usage: usage | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            })
-        })
-    }
-
-    /// A storage buffer with this content.
-    pub(crate) fn storage<T: bytemuck::NoUninit>(&self, label: &str, content: &[T]) -> Result<wgpu::Buffer> {
-        self.filled(label, bytemuck::cast_slice(content), wgpu::BufferUsages::STORAGE)
-    }
-
-    /// A buffer with this content.
-    pub(crate) fn filled(
-        &self,
-        label: &str,
-        content: &[u8],
-        usage: wgpu::BufferUsages,
-    ) -> Result<wgpu::Buffer> {
-        self.check_binding(label, content.len() as u64)?;
-        self.checked(|device| {
-            let buffer = device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some(label),
-                size: (content.len() as u64).next_multiple_of(4).max(16),
-                usage: usage | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: true,
-            });
-            if let Ok(mut mapped) = buffer.slice(..).get_mapped_range_mut() {
-                mapped.slice(..content.len()).copy_from_slice(content);
-            }
-            buffer.unmap();
-            buffer
-        })
-    }
-
-    /// Whether one binding can hold that many bytes.
-    pub(crate) fn check_binding(&self, label: &str, bytes: u64) -> Result<()> {
-        let limits = self.device.limits();
-        let have = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
-        if bytes <= have {
-            return Ok(());
-        }
-        Err(Error::Missing {
-            what: format!("buffer `{label}`"),
-            need: format!("{bytes} bytes in one binding"),
-            have: format!("{have}"),
-            adapter: self.facts.info.name.clone(),
-        })
-    }
-
-    /// Submits and waits until the device is done.
-    pub(crate) fn submit_and_wait(&self, encoder: wgpu::CommandEncoder) -> Result<()> {
-        let index = self.queue.submit([encoder.finish()]);
-        self.device
-            .poll(wgpu::PollType::Wait { submission_index: Some(index), timeout: Some(PATIENCE) })
-            .map_err(|e| Error::Device(e.to_string()))?;
-        match self.uncaught.lock().unwrap_or_else(PoisonError::into_inner).take() {
-            None => Ok(()),
-            Some(error) => Err(Error::Device(error)),
-        }
-    }
-
-    /// Copies a buffer (made with `COPY_SRC`) to main memory.
-    pub(crate) fn read_buffer(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>> {
-        self.read(buffer.size(), |encoder, staging| {
-            encoder.copy_buffer_to_buffer(buffer, 0, staging, 0, buffer.size());
-        })
-    }
-
-    /// Copies a texture (made with `COPY_SRC`) to main memory, rows without gaps.
-    pub(crate) fn read_texture(&self, texture: &wgpu::Texture, bytes_per_texel: u32) -> Result<Vec<u8>> {
-        let (width, height) = (texture.width(), texture.height());
-        let row = (width * bytes_per_texel) as usize;
-        let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT as usize);
-        let bytes = self.read((padded * height as usize) as u64, |encoder, staging| {
-            encoder.copy_texture_to_buffer(
-                texture.as_image_copy(),
-                wgpu::TexelCopyBufferInfo {
-                    buffer: staging,
-                    layout: wgpu::TexelCopyBufferLayout {
-                        offset: 0,
-                        bytes_per_row: Some(padded as u32),
-                        rows_per_image: None,
-                    },
-                },
-                texture.size(),
-            );
-        })?;
-        Ok(bytes.chunks_exact(padded).flat_map(|line| &line[..row]).copied().collect())
-    }
-
-    fn read(
-        &self,
-        bytes: u64,
-        copy: impl FnOnce(&mut wgpu::CommandEncoder, &wgpu::Buffer),
-    ) -> Result<Vec<u8>> {
-        let staging = self.checked(|device| {
-            device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("readback"),
-                size: bytes,
-                usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-                mapped_at_creation: false,
-            })
-        })?;
-        let mut encoder = self.device.create_command_encoder(&Default::default());
-        copy(&mut encoder, &staging);
-        let (done, mapped) = std::sync::mpsc::channel();
-        encoder.map_buffer_on_submit(&staging, wgpu::MapMode::Read, .., move |result| {
-            let _ = done.send(result);
-        });
-        self.submit_and_wait(encoder)?;
-        match mapped.recv_timeout(PATIENCE) {
-            Ok(Ok(())) => {}
-            Ok(Err(error)) => return Err(Error::Device(error.to_string())),
-            Err(_) => return Err(Error::Device("the readback never came".to_owned())),
-        }
-        let view = staging.slice(..).get_mapped_range().map_err(|e| Error::Device(e.to_string()))?;
-        Ok(view.to_vec())
     }
 }
 

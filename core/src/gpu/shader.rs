@@ -21,7 +21,7 @@ pub struct Source {
     pub text: Cow<'static, str>,
 }
 
-/// A kernel that does not compile or is bound wrongly: a bug of this crate.
+/// A kernel that does not compile or is bound wrongly: a bug of this crate or of the driver.
 #[derive(Debug, thiserror::Error)]
 pub enum ShaderError {
     /// The compiler's message at its place in the file.
@@ -34,6 +34,16 @@ pub enum ShaderError {
         /// From 1.
         column: usize,
         /// The compiler's words.
+        message: String,
+    },
+    /// The device or its driver does not take a module that is valid WGSL.
+    #[error("kernel `{kernel}` does not compile on `{adapter}`: {message}")]
+    Refused {
+        /// The kernel's label.
+        kernel: String,
+        /// The adapter's name.
+        adapter: String,
+        /// The driver's words.
         message: String,
     },
     /// The resources given are not those that the shader uses.

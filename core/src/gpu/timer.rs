@@ -24,7 +24,7 @@ impl Timer {
     pub fn new(gpu: &Gpu, names: &[&'static str]) -> Result<Self> {
         let count = 2 * names.len() as u32;
         let queries = if gpu.device.features().contains(wgpu::Features::TIMESTAMP_QUERY) {
-            Some(gpu.checked(|device| Queries {
+            Some(gpu.checked("the timer", Some(8 * u64::from(count)), |device| Queries {
                 set: device.create_query_set(&wgpu::QuerySetDescriptor {
                     label: Some("timer"),
                     ty: wgpu::QueryType::Timestamp,
@@ -46,10 +46,22 @@ impl Timer {
 
     /// Begins the pass of that position.
     pub fn pass<'e>(&self, encoder: &'e mut wgpu::CommandEncoder, index: usize) -> wgpu::ComputePass<'e> {
-        let timestamp_writes = self.queries.as_ref().map(|queries| wgpu::ComputePassTimestampWrites {
+        self.part(encoder, index, [true, true])
+    }
+
+    /// Begins a part of the pass of that position, which may be its first and may be its last: a pass lasts from the
+    /// beginning of its first part to the end of its last, with the gaps between them, for the frame waits for those.
+    pub fn part<'e>(
+        &self,
+        encoder: &'e mut wgpu::CommandEncoder,
+        index: usize,
+        [first, last]: [bool; 2],
+    ) -> wgpu::ComputePass<'e> {
+        let queries = self.queries.as_ref().filter(|_| first || last);
+        let timestamp_writes = queries.map(|queries| wgpu::ComputePassTimestampWrites {
             query_set: &queries.set,
-            beginning_of_pass_write_index: Some(2 * index as u32),
-            end_of_pass_write_index: Some(2 * index as u32 + 1),
+            beginning_of_pass_write_index: first.then_some(2 * index as u32),
+            end_of_pass_write_index: last.then_some(2 * index as u32 + 1),
         });
         encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
             label: Some(self.names[index]),

@@ -2,7 +2,7 @@
 
 @compute @workgroup_size(64)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let pixel = 2u * (8u * group.xy + frame_tile(local));
+    let pixel = 2u * (8u * (group.xy + vec2u(0u, frame.first)) + frame_tile(local));
     if any(pixel >= frame.size) {
         return;
     }

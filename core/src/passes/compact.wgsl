@@ -1,4 +1,4 @@
-// Step-II-b and Step-III-b: the dense list is there, the dispatch that works through it is not yet.
+// Step-II-b and Step-III-b: the dense list is there, the dispatches that work through it are not yet.
 
 struct Dispatch {
     x: u32,
@@ -7,11 +7,14 @@ struct Dispatch {
 }
 
 var<storage, read> list: List;
-var<storage, read_write> dispatch: Dispatch;
+// One for each chunk of the longest list that may be.
+var<storage, read_write> dispatch: array<Dispatch>;
 
-@compute @workgroup_size(1)
-fn main() {
-    let groups = (list.count + TRACE_GROUP - 1u) / TRACE_GROUP;
-    let rows = (groups + TRACE_ROW - 1u) / TRACE_ROW;
-    dispatch = Dispatch(min(groups, TRACE_ROW), rows, 1u);
+@compute @workgroup_size(64)
+fn main(@builtin(local_invocation_index) local: u32) {
+    for (var chunk = local; chunk < arrayLength(&dispatch); chunk += 64u) {
+        let first = min(chunk * CHUNK_SAMPLES, list.count);
+        let samples = min(list.count - first, CHUNK_SAMPLES);
+        dispatch[chunk] = Dispatch((samples + TRACE_GROUP - 1u) / TRACE_GROUP, 1u, 1u);
+    }
 }

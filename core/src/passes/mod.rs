@@ -17,7 +17,7 @@ mod tests;
 use std::fmt::Write as _;
 
 use crate::{
-    Features, GpuScene, Linking, Robustness, atlas,
+    Features, GpuScene, Linking, Robustness, SAMPLES_PER_SUBMISSION, atlas,
     gpu::shader::Source,
     gpu_scene,
     scene::OCTAHEDRAL_ERROR,
@@ -61,20 +61,6 @@ impl Stage {
     #[cfg(test)]
     pub const ALL: [Self; 8] = [
         Self::Full,
-        Self::Base,
-        Self::SimilarityA1,
-        Self::CompactA1,
-        Self::TraceA1,
-        Self::SimilarityA2,
-        Self::CompactA2,
-        Self::TraceA2,
-    ];
-
-    /// The stages of full tracing, in order.
-    pub const FULL: [Self; 1] = [Self::Full];
-
-    /// The stages of adaptive undersampling, in order.
-    pub const ADAPTIVE: [Self; 7] = [
         Self::Base,
         Self::SimilarityA1,
         Self::CompactA1,
@@ -330,6 +316,7 @@ impl Variant {
             ("OBJECT_MASK", self.shadow_shift().map_or(u32::MAX, |shift| (1 << shift) - 1)),
             ("TRACE_GROUP", TRACE_GROUP),
             ("TRACE_ROW", TRACE_ROW),
+            ("CHUNK_SAMPLES", SAMPLES_PER_SUBMISSION),
             ("ORIGIN_BASE", Origin::Base as u32),
             ("ORIGIN_TRACED_A1", Origin::TracedA1 as u32),
             ("ORIGIN_TRACED_A2", Origin::TracedA2 as u32),

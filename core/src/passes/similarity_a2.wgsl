@@ -2,7 +2,7 @@
 
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let at = 16u * group.xy + frame_tile(local);
+    let at = 16u * (group.xy + vec2u(0u, frame.first)) + frame_tile(local);
     let pixel = vec2u(1u, 2u) * at + vec2u(0u, 1u);
     if any(pixel >= frame.size) {
         return;

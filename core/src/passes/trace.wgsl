@@ -5,7 +5,7 @@ var<storage, read> list: List;
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let index = (group.y * TRACE_ROW + group.x) * TRACE_GROUP + local;
+    let index = frame.first + group.x * TRACE_GROUP + local;
     if index >= list.count {
         return;
     }

@@ -1,7 +1,7 @@
 //! Rays of the caller's through the shaders' own functions: what tests, stress cases and measurements look through.
 
 use crate::{
-    Camera, Gpu, GpuScene, Linking, Result, Robustness, Settings,
+    Camera, Gpu, GpuScene, Linking, Result, Robustness, SAMPLES_PER_SUBMISSION, Settings,
     frame::Frame,
     gpu::{Kernel, Timer, mirror::gpu_struct, shader::Source},
     passes::{TRACE_GROUP, TRACE_ROW, Variant, wgsl},
@@ -176,21 +176,25 @@ pub(crate) fn dispatch<I: bytemuck::NoUninit, O: bytemuck::Pod>(
     resources: &[(&'static str, wgpu::BindingResource<'_>)],
 ) -> Result<(Vec<O>, f64)> {
     let kernel = Kernel::new(gpu, label, sources)?;
-    let rays = gpu.storage("rays", inputs)?;
-    let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
-    let bytes = inputs.len() * size_of::<O>();
-    let results = gpu.buffer("results", bytes as u64, usage)?;
-    let mut resources = resources.to_vec();
-    resources.extend([("rays", rays.as_entire_binding()), ("results", results.as_entire_binding())]);
-    let bound = kernel.bind(&gpu.device, &resources)?;
     let timer = Timer::new(gpu, &[label])?;
-    let groups = (inputs.len() as u32).div_ceil(TRACE_GROUP);
-    let mut encoder = gpu.device.create_command_encoder(&Default::default());
-    bound.dispatch(&mut timer.pass(&mut encoder, 0), [groups.min(TRACE_ROW), groups.div_ceil(TRACE_ROW)]);
-    timer.resolve(&mut encoder);
-    gpu.submit_and_wait(encoder)?;
-    let ms = timer.read(gpu)?.ms;
-    Ok((bytemuck::pod_collect_to_vec(&gpu.read_buffer(&results)?[..bytes]), ms))
+    let (mut all, mut ms) = (Vec::with_capacity(inputs.len()), 0.0);
+    for inputs in inputs.chunks(SAMPLES_PER_SUBMISSION as usize) {
+        let rays = gpu.storage("rays", inputs)?;
+        let bytes = inputs.len() * size_of::<O>();
+        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
+        let results = gpu.buffer("results", bytes as u64, usage)?;
+        let mut resources = resources.to_vec();
+        resources.extend([("rays", rays.as_entire_binding()), ("results", results.as_entire_binding())]);
+        let bound = kernel.bind(&gpu.device, &resources)?;
+        let groups = (inputs.len() as u32).div_ceil(TRACE_GROUP);
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        bound.dispatch(&mut timer.pass(&mut encoder, 0), [groups.min(TRACE_ROW), groups.div_ceil(TRACE_ROW)]);
+        timer.resolve(&mut encoder);
+        gpu.submit_and_wait(encoder)?;
+        ms += timer.read(gpu)?.ms;
+        all.extend(bytemuck::pod_collect_to_vec::<u8, O>(&gpu.read_buffer(&results)?[..bytes]));
+    }
+    Ok((all, ms))
 }
 
 /// The kernels' sources.

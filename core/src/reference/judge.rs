@@ -1,7 +1,7 @@
 //! The judgement of an f32 answer, with tolerances from the rounding of f32 instead of guesses:
 //!
 //! ```text
-//! e        = 16 x 2^-24                     a handful of roundings
+//! e        = ulps x 2^-23                    the roundings that are allowed for
 //! S        = largest distance from the ray's origin to a corner
 //! D        = |e1 . (d x e2)|                twice the triangle's area as the ray sees it (d of unit length)
 //! slack    = e S (longest edge) / D         how far off barycentric coordinates may be
@@ -10,7 +10,7 @@
 
 use super::{
     intersection::{Primitive, Ray, Shape, moeller_trumbore, sphere_terms},
-    traversal::{Hit, ROUNDING, Tracer},
+    traversal::{Hit, TRAVERSAL_ULPS, Tracer},
 };
 
 /// How an f32 answer compares.
@@ -34,12 +34,20 @@ struct Candidate {
 }
 
 impl Tracer {
-    /// Judges the answer of an f32 tracer.
+    /// Judges the answer of an f32 tracer, with allowance for a handful of roundings.
     #[must_use]
     pub fn judge(&self, ray: &Ray, answer: Option<Hit>) -> Verdict {
+        self.judge_within(ray, answer, TRAVERSAL_ULPS)
+    }
+
+    /// Judges the answer of an f32 tracer that may see every corner this many units in the last place (of its distance)
+    /// away from where it is; at most 8.
+    #[must_use]
+    pub fn judge_within(&self, ray: &Ray, answer: Option<Hit>, ulps: f64) -> Verdict {
+        let rounding = ulps * f64::from(f32::EPSILON);
         let exact = self.nearest(ray);
         let mut candidates = Vec::new();
-        self.visit(ray, &mut |primitive, _| candidates.extend(primitive.candidates(ray)));
+        self.visit(ray, &mut |primitive, _| candidates.extend(primitive.candidates(ray, rounding)));
         let claimed = answer.map(|answer| {
             candidates
                 .iter()
@@ -52,7 +60,7 @@ impl Tracer {
                 return Verdict::Wrong(format!("{answer:?} is not there; the first hit is {exact:?}"));
             }
             Some(Some((t, tolerance))) => t - tolerance,
-            None => ray.t_max - ROUNDING * ray.t_max.min(1e30),
+            None => ray.t_max - rounding * ray.t_max.min(1e30),
         };
         let missed = candidates.iter().filter(|c| c.certain).find(|c| c.hit.t + c.tolerance < reach);
         if let Some(missed) = missed {
@@ -78,7 +86,7 @@ fn claimed_near(exact: Hit, answer: Hit, candidates: &[Candidate]) -> bool {
 
 impl Primitive {
     /// Every hit that f32 may see.
-    fn candidates(&self, ray: &Ray) -> Vec<Candidate> {
+    fn candidates(&self, ray: &Ray, rounding: f64) -> Vec<Candidate> {
         match self.shape {
             Shape::Triangle { corner, e1, e2 } => {
                 let Some((u, v, t, seen_area)) = moeller_trumbore(ray, corner, e1, e2) else {
@@ -87,8 +95,8 @@ impl Primitive {
                 let to = corner - ray.origin;
                 let span = to.length().max((to + e1).length()).max((to + e2).length());
                 let longest = e1.length().max(e2.length()).max((e2 - e1).length());
-                let slack = ROUNDING * span * longest / seen_area;
-                let tolerance = slack * longest + ROUNDING * span;
+                let slack = rounding * span * longest / seen_area;
+                let tolerance = slack * longest + rounding * span;
                 let margin = u.min(v).min(1.0 - u - v);
                 let inside = margin >= -slack && t >= -tolerance && t <= ray.t_max + tolerance;
                 let certain = margin > slack && t > tolerance;
@@ -101,12 +109,12 @@ impl Primitive {
             Shape::Sphere { center, radius } => {
                 let (b, u) = sphere_terms(ray, center, radius);
                 let span = (center - ray.origin).length() + radius;
-                let doubt = ROUNDING * span * span;
+                let doubt = rounding * span * span;
                 if u < -doubt {
                     return Vec::new();
                 }
                 let root = u.max(0.0).sqrt();
-                let tolerance = (u + doubt).max(0.0).sqrt() - (u - doubt).max(0.0).sqrt() + ROUNDING * span;
+                let tolerance = (u + doubt).max(0.0).sqrt() - (u - doubt).max(0.0).sqrt() + rounding * span;
                 [b - root, b + root]
                     .into_iter()
                     .filter(|t| *t >= -tolerance && *t <= ray.t_max + tolerance)

@@ -7,8 +7,9 @@ use glam::DVec3;
 use super::intersection::{Crossing, Primitive, Ray, Shape};
 use crate::Scene;
 
-/// A handful of roundings of f32.
-pub(super) const ROUNDING: f64 = 16.0 / 16_777_216.0;
+/// A handful of roundings of f32, in units in the last place.
+pub(super) const TRAVERSAL_ULPS: f64 = 8.0;
+const ROUNDING: f64 = TRAVERSAL_ULPS * f32::EPSILON as f64;
 
 /// The first thing on a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -174,6 +174,21 @@ fn answer(hit: &ProbeHit, length: f64) -> Option<Hit> {
     (hit.primitive != ProbeHit::MISS).then(|| Hit { object: hit.object, t: f64::from(hit.t) * length })
 }
 
+/// In how many units in the last place of its distance an answer that is not the reference's is right.
+const WITHIN: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
+const TIES: [&str; 4] = [
+    "two surfaces within 1 ulp of their distance",
+    "two surfaces within 2 ulp of their distance",
+    "two surfaces within 4 ulp of their distance",
+    "two surfaces within 8 ulp of their distance",
+];
+const EDGES: [&str; 4] = [
+    "an edge within 1 ulp of its distance from the ray",
+    "an edge within 2 ulp of its distance from the ray",
+    "an edge within 4 ulp of its distance from the ray",
+    "an edge within 8 ulp of its distance from the ray",
+];
+
 /// Judges hits by the reference.
 fn judge(
     outcome: &mut Outcome,
@@ -183,11 +198,17 @@ fn judge(
     replay: impl Fn() -> String,
 ) {
     for (ray, hit) in rays.iter().zip(hits) {
-        let (exact, length) = exact(ray);
-        match tracer.judge(&exact, answer(hit, length)) {
+        let (along, length) = exact(ray);
+        let said = answer(hit, length);
+        let verdict = tracer.judge(&along, said);
+        let tier = || {
+            let right = |ulps: &f64| tracer.judge_within(&along, said, *ulps) == verdict;
+            WITHIN.iter().position(right).unwrap_or(WITHIN.len() - 1)
+        };
+        match &verdict {
             Verdict::Same => outcome.pass(),
-            Verdict::Tie => outcome.explain("two surfaces at one distance"),
-            Verdict::Explained => outcome.explain("within 8 ulp of an edge"),
+            Verdict::Tie => outcome.explain(TIES[tier()]),
+            Verdict::Explained => outcome.explain(EDGES[tier()]),
             Verdict::Wrong(line) => outcome.fail(|| format!("{}: {ray:?}: {line}", replay())),
         }
     }

@@ -18,7 +18,8 @@ struct Frame {
     size: vec2u,
     // 1 / size.y
     inverse_height: f32,
-    padding: u32,
+    // Where this part of the stage begins: a row of workgroups, or a place in the list.
+    first: u32,
 }
 
 var<uniform> frame: Frame;

@@ -1,0 +1,68 @@
+//! What befalls a device outside of any call's own result.
+
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use super::Gpu;
+use crate::{Error, Result};
+
+/// What the device has reported so far.
+#[derive(Default)]
+pub(super) struct Health {
+    /// Why the device was lost.
+    lost: OnceLock<String>,
+    /// The first error that no scope caught.
+    uncaught: Mutex<Option<wgpu::Error>>,
+}
+
+impl Health {
+    /// Listens to a device.
+    pub fn watch(device: &wgpu::Device) -> Arc<Self> {
+        let health = Arc::new(Self::default());
+        let sink = Arc::clone(&health);
+        device.on_uncaptured_error(Arc::new(move |error| {
+            sink.uncaught.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+        }));
+        let sink = Arc::clone(&health);
+        device.set_device_lost_callback(move |reason, message| {
+            sink.lose(if message.is_empty() { format!("{reason:?}") } else { message });
+        });
+        health
+    }
+
+    /// Takes the device for lost; the first reason stays.
+    pub fn lose(&self, reason: String) {
+        // It was lost before: the first reason is the cause.
+        let _ = self.lost.set(reason);
+    }
+}
+
+impl Gpu {
+    /// Fails where the device has failed. Calls on a lost device return as if they had worked, so this goes after them.
+    ///
+    /// # Errors
+    /// [`Error::Lost`] before all others: a lost device gives rise to errors of every other kind.
+    pub(super) fn check_health(&self) -> Result<()> {
+        if let Some(reason) = self.health.lost.get() {
+            return Err(Error::Lost { adapter: self.facts.info.name.clone(), reason: reason.clone() });
+        }
+        match self.health.uncaught.lock().unwrap_or_else(PoisonError::into_inner).take() {
+            None => Ok(()),
+            Some(error) => Err(self.refused("a frame's commands", None, &error)),
+        }
+    }
+
+    /// The error for a failed call, unless the device is lost, which explains every failure.
+    pub(super) fn failed(&self, message: impl std::fmt::Display) -> Error {
+        self.check_health().err().unwrap_or_else(|| Error::Device(message.to_string()))
+    }
+
+    /// The error for what the device refuses to make.
+    pub(super) fn refused(&self, what: &str, bytes: Option<u64>, error: &wgpu::Error) -> Error {
+        match error {
+            wgpu::Error::OutOfMemory { .. } => {
+                Error::OutOfMemory { what: what.to_owned(), bytes, adapter: self.facts.info.name.clone() }
+            }
+            _ => Error::Device(error.to_string()),
+        }
+    }
+}

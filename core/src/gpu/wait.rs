@@ -1,0 +1,124 @@
+//! Submissions, the wait for them, and what comes back.
+
+use std::{
+    panic::{AssertUnwindSafe, catch_unwind, resume_unwind},
+    sync::{MutexGuard, PoisonError, mpsc},
+};
+
+use super::Gpu;
+use crate::{Error, Result};
+
+impl Gpu {
+    /// Submits and waits until the device is done.
+    pub(crate) fn submit_and_wait(&self, encoder: wgpu::CommandEncoder) -> Result<()> {
+        self.submit_all_and_wait([encoder])
+    }
+
+    /// Submits each by itself, in order, and waits until the device is done with all. The device works on what has been
+    /// submitted while the next is being recorded.
+    pub(crate) fn submit_all_and_wait(
+        &self,
+        encoders: impl IntoIterator<Item = wgpu::CommandEncoder>,
+    ) -> Result<()> {
+        self.submitted(encoders, &self.turn())
+    }
+
+    /// Copies a buffer (made with `COPY_SRC`) to main memory.
+    pub(crate) fn read_buffer(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>> {
+        self.read(buffer.size(), |encoder, staging| {
+            encoder.copy_buffer_to_buffer(buffer, 0, staging, 0, buffer.size());
+        })
+    }
+
+    /// Copies a texture (made with `COPY_SRC`) to main memory, rows without gaps.
+    pub(crate) fn read_texture(&self, texture: &wgpu::Texture, bytes_per_texel: u32) -> Result<Vec<u8>> {
+        let (width, height) = (texture.width(), texture.height());
+        let row = (width * bytes_per_texel) as usize;
+        let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT as usize);
+        let mut bytes = self.read((padded * height as usize) as u64, |encoder, staging| {
+            encoder.copy_texture_to_buffer(
+                texture.as_image_copy(),
+                wgpu::TexelCopyBufferInfo {
+                    buffer: staging,
+                    layout: wgpu::TexelCopyBufferLayout {
+                        offset: 0,
+                        bytes_per_row: Some(padded as u32),
+                        rows_per_image: None,
+                    },
+                },
+                texture.size(),
+            );
+        })?;
+        if padded > row {
+            for line in 0..height as usize {
+                bytes.copy_within(line * padded..line * padded + row, line * row);
+            }
+            bytes.truncate(row * height as usize);
+        }
+        Ok(bytes)
+    }
+
+    fn read(
+        &self,
+        bytes: u64,
+        copy: impl FnOnce(&mut wgpu::CommandEncoder, &wgpu::Buffer),
+    ) -> Result<Vec<u8>> {
+        let staging = self.checked("the readback", Some(bytes), |device| {
+            device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("readback"),
+                size: bytes,
+                usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+                mapped_at_creation: false,
+            })
+        })?;
+        let mut encoder = self.device.create_command_encoder(&Default::default());
+        copy(&mut encoder, &staging);
+        let (done, mapped) = mpsc::channel();
+        encoder.map_buffer_on_submit(&staging, wgpu::MapMode::Read, .., move |result| {
+            // Where nobody listens any more, the wait has failed before.
+            let _ = done.send(result);
+        });
+        let turn = self.turn();
+        self.submitted([encoder], &turn)?;
+        match mapped.recv_timeout(self.patience) {
+            Ok(Ok(())) => {}
+            Ok(Err(error)) => return Err(self.failed(error)),
+            Err(_) => return Err(self.out_of_patience()),
+        }
+        let view = staging.slice(..).get_mapped_range().map_err(|error| self.failed(error))?;
+        Ok(view.to_vec())
+    }
+
+    fn turn(&self) -> MutexGuard<'_, ()> {
+        self.turn.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn submitted(
+        &self,
+        encoders: impl IntoIterator<Item = wgpu::CommandEncoder>,
+        _turn: &MutexGuard<'_, ()>,
+    ) -> Result<()> {
+        let mut last = None;
+        for encoder in encoders {
+            last = Some(self.queue.submit([encoder.finish()]));
+            self.check_health()?;
+        }
+        let wait = wgpu::PollType::Wait { submission_index: last, timeout: Some(self.patience) };
+        // wgpu 30 panics where the driver reports the loss during the wait ("Error in Device::poll"), holding no lock
+        // and after it has called back.
+        let polled = catch_unwind(AssertUnwindSafe(|| self.device.poll(wait)));
+        self.check_health()?;
+        match polled {
+            Ok(Ok(_)) => Ok(()),
+            Ok(Err(wgpu::PollError::Timeout)) => Err(self.out_of_patience()),
+            Ok(Err(error)) => Err(Error::Device(error.to_string())),
+            Err(panic) => resume_unwind(panic),
+        }
+    }
+
+    fn out_of_patience(&self) -> Error {
+        // The last handle of a queue waits for the device without bound when it goes. This one never goes.
+        std::mem::forget(self.queue.clone());
+        Error::Timeout { adapter: self.facts.info.name.clone(), waited: self.patience }
+    }
+}
