@@ -45,7 +45,7 @@ pub use gpu_scene::GpuScene;
 pub use image::{DisplayImage, LinearImage, Picture, encode_display, to_exr, to_png};
 pub use renderer::Renderer;
 pub use scene::{Features, Scene};
-pub use settings::{Linking, MAX_DEPTH, Method, Robustness, Settings, Tolerances};
+pub use settings::{Linking, MAX_DEPTH, MAX_RAYS, Method, Robustness, Settings, Tolerances};
 pub use stats::{
     CHECK_NAMES, Cost, Counts, FailedChecks, FrameTime, Inspection, Memory, Origin, PassTime, PixelRecord,
     Rays, Samples,
