@@ -31,6 +31,9 @@ pub const LIGHT_DIRECTIONAL: u32 = 0;
 pub const LIGHT_POINT: u32 = 1;
 pub const LIGHT_CONSTANT: u32 = 2;
 
+/// The most that a light may bring: so many lights, lobes and rays as there can be add up to a finite number.
+const MAX_IRRADIANCE: f32 = 1.0e30;
+
 gpu_struct! {
     /// An object and its material.
     pub struct Object {
@@ -49,8 +52,8 @@ gpu_struct! {
     pub struct Light {
         position: [f32; 3], kind: u32,
         intensity: [f32; 3], radius: f32,
-        direction: [f32; 3], inverse_range4: f32,
-        cone_scale: f32, cone_offset: f32, padding0: f32, padding1: f32,
+        direction: [f32; 3], inverse_range2: f32,
+        cone_scale: f32, cone_offset: f32, limit: f32, padding: f32,
     }
 }
 
@@ -240,9 +243,11 @@ fn object(m: &Material, atlas: &Atlas) -> Object {
 }
 
 fn light(light: &scene::Light) -> Light {
-    let inverse_range4 = |range: f32| if range.is_finite() { range.powi(-4) } else { 0.0 };
+    let inverse_range2 = |range: f32| if range.is_finite() { range.powi(-2).min(f32::MAX) } else { 0.0 };
+    let intensity = light.intensity.min(Vec3::splat(MAX_IRRADIANCE));
     let common = Light {
-        intensity: light.intensity.into(),
+        intensity: intensity.into(),
+        limit: MAX_IRRADIANCE / intensity.max_element().max(1.0),
         radius: light.radius,
         cone_offset: 1.0,
         ..Light::default()
@@ -254,7 +259,7 @@ fn light(light: &scene::Light) -> Light {
         LightKind::Point { position, range, falloff } => Light {
             kind: if *falloff { LIGHT_POINT } else { LIGHT_CONSTANT },
             position: (*position).into(),
-            inverse_range4: inverse_range4(*range),
+            inverse_range2: inverse_range2(*range),
             ..common
         },
         LightKind::Spot { position, range, direction, cone } => {
@@ -264,7 +269,7 @@ fn light(light: &scene::Light) -> Light {
                 kind: LIGHT_POINT,
                 position: (*position).into(),
                 direction: (*direction).into(),
-                inverse_range4: inverse_range4(*range),
+                inverse_range2: inverse_range2(*range),
                 cone_scale: scale,
                 cone_offset: -cone.end.cos() * scale,
                 ..common

@@ -60,6 +60,10 @@ pub struct Settings {
 /// The deepest recursion: what the ray stack of the refraction kernels is sized for.
 pub const MAX_DEPTH: u32 = 64;
 
+/// The most rays that a sample follows, shadow rays aside: nested glass would send 2^depth. Branches beyond count as the
+/// environment's truncated radiance, as those that other limits cut off.
+pub const MAX_RAYS: u32 = 1024;
+
 impl Default for Settings {
     fn default() -> Self {
         Self {

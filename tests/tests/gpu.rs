@@ -7,6 +7,7 @@ mod gpu {
     mod closed_forms;
     mod golden;
     mod minray;
+    mod numerics;
     mod scenes;
     mod stress;
     mod traversal;

@@ -14,6 +14,7 @@ mod quantise;
 #[cfg(test)]
 mod tests;
 
+pub use depth::DEPTH_LIMIT;
 use glam::Vec3A;
 use obvhs::{
     aabb::Aabb,

@@ -106,6 +106,14 @@ fn probes_are_declared_alike_on_both_sides() {
 }
 
 #[test]
+fn the_fresnel_probe_is_declared_alike_on_both_sides() {
+    let linked = link(&probe::fresnel_sources()).expect("links");
+    for mirror in [probe::ProbeBoundary::MIRROR, probe::ProbeFresnel::MIRROR] {
+        assert_eq!(differences(&linked.module, &mirror), Some(vec![]));
+    }
+}
+
+#[test]
 fn a_swapped_field_is_noticed() {
     let mirror = gpu::mirror::Mirror {
         name: "Frame",

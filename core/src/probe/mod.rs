@@ -1,5 +1,13 @@
 //! Rays of the caller's through the shaders' own functions: what tests, stress cases and measurements look through.
 
+mod fresnel;
+mod ray;
+
+#[cfg(test)]
+pub(crate) use fresnel::fresnel_sources;
+pub use fresnel::{ProbeBoundary, ProbeFresnel, fresnel};
+pub use ray::ProbeRay;
+
 use crate::{
     Camera, Gpu, GpuScene, Linking, Result, Robustness, SAMPLES_PER_SUBMISSION, Settings,
     frame::Frame,
@@ -8,23 +16,9 @@ use crate::{
 };
 
 gpu_struct! {
-    /// A ray; `direction` need not have unit length.
-    pub struct ProbeRay {
-        /// World space.
-        origin: [f32; 3],
-        /// Hits at this parameter or beyond do not count.
-        t_max: f32,
-        /// World space.
-        direction: [f32; 3],
-        /// Not 0: any hit will do (a shadow ray).
-        any: u32,
-    }
-}
-
-gpu_struct! {
     /// What a ray meets.
     pub struct ProbeHit {
-        /// In units of the ray's direction.
+        /// In units of the ray's direction; the ray's own end where it meets nothing.
         t: f32,
         /// In the order of the leaves; [`ProbeHit::MISS`] without a hit.
         primitive: u32,
@@ -112,7 +106,9 @@ impl<'a> Probe<'a> {
     /// # Errors
     /// A device that failed or cannot hold the rays.
     pub fn trace(&self, rays: &[ProbeRay]) -> Result<(Vec<ProbeHit>, f64)> {
-        self.run("probe_trace", &trace_sources(&self.variant), rays)
+        self.run("probe_trace", &trace_sources(&self.variant), rays, |hit: &mut ProbeHit, scale| {
+            hit.t *= scale
+        })
     }
 
     /// How many surfaces each ray passes through before its end.
@@ -120,7 +116,7 @@ impl<'a> Probe<'a> {
     /// # Errors
     /// A device that failed or cannot hold the rays.
     pub fn count(&self, rays: &[ProbeRay]) -> Result<Vec<u32>> {
-        Ok(self.run("probe_count", &count_sources(&self.variant), rays)?.0)
+        Ok(self.run("probe_count", &count_sources(&self.variant), rays, |_: &mut u32, _| {})?.0)
     }
 
     /// Where rays arrive, and where those that leave the surface start.
@@ -128,7 +124,8 @@ impl<'a> Probe<'a> {
     /// # Errors
     /// A device that failed or cannot hold the rays.
     pub fn spawn(&self, rays: &[ProbeRay]) -> Result<Vec<ProbeSpawn>> {
-        Ok(self.run("probe_spawn", &spawn_sources(&self.variant), rays)?.0)
+        let rescale = |spawn: &mut ProbeSpawn, scale| spawn.t *= scale;
+        Ok(self.run("probe_spawn", &spawn_sources(&self.variant), rays, rescale)?.0)
     }
 
     /// What rays see, with the settings' recursion limits.
@@ -142,7 +139,12 @@ impl<'a> Probe<'a> {
         let frame = Frame::new(self.scene, settings, [1, 1], &camera);
         let frame = self.gpu.filled("frame", bytemuck::bytes_of(&frame), wgpu::BufferUsages::UNIFORM)?;
         let more = [("frame", frame.as_entire_binding())];
-        Ok(self.run_with("probe_shade", &shade_sources(&variant), rays, more)?.0)
+        let rescale = |sample: &mut ProbeSample, scale| {
+            if sample.object != 0 {
+                sample.depth *= scale;
+            }
+        };
+        Ok(self.run_with("probe_shade", &shade_sources(&variant), rays, rescale, more)?.0)
     }
 
     fn run<O: bytemuck::Pod>(
@@ -150,20 +152,26 @@ impl<'a> Probe<'a> {
         label: &'static str,
         sources: &[Source],
         rays: &[ProbeRay],
+        rescale: impl Fn(&mut O, f32),
     ) -> Result<(Vec<O>, f64)> {
-        self.run_with(label, sources, rays, [])
+        self.run_with(label, sources, rays, rescale, [])
     }
 
+    /// `rescale` multiplies what is in units of the ray's direction.
     fn run_with<'r, O: bytemuck::Pod>(
         &'r self,
         label: &'static str,
         sources: &[Source],
         rays: &[ProbeRay],
+        rescale: impl Fn(&mut O, f32),
         more: impl IntoIterator<Item = (&'static str, wgpu::BindingResource<'r>)>,
     ) -> Result<(Vec<O>, f64)> {
         let mut resources = self.scene.resources();
         resources.extend(more);
-        dispatch(self.gpu, label, sources, rays, &resources)
+        let (sane, scales): (Vec<_>, Vec<_>) = rays.iter().map(ray::sane).unzip();
+        let (mut results, ms) = dispatch(self.gpu, label, sources, &sane, &resources)?;
+        results.iter_mut().zip(scales).for_each(|(result, scale)| rescale(result, scale));
+        Ok((results, ms))
     }
 }
 

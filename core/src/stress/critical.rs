@@ -1,7 +1,10 @@
 //! Boundaries between media around the critical angle.
 
 use super::{Bench, Case, Outcome, Random};
-use crate::{Result, probe::fresnel};
+use crate::{
+    Result,
+    probe::{ProbeBoundary, fresnel},
+};
 
 pub const CASE: Case = Case {
     name: "critical",
@@ -18,14 +21,14 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
     let mut outcome = Outcome::default();
     let mut random = Random(bench.seed);
     let ratios: Vec<f32> = INDICES.iter().flat_map(|n| [*n, 1.0 / n]).collect();
-    let inputs: Vec<[f32; 2]> = (0..bench.rays)
+    let inputs: Vec<ProbeBoundary> = (0..bench.rays)
         .map(|i| {
             let ratio = ratios[i as usize % ratios.len()];
-            [cosine(ratio, i / ratios.len() as u64, &mut random), ratio]
+            ProbeBoundary { cosine: cosine(ratio, i / ratios.len() as u64, &mut random), ratio }
         })
         .collect();
     let answers = fresnel(bench.gpu, &inputs)?;
-    for ([cosine, ratio], answer) in inputs.iter().zip(&answers) {
+    for (ProbeBoundary { cosine, ratio }, answer) in inputs.iter().zip(&answers) {
         let (c, r) = (f64::from(*cosine), f64::from(*ratio));
         let transmitted2 = 1.0 - r * r * (1.0 - c * c);
         let total = transmitted2 <= 0.0;
@@ -33,7 +36,8 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
         let ulp = f64::from(cosine.next_up() - cosine).max(f64::from(f32::MIN_POSITIVE));
         let near = |k: f64| 1.0 - r * r * (1.0 - (c + k * ulp) * (c + k * ulp)) <= 0.0;
         let tie = near(-4.0) != near(4.0);
-        let replay = |what: &str| format!("seed {}: cosine {cosine:e}, ratio {ratio}: {what}: {answer:?}", bench.seed);
+        let replay =
+            |what: &str| format!("seed {}: cosine {cosine:e}, ratio {ratio}: {what}: {answer:?}", bench.seed);
         if (answer.total != 0) != total {
             if tie {
                 outcome.explain("the critical angle is within 4 ulp of the cosine");
@@ -42,14 +46,16 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
             }
             continue;
         }
-        let direction = answer.direction.map(f64::from);
+        let direction = answer.refracted.map(f64::from);
         let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
         let reflectance = f64::from(answer.reflectance);
         let finite = answer.reflectance.is_finite() && length.is_finite();
         let sound = finite && (0.0..=1.0).contains(&reflectance);
         let unit = total || (length - 1.0).abs() <= 1.0e-6;
-        let whole = total || (reflectance + transmittance(c, r, f64::from(answer.cosine)) - 1.0).abs() <= 1.0e-6;
-        outcome.check(sound && unit && whole, || replay(&format!("sound {sound}, unit {unit}, whole {whole}")));
+        let whole =
+            total || (reflectance + transmittance(c, r, f64::from(answer.transmitted)) - 1.0).abs() <= 1.0e-6;
+        outcome
+            .check(sound && unit && whole, || replay(&format!("sound {sound}, unit {unit}, whole {whole}")));
     }
     Ok(outcome)
 }

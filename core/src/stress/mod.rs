@@ -5,6 +5,7 @@
 
 mod camera;
 mod coplanar;
+mod critical;
 mod directions;
 mod grazing;
 mod lights;
@@ -16,6 +17,7 @@ mod self_hits;
 mod slivers;
 mod time;
 mod tolerances;
+mod trees;
 mod vertices;
 mod watertight;
 
@@ -105,17 +107,19 @@ impl Outcome {
 }
 
 /// Every case, in the order of the table.
-pub const CASES: [Case; 13] = [
+pub const CASES: [Case; 15] = [
     watertight::CASE,
     vertices::CASE,
     slivers::CASE,
     scale_mix::CASE,
     self_hits::CASE,
     grazing::CASE,
+    critical::CASE,
     coplanar::CASE,
     directions::CASE,
     recursion::CASE,
     camera::CASE,
+    trees::CASE,
     tolerances::CASE,
     lights::CASE,
     time::CASE,

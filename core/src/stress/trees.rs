@@ -3,9 +3,9 @@
 use glam::{DVec3, dvec3};
 
 use super::{
-    Bench, Case, Outcome, Random, judge,
+    Bench, Case, Outcome, Random, judge, matte,
     mesh::{Mesh, Objects},
-    matte, ray, ray_through,
+    ray, ray_through,
 };
 use crate::{Result, bvh, reference::Tracer};
 
@@ -34,7 +34,8 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
         let scene = mesh.scene(matte(), objects);
         let tracer = Tracer::new(&scene);
         let scene = bench.upload(scene)?;
-        outcome.check(scene.bvh_stack <= bvh::MAX_DEPTH, || format!("{name}: a stack of {}", scene.bvh_stack));
+        outcome
+            .check(scene.bvh_stack <= bvh::DEPTH_LIMIT, || format!("{name}: a stack of {}", scene.bvh_stack));
         let rays: Vec<_> = (0..share)
             .map(|i| {
                 let [a, b, c] = mesh.triangles[random.below(mesh.triangles.len())];

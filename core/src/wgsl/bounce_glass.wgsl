@@ -1,5 +1,5 @@
 // Mirror reflection and refraction: a tree of rays, walked with a stack of the branches still to come. What the
-// depth limit or the weight cut leaves out is replaced by the environment's truncated radiance.
+// depth limit, the weight cut or the limit of rays leaves out is replaced by the environment's truncated radiance.
 
 struct Branch {
     ray: Ray,
@@ -10,9 +10,12 @@ struct Branch {
 
 var<private> bounce_stack: array<Branch, BOUNCE_STACK>;
 var<private> bounce_stacked: u32;
+// Branches that were kept for this sample.
+var<private> bounce_kept: u32;
 
 fn bounce_next(branch: ptr<function, Branch>) -> bool {
     if bounce_stacked == 0u {
+        bounce_kept = 0u;
         return false;
     }
     bounce_stacked -= 1u;
@@ -26,11 +29,13 @@ fn bounce_push(s: Surface, direction: vec3f, weight: vec3f, level: u32, kind: u3
     if largest <= 0.0 {
         return vec3f(0.0);
     }
-    if level > frame.depth || largest < frame.min_weight {
+    // The primary ray is one of the rays.
+    if level > frame.depth || largest < frame.min_weight || bounce_kept + 1u >= MAX_RAYS {
         return weight * frame.truncated;
     }
-    bounce_stack[bounce_stacked] = Branch(surface_spawn(s, normalize(direction), FAR), weight, level, kind);
+    bounce_stack[bounce_stacked] = Branch(surface_spawn(s, direction, FAR), weight, level, kind);
     bounce_stacked += 1u;
+    bounce_kept += 1u;
     return vec3f(0.0);
 }
 
@@ -41,14 +46,15 @@ fn bounce_split(s: Surface, m: Material, branch: Branch, direction: vec3f) -> ve
     let cosine = clamp(-dot(s.normal, direction), 0.0, 1.0);
     let transmitted = branch.weight * material_refraction(m, cosine, s.inside);
     if max(transmitted.x, max(transmitted.y, transmitted.z)) > 0.0 {
-        let ratio = select(select(1.0 / m.ior, m.ior, s.inside), 1.0, material_is(m, OBJECT_THIN));
-        let sine2 = ratio * ratio * (1.0 - cosine * cosine);
-        if sine2 < 1.0 || material_is(m, OBJECT_THIN) {
-            let refracted = ratio * direction + (ratio * cosine - sqrt(max(1.0 - sine2, 0.0))) * s.normal;
-            let straight = select(refracted, direction, material_is(m, OBJECT_THIN));
-            sum += bounce_push(s, straight, transmitted, level, RAY_REFRACTION);
+        let ratio = material_ratio(m, s.inside);
+        let beyond = fresnel_transmitted(cosine, ratio);
+        if material_is(m, OBJECT_THIN) {
+            sum += bounce_push(s, direction, transmitted, level, RAY_REFRACTION);
+        } else if beyond > 0.0 {
+            let refracted = fresnel_refracted(direction, s.normal, cosine, ratio, beyond);
+            sum += bounce_push(s, refracted, transmitted, level, RAY_REFRACTION);
         }
     }
     let mirrored = branch.weight * material_mirror(m, cosine, s.inside);
-    return sum + bounce_push(s, reflect(direction, s.normal), mirrored, level, RAY_REFLECTION);
+    return sum + bounce_push(s, normalize(reflect(direction, s.normal)), mirrored, level, RAY_REFLECTION);
 }

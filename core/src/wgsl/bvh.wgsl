@@ -79,13 +79,23 @@ fn bvh_visit(index: u32, slabs: Slabs, t_max: f32) -> Visit {
     let scale = unit * slabs.inverse;
     let low = bitcast<vec3f>(n0.xyz) - slabs.origin;
     let start = low * slabs.inverse;
-    // The boxes grow by BVH_ROUNDING of the largest distance to their planes along an axis.
-    let distance = max(abs(low), abs(low + 256.0 * unit));
-    let margin = abs(slabs.inverse) * (BVH_ROUNDING * max(distance.x, max(distance.y, distance.z)));
+    // The boxes grow by BVH_ROUNDING of what bounds the distance to their planes along any axis.
+    let distance = max(abs(low.x), max(abs(low.y), abs(low.z))) + 256.0 * max(unit.x, max(unit.y, unit.z));
+    let margin = abs(slabs.inverse) * (BVH_ROUNDING * distance);
     let mask =
         bvh_four(n1.z, slabs.octant, n2.x, n2.z, n3.x, n3.z, n4.x, n4.z, scale, start - margin, start + margin, slabs.negative, t_max) |
         bvh_four(n1.w, slabs.octant, n2.y, n2.w, n3.y, n3.w, n4.y, n4.w, scale, start - margin, start + margin, slabs.negative, t_max);
     return Visit(vec2u(n1.x, (mask & 0xff000000u) | (n0.w >> 24u)), vec2u(n1.y, mask & 0x00ffffffu));
+}
+
+// Hits at the same distance go to the lower object, and within one to the lower place, whatever comes first.
+fn bvh_nearer(t: f32, primitive: u32, best: Hit) -> bool {
+    if best.primitive == MISS || abs(t - best.t) > SAME_DISTANCE * best.t {
+        return t < best.t;
+    }
+    let object = shading[primitive].w & SURFACE_OBJECT;
+    let other = shading[best.primitive].w & SURFACE_OBJECT;
+    return object < other || (object == other && primitive < best.primitive);
 }
 
 // Nearest hit (`any` false), or some hit (`any` true; only its existence is meaningful).
@@ -93,6 +103,8 @@ fn bvh_traverse(ray: Ray, any: bool) -> Hit {
     let slabs = bvh_slabs(ray);
     let shear = triangle_shear(ray);
     var best = Hit(ray.t_max, MISS, 0.0, 0.0);
+    // Hits before this are looked at.
+    var reach = ray.t_max;
     var stack: array<vec2u, BVH_STACK>;
     var stacked = 0u;
     var group = vec2u(0u, 0x80000000u);
@@ -106,7 +118,7 @@ fn bvh_traverse(ray: Ray, any: bool) -> Hit {
         let slot = (child - 24u) ^ (slabs.octant & 0xffu);
         let before = countOneBits(group.y & 0xffu & ~(0xffffffffu << slot));
         inspect_node();
-        let visit = bvh_visit(group.x + before, slabs, best.t);
+        let visit = bvh_visit(group.x + before, slabs, reach);
         group = visit.group;
         var leaves = visit.leaves.y;
         while leaves != 0u {
@@ -114,16 +126,16 @@ fn bvh_traverse(ray: Ray, any: bool) -> Hit {
             leaves &= leaves - 1u;
             let primitive = visit.leaves.x + bit;
             inspect_primitive();
+            var found: TriangleHit;
             if sphere_is(primitive) {
                 let t = sphere_hit(ray, primitive);
-                if t > 0.0 && t < best.t && hit_counts(primitive, 0.0, 0.0, any) {
-                    best = Hit(t, primitive, 0.0, 0.0);
-                }
+                found = TriangleHit(t, 0.0, 0.0, t > 0.0 && t < reach);
             } else {
-                let found = triangle_hit(shear, bvh_corners(primitive), best.t);
-                if found.hit && hit_counts(primitive, found.u, found.v, any) {
-                    best = Hit(found.t, primitive, found.u, found.v);
-                }
+                found = triangle_hit(shear, bvh_corners(primitive), reach);
+            }
+            if found.hit && hit_counts(primitive, found.u, found.v, any) && bvh_nearer(found.t, primitive, best) {
+                best = Hit(found.t, primitive, found.u, found.v);
+                reach = found.t * (1.0 + 2.0 * SAME_DISTANCE);
             }
             if any && best.primitive != MISS {
                 return best;

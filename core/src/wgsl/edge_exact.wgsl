@@ -24,11 +24,12 @@ fn edge_functions(a: vec2f, b: vec2f, c: vec2f) -> vec3f {
 fn edge_inside(edges: vec3f, a: vec2f, b: vec2f, c: vec2f) -> bool {
     let least = min(edges.x, min(edges.y, edges.z));
     let largest = max(edges.x, max(edges.y, edges.z));
-    if least * largest != 0.0 || (least < 0.0 && largest > 0.0) {
-        return least > 0.0 || largest < 0.0;
+    var inside = least > 0.0 || largest < 0.0;
+    if !inside && (least == 0.0 || largest == 0.0) {
+        let sign = edge_sign(edges.x, c, b);
+        inside = sign != 0 && sign == edge_sign(edges.y, a, c) && sign == edge_sign(edges.z, b, a);
     }
-    let sign = edge_sign(edges.x, c, b);
-    return sign != 0 && sign == edge_sign(edges.y, a, c) && sign == edge_sign(edges.z, b, a);
+    return inside;
 }
 
 // The sign of p x q; `rounded` is its value in f32. Zero for equal points alone.

@@ -7,13 +7,14 @@ struct Light {
     radius: f32,
     // Along which it shines.
     direction: vec3f,
-    // 1 / range^4, 0 without a range.
-    inverse_range4: f32,
+    // 1 / range^2, 0 without a range.
+    inverse_range2: f32,
     // Cosine c of the angle to the axis gives the cone (c x scale + offset)^2, clamped to [0, 1].
     cone_scale: f32,
     cone_offset: f32,
-    padding0: f32,
-    padding1: f32,
+    // The most that falloff may multiply the intensity by.
+    limit: f32,
+    padding: f32,
 }
 
 var<uniform> lights: array<Light, 32>;
@@ -38,9 +39,11 @@ fn lights_arrival(index: u32, position: vec3f) -> Arrival {
     if light.kind == LIGHT_CONSTANT {
         return Arrival(direction, distance, light.intensity);
     }
-    let window = clamp(1.0 - distance2 * distance2 * light.inverse_range4, 0.0, 1.0);
+    let range_share = min(distance2 * light.inverse_range2, 1.0);
+    let window = 1.0 - range_share * range_share;
     let cone = clamp(-dot(direction, light.direction) * light.cone_scale + light.cone_offset, 0.0, 1.0);
-    return Arrival(direction, distance, light.intensity * (window * cone * cone * inverse * inverse));
+    let falloff = min(window * cone * cone * inverse * inverse, light.limit);
+    return Arrival(direction, distance, light.intensity * falloff);
 }
 
 fn lights_reflected(m: Material, diffuse: vec3f, position: vec3f, normal: vec3f, view: vec3f, shadow: u32) -> vec3f {

@@ -45,16 +45,9 @@ fn material_gloss(m: Material) -> f32 {
     return max(0.0, 1.0 - 2.0 * m.roughness);
 }
 
-// Reflectance of a dielectric boundary for unpolarised light; `ratio` is the viewer's index over the other side's.
-fn material_fresnel_dielectric(cosine: f32, ratio: f32) -> f32 {
-    let sine2 = ratio * ratio * max(0.0, 1.0 - cosine * cosine);
-    if sine2 >= 1.0 {
-        return 1.0;
-    }
-    let other = sqrt(1.0 - sine2);
-    let s = (ratio * cosine - other) / (ratio * cosine + other);
-    let p = (cosine - ratio * other) / (cosine + ratio * other);
-    return 0.5 * (s * s + p * p);
+// The index on the viewer's side over that on the other; `inside` is the side behind the surface.
+fn material_ratio(m: Material, inside: bool) -> f32 {
+    return select(1.0 / m.ior, m.ior, inside);
 }
 
 // Schlick's (1 - cos)^5.
@@ -66,7 +59,8 @@ fn material_grazing(cosine: f32) -> f32 {
 
 fn material_fresnel(m: Material, cosine: f32, inside: bool) -> vec3f {
     let solid_inside = inside && m.transmission > 0.0 && !material_is(m, OBJECT_THIN);
-    var dielectric = material_fresnel_dielectric(cosine, select(1.0 / m.ior, m.ior, solid_inside));
+    let ratio = material_ratio(m, solid_inside);
+    var dielectric = fresnel_reflectance(cosine, ratio, fresnel_transmitted(cosine, ratio));
     if material_is(m, OBJECT_THIN) {
         // Both faces of the pane, all orders.
         dielectric = 2.0 * dielectric / (1.0 + dielectric);
@@ -123,12 +117,14 @@ fn material_lobe(m: Material, normal: vec3f, view: vec3f, light: vec3f) -> vec3f
     if m.roughness >= 1.0 || material_is(m, OBJECT_WEIGHTS) {
         return vec3f(0.0);
     }
-    let half_way = normalize(view + light);
+    // Zero where the light comes from behind, along the view.
+    let sum = view + light;
+    let half_way = sum * inverseSqrt(max(dot(sum, sum), 1.0e-12));
     // A point light's image in a perfect mirror has no width: it is shown as wide as roughness 0.2 makes it.
     let roughness = max(m.roughness, 0.2);
     let alpha2 = roughness * roughness * roughness * roughness;
     let exponent = max(2.0 / alpha2 - 2.0, 0.0);
-    let distribution = (exponent + 2.0) / (2.0 * PI) * pow(max(dot(normal, half_way), 0.0), exponent);
+    let distribution = (exponent + 2.0) / (2.0 * PI) * pow(max(dot(normal, half_way), 1.0e-6), exponent);
     let grazing = material_grazing(clamp(dot(view, half_way), 0.0, 1.0));
     let at_normal = (m.ior - 1.0) / (m.ior + 1.0);
     let f0 = mix(vec3f(at_normal * at_normal), m.base, m.metallic);

@@ -40,19 +40,20 @@ fn triangle_hit(shear: Shear, corners: array<vec3f, 3>, t_max: f32) -> TriangleH
     let a2 = triangle_flatten(shear, a);
     let b2 = triangle_flatten(shear, b);
     let c2 = triangle_flatten(shear, c);
+    var found: TriangleHit;
     var edges = edge_functions(a2, b2, c2);
-    if !edge_inside(edges, a2, b2, c2) {
-        return TriangleHit(0.0, 0.0, 0.0, false);
+    if edge_inside(edges, a2, b2, c2) {
+        var determinant = edges.x + edges.y + edges.z;
+        if abs(determinant) < TRIANGLE_SMALL || abs(determinant) > TRIANGLE_LARGE {
+            edges = triangle_scaled_edges(a2, b2, c2);
+            determinant = edges.x + edges.y + edges.z;
+        }
+        // The weights have one sign or are zero, so that they add up without cancellation.
+        let weights = edges * (1.0 / determinant);
+        let t = shear.shear.z * (weights.x * a.z + weights.y * b.z + weights.z * c.z);
+        found = TriangleHit(t, weights.y, weights.z, t > 0.0 && t < t_max);
     }
-    var determinant = edges.x + edges.y + edges.z;
-    if abs(determinant) < TRIANGLE_SMALL || abs(determinant) > TRIANGLE_LARGE {
-        edges = triangle_scaled_edges(a2, b2, c2);
-        determinant = edges.x + edges.y + edges.z;
-    }
-    // The weights have one sign or are zero, so that they add up without cancellation.
-    let weights = edges * (1.0 / determinant);
-    let t = shear.shear.z * (weights.x * a.z + weights.y * b.z + weights.z * c.z);
-    return TriangleHit(t, weights.y, weights.z, t > 0.0 && t < t_max);
+    return found;
 }
 
 // Beyond these a product of weight and coordinate, or the reciprocal, may leave the range of f32.
