@@ -158,7 +158,6 @@ impl<'a> Probe<'a> {
     }
 
     /// `rescale` multiplies what is in units of the ray's direction.
-
     fn run_with<'r, O: bytemuck::Pod>(
         &'r self,
         label: &'static str,
