@@ -29,9 +29,7 @@ macro_rules! wgsl {
     ($path:literal) => {
         $crate::gpu::shader::Source {
             file: $path,
-            text: std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/", $path))
-                .unwrap()
-                .into(),
+            text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/src/", $path)).into(),
         }
     };
 }
