@@ -73,6 +73,8 @@ pub struct GpuScene {
     /// What `vertices` holds.
     pub(crate) has_texcoords: bool,
     pub(crate) has_colors: bool,
+    /// Light passes straight through some surfaces.
+    pub(crate) has_panes: bool,
     features: Features,
     bounds: (Vec3, Vec3),
 }
@@ -112,6 +114,7 @@ impl GpuScene {
         let vertices = gpu.storage("vertices", &vertices(&scene, &order))?;
         let has_texcoords = !scene.texcoords.is_empty();
         let has_colors = !scene.colors.is_empty();
+        let has_panes = scene.materials.iter().any(|m| m.thin && m.refracts());
         let objects: Vec<_> =
             scene.objects.iter().map(|o| object(&scene.materials[o.material as usize], &atlas)).collect();
         let mut lights = [Light::default(); MAX_LIGHTS];
@@ -132,6 +135,7 @@ impl GpuScene {
             environment: scene.environment,
             has_texcoords,
             has_colors,
+            has_panes,
             features,
             bounds,
         })

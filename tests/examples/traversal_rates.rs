@@ -80,7 +80,13 @@ fn hit(camera: &Camera, index: u32, pixel: &PixelRecord) -> Option<HitPoint> {
 }
 
 fn ray(origin: Vec3, direction: Vec3, any: bool) -> ProbeRay {
-    ProbeRay { origin: origin.into(), t_max: 3e38, direction: direction.into(), any: any.into() }
+    ProbeRay {
+        origin: origin.into(),
+        t_max: 3e38,
+        direction: direction.into(),
+        any: any.into(),
+        ..ProbeRay::default()
+    }
 }
 
 /// All measures, and each one left out. Spawned rays are no part of the traversal.

@@ -115,6 +115,8 @@ pub struct Variant {
     pub has_texcoords: bool,
     /// The scene stores vertex colours.
     pub has_colors: bool,
+    /// Light passes straight through some surfaces.
+    pub has_panes: bool,
     /// Counting kernels.
     pub inspect: bool,
     /// Where colours go.
@@ -186,6 +188,7 @@ impl Variant {
             },
             has_texcoords: scene.has_texcoords,
             has_colors: scene.has_colors,
+            has_panes: scene.has_panes,
             inspect: false,
             output: Output::Display,
             bvh_stack: scene.bvh_stack,
@@ -318,6 +321,7 @@ impl Variant {
             ("HAS_COLORS", f.vertex_colors),
             ("VERTEX_HAS_TEXCOORDS", self.has_texcoords),
             ("VERTEX_HAS_COLORS", self.has_colors),
+            ("HAS_PANES", self.has_panes),
         ];
         for (name, value) in flags {
             let _ = writeln!(text, "const {name}: bool = {value};");
@@ -367,7 +371,8 @@ impl Variant {
             ("BVH_ROUNDING", if self.robustness.boxes { BVH_ROUNDING } else { 0.0 }),
             ("OFFSET_COORDINATES", if self.robustness.offset { OFFSET_COORDINATES } else { 0.0 }),
             ("OFFSET_SIZE", if self.robustness.offset { OFFSET_SIZE } else { 0.0 }),
-            ("SAME_DISTANCE", SAME_DISTANCE),
+            // Rays that pass straight on need one order of the surfaces, without a tolerance.
+            ("SAME_DISTANCE", if self.has_panes { 0.0 } else { SAME_DISTANCE }),
             ("SPHERE_MARK", gpu_scene::SPHERE_MARK),
             ("NORMAL_ERROR", OCTAHEDRAL_ERROR),
         ];

@@ -32,6 +32,7 @@ fn variants() -> impl Iterator<Item = Variant> {
         features: features(bits),
         has_texcoords: bits & 1 != 0,
         has_colors: bits & 2 != 0,
+        has_panes: bits & 64 != 0,
         inspect,
         output,
         bvh_stack: 12,

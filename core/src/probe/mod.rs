@@ -107,7 +107,7 @@ impl<'a> Probe<'a> {
     /// A device that failed or cannot hold the rays.
     pub fn trace(&self, rays: &[ProbeRay]) -> Result<(Vec<ProbeHit>, f64)> {
         self.run("probe_trace", &trace_sources(&self.variant), rays, |hit: &mut ProbeHit, scale| {
-            hit.t *= scale
+            hit.t = scaled(hit.t, scale);
         })
     }
 
@@ -124,7 +124,7 @@ impl<'a> Probe<'a> {
     /// # Errors
     /// A device that failed or cannot hold the rays.
     pub fn spawn(&self, rays: &[ProbeRay]) -> Result<Vec<ProbeSpawn>> {
-        let rescale = |spawn: &mut ProbeSpawn, scale| spawn.t *= scale;
+        let rescale = |spawn: &mut ProbeSpawn, scale| spawn.t = scaled(spawn.t, scale);
         Ok(self.run("probe_spawn", &spawn_sources(&self.variant), rays, rescale)?.0)
     }
 
@@ -141,7 +141,7 @@ impl<'a> Probe<'a> {
         let more = [("frame", frame.as_entire_binding())];
         let rescale = |sample: &mut ProbeSample, scale| {
             if sample.object != 0 {
-                sample.depth *= scale;
+                sample.depth = scaled(sample.depth, scale);
             }
         };
         Ok(self.run_with("probe_shade", &shade_sources(&variant), rays, rescale, more)?.0)
@@ -152,7 +152,7 @@ impl<'a> Probe<'a> {
         label: &'static str,
         sources: &[Source],
         rays: &[ProbeRay],
-        rescale: impl Fn(&mut O, f32),
+        rescale: impl Fn(&mut O, f64),
     ) -> Result<(Vec<O>, f64)> {
         self.run_with(label, sources, rays, rescale, [])
     }
@@ -163,7 +163,7 @@ impl<'a> Probe<'a> {
         label: &'static str,
         sources: &[Source],
         rays: &[ProbeRay],
-        rescale: impl Fn(&mut O, f32),
+        rescale: impl Fn(&mut O, f64),
         more: impl IntoIterator<Item = (&'static str, wgpu::BindingResource<'r>)>,
     ) -> Result<(Vec<O>, f64)> {
         let mut resources = self.scene.resources();
@@ -173,6 +173,11 @@ impl<'a> Probe<'a> {
         results.iter_mut().zip(scales).for_each(|(result, scale)| rescale(result, scale));
         Ok((results, ms))
     }
+}
+
+/// Infinite where the parameter of a very short direction is beyond f32.
+fn scaled(t: f32, scale: f64) -> f32 {
+    (f64::from(t) * scale) as f32
 }
 
 /// Runs a kernel with one thread for each of `rays`, which writes one of `results`.

@@ -30,12 +30,11 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
     let answers = fresnel(bench.gpu, &inputs)?;
     for (ProbeBoundary { cosine, ratio }, answer) in inputs.iter().zip(&answers) {
         let (c, r) = (f64::from(*cosine), f64::from(*ratio));
-        let transmitted2 = 1.0 - r * r * (1.0 - c * c);
-        let total = transmitted2 <= 0.0;
+        let is_total = |c: f64| (1.0 - r) * (1.0 + r) + (r * c) * (r * c) <= 0.0;
+        let total = is_total(c);
         // Where four units in the last place of the cosine decide.
         let ulp = f64::from(cosine.next_up() - cosine).max(f64::from(f32::MIN_POSITIVE));
-        let near = |k: f64| 1.0 - r * r * (1.0 - (c + k * ulp) * (c + k * ulp)) <= 0.0;
-        let tie = near(-4.0) != near(4.0);
+        let tie = is_total((c - 4.0 * ulp).max(0.0)) != is_total(c + 4.0 * ulp);
         let replay =
             |what: &str| format!("seed {}: cosine {cosine:e}, ratio {ratio}: {what}: {answer:?}", bench.seed);
         if (answer.total != 0) != total {

@@ -83,5 +83,10 @@ fn extreme(random: &mut Random) -> ProbeRay {
     if random.below(16) == 0 {
         origin[random.below(3)] = -3.0;
     }
-    ProbeRay { origin: origin.into(), t_max: f32::INFINITY, direction: direction.into(), any: 0 }
+    ProbeRay {
+        origin: origin.into(),
+        t_max: f32::INFINITY,
+        direction: direction.into(),
+        ..ProbeRay::default()
+    }
 }

@@ -144,7 +144,7 @@ fn ray_through(eye: DVec3, target: DVec3) -> ProbeRay {
 /// A ray without end, rounded to f32.
 fn ray(origin: DVec3, direction: DVec3) -> ProbeRay {
     let (origin, direction) = (origin.as_vec3(), direction.as_vec3());
-    ProbeRay { origin: origin.into(), t_max: 3.0e38, direction: direction.into(), any: 0 }
+    ProbeRay { origin: origin.into(), t_max: 3.0e38, direction: direction.into(), ..ProbeRay::default() }
 }
 
 fn matte() -> Material {
@@ -204,6 +204,15 @@ fn judge(
     for (ray, hit) in rays.iter().zip(hits) {
         let (along, length) = exact(ray);
         let said = answer(hit, length);
+        if said.is_some_and(|s| s.t.is_infinite()) {
+            let first = tracer.nearest(&along);
+            let beyond = first.is_some_and(|f| f.object == hit.object && f.t / length > f64::from(f32::MAX));
+            match beyond {
+                true => outcome.explain("the hit's parameter is beyond f32"),
+                false => outcome.fail(|| format!("{}: {ray:?}: {hit:?}", replay())),
+            }
+            continue;
+        }
         let verdict = tracer.judge(&along, said);
         let tier = || {
             let right = |ulps: &f64| tracer.judge_within(&along, said, *ulps) == verdict;

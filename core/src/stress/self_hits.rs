@@ -138,7 +138,7 @@ fn leaving(mesh: &Mesh, spawn: &ProbeSpawn, random: &mut Random) -> Vec<(ProbeRa
             // A direction that rounding turns into the surface does not leave it.
             let direction = direction.normalize_or_zero().as_vec3().as_dvec3();
             if direction.dot(out) > 0.0 {
-                rays.push((ray(origin, direction), spawn.object));
+                rays.push((ProbeRay { left: spawn.primitive + 1, ..ray(origin, direction) }, spawn.object));
             }
         }
     }

@@ -86,7 +86,7 @@ fn degenerate(count: usize) -> Mesh {
     let triangle = |i: usize| {
         let a = random.inside(DVec3::splat(-1.0), DVec3::splat(1.0)).as_vec3().as_dvec3();
         let b = random.inside(DVec3::splat(-1.0), DVec3::splat(1.0)).as_vec3().as_dvec3();
-        if i % 2 == 0 { [a; 3] } else { [a, b, a] }
+        if i.is_multiple_of(2) { [a; 3] } else { [a, b, a] }
     };
     Mesh { triangles: (0..count).map(triangle).collect() }
 }

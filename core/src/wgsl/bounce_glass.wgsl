@@ -24,7 +24,7 @@ fn bounce_next(branch: ptr<function, Branch>) -> bool {
 }
 
 // Keeps a branch for later, or replaces it.
-fn bounce_push(s: Surface, direction: vec3f, weight: vec3f, level: u32, kind: u32) -> vec3f {
+fn bounce_push(ray: Ray, weight: vec3f, level: u32, kind: u32) -> vec3f {
     let largest = max(weight.x, max(weight.y, weight.z));
     if largest <= 0.0 {
         return vec3f(0.0);
@@ -33,7 +33,7 @@ fn bounce_push(s: Surface, direction: vec3f, weight: vec3f, level: u32, kind: u3
     if level > frame.depth || largest < frame.min_weight || bounce_kept + 1u >= MAX_RAYS {
         return weight * frame.truncated;
     }
-    bounce_stack[bounce_stacked] = Branch(surface_spawn(s, direction, FAR), weight, level, kind);
+    bounce_stack[bounce_stacked] = Branch(ray, weight, level, kind);
     bounce_stacked += 1u;
     bounce_kept += 1u;
     return vec3f(0.0);
@@ -49,12 +49,13 @@ fn bounce_split(s: Surface, m: Material, branch: Branch, direction: vec3f) -> ve
         let ratio = material_ratio(m, s.inside);
         let beyond = fresnel_transmitted(cosine, ratio);
         if material_is(m, OBJECT_THIN) {
-            sum += bounce_push(s, direction, transmitted, level, RAY_REFRACTION);
+            sum += bounce_push(surface_pass(s, branch.ray), transmitted, level, RAY_REFRACTION);
         } else if beyond > 0.0 {
             let refracted = fresnel_refracted(direction, s.normal, cosine, ratio, beyond);
-            sum += bounce_push(s, refracted, transmitted, level, RAY_REFRACTION);
+            sum += bounce_push(surface_spawn(s, refracted, FAR), transmitted, level, RAY_REFRACTION);
         }
     }
     let mirrored = branch.weight * material_mirror(m, cosine, s.inside);
-    return sum + bounce_push(s, normalize(reflect(direction, s.normal)), mirrored, level, RAY_REFLECTION);
+    let reflected = surface_spawn(s, normalize(reflect(direction, s.normal)), FAR);
+    return sum + bounce_push(reflected, mirrored, level, RAY_REFLECTION);
 }

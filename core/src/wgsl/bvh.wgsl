@@ -5,8 +5,6 @@ var<storage, read> nodes: array<vec4u>;
 // Nine numbers a primitive, in the order of the leaves: the corners of a triangle, or a sphere.
 var<storage, read> primitives: array<f32>;
 
-const MISS: u32 = 0xffffffffu;
-
 struct Hit {
     t: f32,
     primitive: u32,
@@ -93,9 +91,22 @@ fn bvh_nearer(t: f32, primitive: u32, best: Hit) -> bool {
     if best.primitive == MISS || abs(t - best.t) > SAME_DISTANCE * best.t {
         return t < best.t;
     }
-    let object = shading[primitive].w & SURFACE_OBJECT;
-    let other = shading[best.primitive].w & SURFACE_OBJECT;
-    return object < other || (object == other && primitive < best.primitive);
+    return bvh_precedes(primitive, best.primitive);
+}
+
+fn bvh_precedes(a: u32, b: u32) -> bool {
+    let object = shading[a].w & SURFACE_OBJECT;
+    let other = shading[b].w & SURFACE_OBJECT;
+    return object < other || (object == other && a < b);
+}
+
+// A ray that passes straight through meets what comes after the pane that it left, in the order in which all of its
+// surfaces come: its edge functions are those of before, and so nothing is met twice and nothing is missed.
+fn bvh_ahead(ray: Ray, t: f32, primitive: u32) -> bool {
+    if !HAS_PANES {
+        return true;
+    }
+    return t > ray.after || (t == ray.after && bvh_precedes(ray.left, primitive));
 }
 
 // Nearest hit (`any` false), or some hit (`any` true; only its existence is meaningful).
@@ -130,12 +141,13 @@ fn bvh_traverse(ray: Ray, any: bool) -> Hit {
             if sphere_is(primitive) {
                 let t = sphere_hit(ray, primitive);
                 found = TriangleHit(t, 0.0, 0.0, t > 0.0 && t < reach);
-            } else {
+            } else if primitive != ray.left {
                 found = triangle_hit(shear, bvh_corners(primitive), reach);
             }
-            if found.hit && hit_counts(primitive, found.u, found.v, any) && bvh_nearer(found.t, primitive, best) {
+            if found.hit && bvh_ahead(ray, found.t, primitive) && hit_counts(primitive, found.u, found.v, any)
+                && bvh_nearer(found.t, primitive, best) {
                 best = Hit(found.t, primitive, found.u, found.v);
-                reach = found.t * (1.0 + 2.0 * SAME_DISTANCE);
+                reach = found.t * (1.0 + max(2.0 * SAME_DISTANCE, 2.4e-7));
             }
             if any && best.primitive != MISS {
                 return best;

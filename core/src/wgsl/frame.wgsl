@@ -27,10 +27,16 @@ var<uniform> frame: Frame;
 const FAR: f32 = 3.0e38;
 const PI: f32 = 3.14159265358979;
 
+const MISS: u32 = 0xffffffffu;
+
 struct Ray {
     origin: vec3f,
     t_max: f32,
     direction: vec3f,
+    // The primitive that the ray leaves, MISS if it leaves none.
+    left: u32,
+    // Where it left it; above 0 for rays that pass straight through, on their way since before.
+    after: f32,
 }
 
 // Through the pixel's centre; a perspective ray's parameter is the view depth along `forward`.
@@ -44,6 +50,8 @@ fn frame_ray(pixel: vec2u) -> Ray {
         frame.origin + frame.orthographic * spread,
         FAR,
         frame.forward + (1.0 - frame.orthographic) * spread,
+        MISS,
+        0.0,
     );
 }
 

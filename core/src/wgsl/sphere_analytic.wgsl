@@ -24,5 +24,6 @@ fn sphere_hit(ray: Ray, primitive: u32) -> f32 {
     let far = middle + half_chord;
     // Near the surface the difference cancels, the quotient of the roots' product does not.
     let near = select(middle - half_chord, beyond / (a * far), beyond < 1.0);
-    return radius * select(far, near, beyond >= 0.0);
+    let passed = HAS_PANES && radius * near <= ray.after;
+    return radius * select(far, near, beyond >= 0.0 && !passed);
 }

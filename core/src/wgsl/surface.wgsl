@@ -4,6 +4,9 @@
 var<storage, read> shading: array<vec4u>;
 
 struct Surface {
+    // Of the hit.
+    primitive: u32,
+    t: f32,
     position: vec3f,
     object: u32,
     // Shading normal and normal of the face, both on the viewer's side of the face.
@@ -24,6 +27,8 @@ fn surface_at(ray: Ray, hit: Hit) -> Surface {
     } else {
         s = surface_of_triangle(ray, hit, corners);
     }
+    s.primitive = hit.primitive;
+    s.t = hit.t;
     s.object = shading[hit.primitive].w & SURFACE_OBJECT;
     s.texcoord = vertex_texcoord(hit);
     s.color = vertex_color(hit);
@@ -40,6 +45,9 @@ fn surface_of_sphere(ray: Ray, hit: Hit, center: vec3f, radius: f32) -> Surface 
     s.offset = surface_offset(s.face, abs(center) + radius, radius);
     return s;
 }
+
+// 1 - cos of the angle by which an encoded normal may differ from what it encodes, as far as f32 tells it from 1.
+const FLAT_ERROR: f32 = 2.0e-7;
 
 fn surface_of_triangle(ray: Ray, hit: Hit, corners: array<vec3f, 3>) -> Surface {
     let ab = corners[1] - corners[0];
@@ -58,9 +66,11 @@ fn surface_of_triangle(ray: Ray, hit: Hit, corners: array<vec3f, 3>) -> Surface 
     s.inside = surface_from_behind(ray, corners, winding) != turned;
     s.face = select(winding, -winding, turned != s.inside);
     s.normal = s.face;
-    // Normals of opposite directions leave nothing.
-    if dot(smooth_normal, smooth_normal) > 1.0e-6 {
-        s.normal = normalize(select(smooth_normal, -smooth_normal, s.inside));
+    // Normals of opposite directions leave nothing; those of flat triangles are the face's, but for their encoding.
+    let shading_normal = normalize(select(smooth_normal, -smooth_normal, s.inside));
+    let flat_triangle = all(data.xx == data.yz) && dot(shading_normal, s.face) > 1.0 - FLAT_ERROR;
+    if dot(smooth_normal, smooth_normal) > 1.0e-6 && !flat_triangle {
+        s.normal = shading_normal;
     }
     // One rounding in the unit of the coordinates, the others in that of the triangle.
     s.position = corners[0] + (hit.u * ab - hit.v * ca);
@@ -110,5 +120,10 @@ fn surface_offset(face: vec3f, coordinates: vec3f, size: f32) -> f32 {
 // A ray that leaves the surface on the side that its direction points to.
 fn surface_spawn(s: Surface, direction: vec3f, t_max: f32) -> Ray {
     let side = select(-s.offset, s.offset, dot(direction, s.face) >= 0.0);
-    return Ray(s.position + side * s.face, t_max, direction);
+    return Ray(s.position + side * s.face, t_max, direction, s.primitive, 0.0);
+}
+
+// The same ray on its way through the surface.
+fn surface_pass(s: Surface, ray: Ray) -> Ray {
+    return Ray(ray.origin, FAR, ray.direction, s.primitive, s.t);
 }

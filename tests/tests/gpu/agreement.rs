@@ -158,7 +158,7 @@ fn srgb() -> &'static [f64; 256] {
                 origin: [i as f32 + 0.5, 0.5, 1.0],
                 t_max: 10.0,
                 direction: [0.0, 0.0, -1.0],
-                any: 0,
+                ..ProbeRay::default()
             })
             .collect();
         let seen = shade(&stage, &rays, &Settings::default());
@@ -199,7 +199,12 @@ fn random_rays(stage: &Stage) -> Vec<ProbeRay> {
     std::iter::repeat_with(|| {
         let origin = random.inside(low.as_dvec3(), high.as_dvec3()).as_vec3();
         let direction = random.direction().as_vec3();
-        ProbeRay { origin: origin.to_array(), t_max: 1e30, direction: direction.to_array(), any: 0 }
+        ProbeRay {
+            origin: origin.to_array(),
+            t_max: 1e30,
+            direction: direction.to_array(),
+            ..ProbeRay::default()
+        }
     })
     .take(RAYS)
     .collect()

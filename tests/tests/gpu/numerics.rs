@@ -24,7 +24,7 @@ fn scene(positions: Vec<[Vec3; 3]>) -> Scene {
 }
 
 fn ray(origin: Vec3, direction: Vec3) -> ProbeRay {
-    ProbeRay { origin: origin.into(), t_max: 3e38, direction: direction.into(), any: 0 }
+    ProbeRay { origin: origin.into(), t_max: 3e38, direction: direction.into(), ..ProbeRay::default() }
 }
 
 /// An octahedron whose faces are split into `4^levels`, with corners moved at random.

@@ -24,7 +24,12 @@ fn random_rays(scene: &Scene, seed: u64) -> Vec<ProbeRay> {
     std::iter::repeat_with(|| {
         let origin = random.inside(low - margin, high + margin).as_vec3();
         let direction = random.direction().as_vec3();
-        ProbeRay { origin: origin.to_array(), t_max: 1e30, direction: direction.to_array(), any: 0 }
+        ProbeRay {
+            origin: origin.to_array(),
+            t_max: 1e30,
+            direction: direction.to_array(),
+            ..ProbeRay::default()
+        }
     })
     .take(RAYS)
     .collect()
