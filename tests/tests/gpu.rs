@@ -4,6 +4,7 @@ mod gpu {
     mod adaptive;
     mod checks;
     mod closed_forms;
+    mod device;
     mod golden;
     mod minray;
     mod scenes;

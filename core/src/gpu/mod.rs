@@ -5,6 +5,8 @@ mod kernel;
 mod memory;
 pub(crate) mod mirror;
 pub mod shader;
+#[cfg(test)]
+mod tests;
 mod timer;
 mod wait;
 
