@@ -14,22 +14,22 @@ const SIZE: [u32; 2] = [160, 120];
 
 /// A device of the test's own: those that fail are no others' concern.
 fn device() -> Gpu {
-    Gpu::headless(None).unwrap()
+    Gpu::headless(None).expect("an adapter")
 }
 
 fn upload(gpu: &Gpu, name: &str) -> (GpuScene, Camera) {
-    let scene = builtin(name).unwrap();
-    let camera = *scene.camera(None).unwrap();
-    (GpuScene::upload(gpu, scene).unwrap(), camera)
+    let scene = builtin(name).expect("a built-in scene");
+    let camera = *scene.camera(None).expect("it has a camera");
+    (GpuScene::upload(gpu, scene).expect("it fits"), camera)
 }
 
 /// Everything of a frame by which pictures are compared.
 fn picture(gpu: &Gpu, name: &str, size: [u32; 2]) -> (DisplayImage, Vec<u32>) {
     let (scene, camera) = upload(gpu, name);
-    let mut renderer = Renderer::new(gpu, &scene, size, &Settings::default()).unwrap();
-    renderer.render(&camera).unwrap();
-    let linear = renderer.linear_image(&camera).unwrap();
-    (renderer.display_image().unwrap(), linear.as_raw().iter().map(|v| v.to_bits()).collect())
+    let mut renderer = Renderer::new(gpu, &scene, size, &Settings::default()).expect("it compiles");
+    renderer.render(&camera).expect("it renders");
+    let linear = renderer.linear_image(&camera).expect("it can be read");
+    (renderer.display_image().expect("it can be read"), linear.as_raw().iter().map(|v| v.to_bits()).collect())
 }
 
 fn assert_lost<T>(result: glimpse::Result<T>, what: &str) {
