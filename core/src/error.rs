@@ -25,7 +25,10 @@ pub enum Error {
     #[error("no graphics adapter: {0}")]
     NoAdapter(String),
     /// The adapter lacks something that this scene or frame needs.
-    #[error("{what} needs {need}, the adapter `{adapter}` has {have}")]
+    #[error(
+        "{what} needs {need}, the adapter `{adapter}` has {have}: try another --adapter, a smaller --size or a smaller \
+         scene"
+    )]
     Missing {
         /// What needs it.
         what: String,

@@ -7,6 +7,9 @@ use crate::{
     plan::Plan,
 };
 
+/// A listed pixel is one word: 16 bits a coordinate.
+const MAX_SIDE: u32 = 1 << 16;
+
 /// Bytes of the arguments of an indirect dispatch.
 pub const DISPATCH_BYTES: u64 = 12;
 
@@ -28,7 +31,7 @@ impl Targets {
     /// A size that is not a frame's, or a device that cannot hold it.
     pub fn new(gpu: &Gpu, variant: &Variant, method: Method, size: [u32; 2]) -> Result<Self> {
         let [width, height] = size.map(u64::from);
-        let limit = gpu.limits().max_texture_dimension_2d;
+        let limit = gpu.limits().max_texture_dimension_2d.min(MAX_SIDE);
         if size.iter().any(|side| !(1..=limit).contains(side)) {
             return Err(Error::setting(
                 format!("--size {width}x{height}"),
@@ -79,10 +82,12 @@ impl Targets {
 }
 
 /// A storage texture that can be read back.
+///
+/// # Errors
+/// A device that cannot hold it, or no buffer to read it back into.
 pub fn texture(gpu: &Gpu, label: &str, size: [u32; 2], format: wgpu::TextureFormat) -> Result<wgpu::Texture> {
-    let bytes =
-        format.block_copy_size(None).map(|texel| u64::from(texel) * u64::from(size[0]) * u64::from(size[1]));
-    gpu.checked(&format!("image `{label}`"), bytes, |device| {
+    let bytes = gpu.check_readback(label, size, format)?;
+    gpu.checked(&format!("image `{label}`"), Some(bytes), |device| {
         device.create_texture(&wgpu::TextureDescriptor {
             label: Some(label),
             size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },

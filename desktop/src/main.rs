@@ -16,8 +16,9 @@ mod show;
 mod statistics;
 mod stress;
 
+use std::cell::RefCell;
 use std::io::Write;
-use std::panic::PanicHookInfo;
+use std::panic::{PanicHookInfo, UnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -28,10 +29,10 @@ const FAILED: u8 = 1;
 const WRONG_USAGE: u8 = 2;
 
 fn main() -> ExitCode {
-    std::panic::set_hook(Box::new(report_bug));
+    std::panic::set_hook(Box::new(|panic| LAST_PANIC.set(bug(panic))));
     let arguments = Arguments::parse();
     start_log(arguments.verbose);
-    match run(arguments) {
+    match reporting_panics(|| run(arguments)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             complain(&one_line(&format!("{error:#}")));
@@ -72,11 +73,20 @@ fn complain(line: &str) {
     let _ = writeln!(std::io::stderr(), "glimpse: error: {line}");
 }
 
-fn report_bug(panic: &PanicHookInfo<'_>) {
+thread_local! {
+    /// What the hook saw. It says nothing itself: the library catches the panic by which wgpu reports a lost device.
+    static LAST_PANIC: RefCell<String> = const { RefCell::new(String::new()) };
+}
+
+/// Turns a panic that nobody caught into an error.
+fn reporting_panics(work: impl FnOnce() -> anyhow::Result<()> + UnwindSafe) -> anyhow::Result<()> {
+    catch_unwind(work).unwrap_or_else(|_| Err(anyhow::Error::msg(LAST_PANIC.take())))
+}
+
+fn bug(panic: &PanicHookInfo<'_>) -> String {
     let place = panic.location().map_or_else(String::new, |at| format!(" at {}:{}", at.file(), at.line()));
     let message = panic.payload_as_str().unwrap_or("no message");
-    complain(&format!("this is a bug, please report it: {}{place}", one_line(message)));
-    std::process::exit(FAILED.into());
+    format!("this is a bug, please report it: {message}{place}")
 }
 
 /// `-v` tells what Glimpse does, `-vv` how, `-vvv` everything; `RUST_LOG` decides where it is set.
@@ -104,6 +114,19 @@ mod tests {
         assert_eq!(exit_code(&wish.context("scene.glb").context("render").unwrap_err()), WRONG_USAGE);
         let work = Err::<(), _>(glimpse::Error::scene("mesh 0", "no positions"));
         assert_eq!(exit_code(&work.context("scene.glb").unwrap_err()), FAILED);
+    }
+
+    #[test]
+    fn panics_are_reported_unless_they_are_caught() {
+        std::panic::set_hook(Box::new(|panic| LAST_PANIC.set(bug(panic))));
+        let error = reporting_panics(|| {
+            let _ = catch_unwind(|| panic!("caught"));
+            panic!("not\ncaught")
+        });
+        let line = one_line(&error.unwrap_err().to_string());
+        assert!(line.starts_with("this is a bug, please report it: not caught at "), "{line}");
+        assert!(reporting_panics(|| catch_unwind(|| panic!("caught")).or(Ok(()))).is_ok());
+        drop(std::panic::take_hook());
     }
 
     #[test]

@@ -39,8 +39,7 @@ pub fn gpu() -> &'static Gpu {
     })
 }
 
-/// The right to use the device: one test at a time, for a frame takes all of it (and two threads that wait for one
-/// device at once have been seen to wait for ever).
+/// The right to use the device: one test at a time, for a frame takes all of it.
 pub fn turn() -> MutexGuard<'static, ()> {
     static TURN: Mutex<()> = Mutex::new(());
     TURN.lock().unwrap_or_else(PoisonError::into_inner)

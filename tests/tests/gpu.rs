@@ -5,6 +5,7 @@ mod gpu {
     mod agreement;
     mod checks;
     mod closed_forms;
+    mod device;
     mod golden;
     mod minray;
     mod numerics;

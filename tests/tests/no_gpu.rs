@@ -2,6 +2,7 @@
 
 mod no_gpu {
     mod compare;
+    mod device;
     mod golden;
     mod limits;
     mod minray;

@@ -19,7 +19,7 @@ impl Kernel {
     /// Links, validates and compiles.
     ///
     /// # Errors
-    /// A shader that does not compile, or a device that refuses it.
+    /// [`Error::Shader`] where it does not compile, here or in the driver; a device that failed.
     pub fn new(gpu: &Gpu, label: &str, sources: &[Source]) -> Result<Self> {
         let linked = link(sources)?;
         let slots: HashMap<_, _> =
@@ -49,6 +49,10 @@ impl Kernel {
                 message,
             }
             .into(),
+            // Drivers that cannot compile a kernel may give up the device.
+            Error::Lost { adapter, reason } => {
+                Error::Lost { adapter, reason: format!("{reason} while compiling kernel `{label}`") }
+            }
             other => other,
         })?;
         let files: Vec<_> = sources.iter().map(|source| source.file).collect();

@@ -82,14 +82,34 @@ impl Gpu {
     pub(crate) fn check_binding(&self, label: &str, bytes: u64) -> Result<()> {
         let limits = self.device.limits();
         let have = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
-        if bytes <= have {
+        self.check_bytes(format!("buffer `{label}`"), bytes, "in one binding", have)
+    }
+
+    /// Whether one buffer can take an image that is read back; the bytes that it takes.
+    pub(crate) fn check_readback(
+        &self,
+        label: &str,
+        [width, height]: [u32; 2],
+        format: wgpu::TextureFormat,
+    ) -> Result<u64> {
+        let row = padded_row(width, format.block_copy_size(None).unwrap_or(0));
+        let bytes = row * u64::from(height);
+        let have = self.device.limits().max_buffer_size;
+        self.check_bytes(format!("reading image `{label}` back"), bytes, "in one buffer", have)?;
+        Ok(bytes)
+    }
+
+    fn check_bytes(&self, what: String, need: u64, place: &str, have: u64) -> Result<()> {
+        if need <= have {
             return Ok(());
         }
-        Err(Error::Missing {
-            what: format!("buffer `{label}`"),
-            need: format!("{bytes} bytes in one binding"),
-            have: format!("{have}"),
-            adapter: self.facts.info.name.clone(),
-        })
+        let need = format!("{need} bytes {place}");
+        Err(Error::Missing { what, need, have: have.to_string(), adapter: self.facts.info.name.clone() })
     }
+}
+
+/// Bytes from one row of an image to the next in a buffer.
+pub(super) fn padded_row(width: u32, bytes_per_texel: u32) -> u64 {
+    let row = u64::from(width) * u64::from(bytes_per_texel);
+    row.next_multiple_of(u64::from(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT))
 }

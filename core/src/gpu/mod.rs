@@ -5,6 +5,8 @@ mod kernel;
 mod memory;
 pub(crate) mod mirror;
 pub mod shader;
+#[cfg(test)]
+mod tests;
 mod timer;
 mod wait;
 
@@ -122,7 +124,10 @@ impl Gpu {
             required_limits: limits,
             ..Default::default()
         }))
-        .map_err(|e| Error::Device(e.to_string()))?;
+        .map_err(|error| {
+            let name = &facts.info.name;
+            Error::NoAdapter(format!("`{name}` gives no device ({error}); try another --adapter"))
+        })?;
         log::debug!(
             "adapter {} ({}), driver {}",
             facts.info.name,

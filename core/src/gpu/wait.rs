@@ -5,7 +5,7 @@ use std::{
     sync::{MutexGuard, PoisonError, mpsc},
 };
 
-use super::Gpu;
+use super::{Gpu, memory::padded_row};
 use crate::{Error, Result};
 
 impl Gpu {
@@ -34,7 +34,7 @@ impl Gpu {
     pub(crate) fn read_texture(&self, texture: &wgpu::Texture, bytes_per_texel: u32) -> Result<Vec<u8>> {
         let (width, height) = (texture.width(), texture.height());
         let row = (width * bytes_per_texel) as usize;
-        let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT as usize);
+        let padded = padded_row(width, bytes_per_texel) as usize;
         let mut bytes = self.read((padded * height as usize) as u64, |encoder, staging| {
             encoder.copy_texture_to_buffer(
                 texture.as_image_copy(),

@@ -3,7 +3,7 @@
 use glimpse::{Error, Gpu, GpuScene, Linking, Method, Renderer, Settings, scene::builtin};
 
 /// A device without a driver that enforces these limits.
-fn device(limits: wgpu::Limits) -> glimpse::Result<Gpu> {
+pub fn device(limits: wgpu::Limits) -> glimpse::Result<Gpu> {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     descriptor.backends = wgpu::Backends::NOOP;
     descriptor.backend_options.noop = wgpu::NoopBackendOptions {
@@ -15,7 +15,7 @@ fn device(limits: wgpu::Limits) -> glimpse::Result<Gpu> {
 }
 
 /// The defaults of WebGPU: 8 storage buffers a stage, 16 KiB and 256 invocations a workgroup, 128 MiB a binding.
-fn phone() -> wgpu::Limits {
+pub fn phone() -> wgpu::Limits {
     let limits = wgpu::Limits::default();
     assert_eq!(limits.max_storage_buffers_per_shader_stage, 8);
     assert_eq!(limits.max_compute_workgroup_storage_size, 16 << 10);

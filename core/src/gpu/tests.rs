@@ -1,0 +1,109 @@
+//! What only the inside of this crate can provoke, on a device without a driver.
+
+use super::{
+    Gpu, Kernel,
+    shader::{ShaderError, Source},
+};
+use crate::{Error, Result};
+
+fn device() -> Gpu {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = wgpu::Backends::NOOP;
+    // The check of indirect dispatches would lower the limits below.
+    descriptor.flags = wgpu::InstanceFlags::empty();
+    descriptor.backend_options.noop = wgpu::NoopBackendOptions {
+        limits: Some(wgpu::Limits {
+            max_buffer_size: u64::MAX,
+            max_storage_buffer_binding_size: u64::MAX,
+            ..wgpu::Limits::default()
+        }),
+        features: Some(wgpu::Features::empty()),
+        ..wgpu::NoopBackendOptions::enabled()
+    };
+    Gpu::from_instance(&wgpu::Instance::new(descriptor), None).expect("the noop adapter")
+}
+
+fn encoder(gpu: &Gpu) -> wgpu::CommandEncoder {
+    gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default())
+}
+
+#[test]
+fn nothing_is_submitted_after_a_loss_between_submissions() {
+    let gpu = device();
+    gpu.submit_all_and_wait((0..3).map(|_| encoder(&gpu))).expect("a healthy device");
+    let mut recorded = 0;
+    let result = gpu.submit_all_and_wait((0..3).map(|i| {
+        recorded = i;
+        if i == 1 {
+            gpu.destroy();
+        }
+        encoder(&gpu)
+    }));
+    assert!(matches!(&result, Err(Error::Lost { reason, .. }) if reason == "it was destroyed"), "{result:?}");
+    assert_eq!(recorded, 1);
+}
+
+#[test]
+fn loss_before_a_readback_is_an_error() {
+    let gpu = device();
+    let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
+    let buffer = gpu.buffer("data", 16, usage).expect("a buffer");
+    assert_eq!(gpu.read_buffer(&buffer).expect("a healthy device"), [0; 16]);
+    gpu.destroy();
+    let lost =
+        |result: Result<()>, what| assert!(matches!(result, Err(Error::Lost { .. })), "{what}: {result:?}");
+    lost(gpu.read_buffer(&buffer).map(drop), "readback");
+    lost(gpu.buffer("more", 16, usage).map(drop), "buffer");
+    lost(gpu.filled("more", &[1; 16], usage).map(drop), "buffer with content");
+    lost(
+        Kernel::new(&gpu, "empty", &[source("@compute @workgroup_size(1) fn main() {}")]).map(drop),
+        "kernel",
+    );
+}
+
+#[test]
+fn a_buffer_without_memory_is_named_with_its_size() {
+    let gpu = device();
+    // More than the address space of any machine.
+    let size = 1 << 60;
+    let result = gpu.checked("buffer `attributes`", Some(size), |device| {
+        device.create_buffer(&wgpu::BufferDescriptor {
+            label: None,
+            size,
+            usage: wgpu::BufferUsages::STORAGE,
+            mapped_at_creation: false,
+        })
+    });
+    let error = result.expect_err("no machine has that");
+    let Error::OutOfMemory { what, bytes: Some(found), .. } = &error else { panic!("{error}") };
+    assert_eq!((what.as_str(), *found), ("buffer `attributes`", size));
+    assert!(error.to_string().contains("smaller --size"), "{error}");
+    gpu.buffer("small", 16, wgpu::BufferUsages::STORAGE).expect("the device is still usable");
+}
+
+fn source(text: &'static str) -> Source {
+    Source { file: "test.wgsl", text: text.into() }
+}
+
+/// Valid WGSL of a language extension that the device was not asked for: linking accepts it.
+#[test]
+fn a_kernel_that_the_device_refuses_is_named() {
+    let gpu = device();
+    let text = "@compute @workgroup_size(1) fn main() { var x = 1.0lf; x += 1.0lf; }";
+    let error = Kernel::new(&gpu, "broken", &[source(text)]).map(drop).expect_err("no f64 on this device");
+    let Error::Shader(ShaderError::Refused { kernel, message, .. }) = &error else { panic!("{error}") };
+    assert_eq!(kernel, "broken");
+    assert!(message.contains("FLOAT64"), "{message}");
+}
+
+#[test]
+fn a_kernel_larger_than_the_device_is_named() {
+    let gpu = device();
+    let text = "@compute @workgroup_size(1024) fn main() {}";
+    let error =
+        Kernel::new(&gpu, "wide", &[source(text)]).map(drop).expect_err("256 invocations are the most");
+    assert!(
+        matches!(&error, Error::Shader(ShaderError::Refused { kernel, .. }) if kernel == "wide"),
+        "{error}"
+    );
+}
