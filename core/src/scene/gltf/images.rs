@@ -17,7 +17,7 @@ use crate::{Error, Result};
 const MAX_SIDE: u32 = 16_384;
 
 /// The most texels of all images of a scene: 4 GiB as they are stored.
-const MAX_TEXELS: u64 = 1 << 30;
+pub(super) const MAX_TEXELS: u64 = 1 << 30;
 
 /// The most texels that a byte of an image file can stand for. Deflate makes at most 1032 bytes of one (RFC 1951:
 /// 258 for two bits), and a PNG has at most 8 texels in a byte; a JPEG spends at least a bit on 8 x 8 of them.
@@ -36,15 +36,22 @@ enum Origin {
 }
 
 /// What is loaded already.
-#[derive(Default)]
 pub(super) struct Textures {
     pub textures: Vec<Texture>,
     pub images: Vec<Image8>,
+    /// How many texels more may come.
+    room: u64,
     texture_of: HashMap<usize, Option<u32>>,
     image_of: HashMap<Origin, u32>,
 }
 
 impl Textures {
+    /// Nothing, with room for that many texels.
+    pub fn new(room: u64) -> Self {
+        let (textures, images) = (Vec::new(), Vec::new());
+        Self { textures, images, room, texture_of: HashMap::new(), image_of: HashMap::new() }
+    }
+
     /// The index of the scene's texture for the file's texture; `None` where that has no image which this
     /// program reads (its source is left to an extension).
     pub fn load(
@@ -102,19 +109,21 @@ impl Textures {
 
     /// An image as large as its header says, if its bytes can hold that much and the limits let it in: nothing of
     /// that size is allocated before.
-    fn decode(&self, bytes: &[u8], what: &str) -> Result<Image8> {
+    fn decode(&mut self, bytes: &[u8], what: &str) -> Result<Image8> {
         let fail = |reason: String| Error::scene(what, reason);
         let undecodable = |e: ImageError| fail(format!("cannot be decoded as PNG or JPEG: {e}"));
         let format = match image::guess_format(bytes) {
             Ok(format @ (ImageFormat::Png | ImageFormat::Jpeg)) => format,
             _ => return Err(fail("cannot be decoded: expected a PNG or a JPEG, found neither".to_owned())),
         };
-        let taken: u64 = self.images.iter().map(|i| u64::from(i.width) * u64::from(i.height)).sum();
+        if format == ImageFormat::Jpeg && !jpeg_ends(bytes) {
+            return Err(fail("cannot be decoded: the JPEG is truncated, it has no end marker".to_owned()));
+        }
         let held = bytes.len() as u64 * TEXELS_PER_BYTE;
         let mut limits = image::Limits::no_limits();
         limits.max_image_width = Some(MAX_SIDE);
         limits.max_image_height = Some(MAX_SIDE);
-        limits.max_alloc = Some(DECODER_BYTES_PER_TEXEL * held.min(MAX_TEXELS) + DECODER_BYTES);
+        limits.max_alloc = Some(DECODER_BYTES_PER_TEXEL * held.min(self.room) + DECODER_BYTES);
         let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
         reader.limits(limits);
         let decoder = reader.into_decoder().map_err(undecodable)?;
@@ -126,15 +135,22 @@ impl Textures {
                 bytes.len()
             )));
         }
-        if taken + texels > MAX_TEXELS {
+        if texels > self.room {
             return Err(fail(format!(
-                "expected at most {MAX_TEXELS} texels of all images, found {}",
-                taken + texels
+                "expected at most {MAX_TEXELS} texels of all images, found {texels} where {} are left",
+                self.room
             )));
         }
         let image = DynamicImage::from_decoder(decoder).map_err(undecodable)?.into_rgba8();
+        self.room -= texels;
         Ok(Image8 { width, height, rgba: image.into_raw() })
     }
+}
+
+/// Whether the marker EOI stands behind the last SOS (ITU T.81, annex B): decoders fill in what is missing.
+fn jpeg_ends(bytes: &[u8]) -> bool {
+    let last = |code: u8| bytes.windows(2).rposition(|marker| marker == [0xff, code]);
+    last(0xd9).is_some_and(|end| last(0xda).is_none_or(|scan| scan < end))
 }
 
 fn sampler(root: &json::Root, json: &json::Texture, what: &str) -> Result<Texture> {
@@ -157,4 +173,24 @@ fn sampler(root: &json::Root, json: &json::Texture, what: &str) -> Result<Textur
     };
     let nearest = matches!(sampler.mag_filter, Some(Checked::Valid(MagFilter::Nearest)));
     Ok(Texture { image: 0, wrap: [wrap(&sampler.wrap_s)?, wrap(&sampler.wrap_t)?], nearest })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::png;
+    use super::*;
+
+    #[test]
+    fn images_share_the_room_that_there_is() {
+        let mut textures = Textures::new(100);
+        let mut decode = |side| textures.decode(&png(side, side, [1; 4]), "image 0");
+        assert_eq!(decode(9).unwrap().rgba.len(), 4 * 81);
+        assert!(decode(4).is_ok(), "19 are left");
+        let error = decode(2).unwrap_err().to_string();
+        assert!(
+            error.contains("image 0: expected at most") && error.contains("4 where 3 are left"),
+            "{error}"
+        );
+        assert!(decode(1).is_ok(), "what was refused took nothing");
+    }
 }

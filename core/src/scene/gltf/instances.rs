@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use super::accessors::Source;
 use super::container::External;
-use super::images::Textures;
+use super::images::{MAX_TEXELS, Textures};
 use super::materials::{Imported, Materials};
 use super::meshes::Mesh;
 use super::nodes::Placed;
@@ -77,7 +77,7 @@ pub(super) fn add<'b>(
     scene: &mut Scene,
 ) -> Result<()> {
     let mut opener =
-        Opener { source, external, materials: Materials::default(), textures: Textures::default() };
+        Opener { source, external, materials: Materials::default(), textures: Textures::new(MAX_TEXELS) };
     let mut opened: Vec<Option<Opened<'b>>> = Vec::new();
     opened.resize_with(source.root.meshes.len(), || None);
     let (mut triangles, mut objects) = (0_usize, 0_usize);
