@@ -23,11 +23,8 @@ pub(super) const MAX_TEXELS: u64 = 1 << 30;
 /// 258 for two bits), and a PNG has at most 8 texels in a byte; a JPEG spends at least a bit on 8 x 8 of them.
 const TEXELS_PER_BYTE: u64 = 8 * 1032;
 
-/// The most bytes a texel takes in a decoder: four channels of 16 bits.
-const DECODER_BYTES_PER_TEXEL: u64 = 8;
-
-/// What a decoder may take besides, for tables and colour profiles.
-const DECODER_BYTES: u64 = 1 << 20;
+/// What a decoder may take besides the image, for a row and for a colour profile, which can be a bomb of its own.
+const DECODER_BYTES: u64 = 4 << 20;
 
 #[derive(PartialEq, Eq, Hash)]
 enum Origin {
@@ -123,7 +120,7 @@ impl Textures {
         let mut limits = image::Limits::no_limits();
         limits.max_image_width = Some(MAX_SIDE);
         limits.max_image_height = Some(MAX_SIDE);
-        limits.max_alloc = Some(DECODER_BYTES_PER_TEXEL * held.min(self.room) + DECODER_BYTES);
+        limits.max_alloc = Some(DECODER_BYTES);
         let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
         reader.limits(limits);
         let decoder = reader.into_decoder().map_err(undecodable)?;

@@ -2,7 +2,27 @@
 //!
 //! What is not part of the model and therefore not read: normal and occlusion textures, `doubleSided` (every
 //! surface has two sides here), skins, morph targets and animations (nodes and meshes stand as they are stored),
-//! attenuation inside volumes. Lengths are in the file's unit, angles in radians, colours linear RGB.
+//! attenuation inside volumes; a camera's aspect ratio and depth range (the frame has its own, rays do not end).
+//! Lengths are in the file's unit, angles in radians, colours linear RGB.
+//!
+//! # What a file can do
+//!
+//! A file is untrusted. It gives a scene that passes [`Scene::validate`] and has at least a triangle with an area, or
+//! an error of one short line that names the element; what is left out or read as something else is a warning.
+//! Coordinates and factors that f32 holds as subnormal numbers only are taken for zero, as GPUs may do.
+//!
+//! What an import allocates at its peak, the result included, is at most
+//!
+//! ```text
+//! 8 MiB + 1024 x bytes of JSON + 8 x bytes of all else + 256 x (triangles + objects) + 16 x texels
+//! ```
+//!
+//! All else is what a `.glb` holds besides its JSON, and what URIs name. The factor of JSON is that of `{},` in a list
+//! of materials: three bytes that become a struct, in a list that doubles when it is full.
+//!
+//! Triangles and objects (instances counted each) and texels are what a small file can ask for in any number: they are
+//! counted, and held against the limits of `instances.rs` and `images.rs`, before anything of their size is allocated.
+//! `tests/tests/memory.rs` measures it.
 
 mod accessors;
 mod container;
