@@ -212,7 +212,7 @@ fn honest() -> Vec<Case> {
         "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"NORMAL":0,"TEXCOORD_0":1,"COLOR_0":2}},"indices":3,"material":0}}]}}],
         "materials":[{{"pbrMetallicRoughness":{{"baseColorTexture":{{"index":0}}}}}}],
         "textures":[{{"source":0}}],"images":[{{"uri":"a.png"}}],"nodes":[{}]"#,
-        vec![r#"{"mesh":0}"#; 10].join(","),
+        [r#"{"mesh":0}"#; 10].join(","),
         vertices = SIDE * SIDE,
         count = indices.len() / 4,
         bytes = corners.len(),

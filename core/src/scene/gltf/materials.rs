@@ -161,7 +161,7 @@ fn emission(json: &json::Material, numbers: &mut Numbers<'_>) -> Result<Vec3> {
     let name = "emissiveFactor x emissiveStrength";
     let mut emitted = json.emissive_factor.0.map(|factor| factor * strength);
     for value in &mut emitted {
-        if !(*value <= MAX_RADIANCE) {
+        if value.is_nan() || *value > MAX_RADIANCE {
             return numbers.refused(name, &format!("a number up to {MAX_RADIANCE:e}"), *value);
         }
         *value = numbers.within(name, *value, 0.0..=MAX_RADIANCE)?;

@@ -115,7 +115,7 @@ fn cameras() {
         with_camera(perspective(yfov), json!({})).fails(&["camera 0", "vertical field of view", "found"]);
     }
     with_camera(perspective(1e-30), json!({})).fails(&["camera `camera0`", "axes of a length"]);
-    for yfov in [1e-6, 3.141_592] {
+    for yfov in [1e-6, 3.1] {
         assert!(with_camera(perspective(yfov), json!({})).scene().cameras[0].1.up.y > 0.0);
     }
     let orthographic = |ymag: f64| json!({ "type": "orthographic", "orthographic": { "xmag": 1, "ymag": ymag, "znear": 0, "zfar": 1 } });
