@@ -39,41 +39,35 @@ impl Atlas {
     pub fn upload(gpu: &Gpu, scene: &mut Scene) -> Result<Self> {
         let images = std::mem::take(&mut scene.images);
         let limits = gpu.limits();
-        let widest = images.iter().map(|i| i.width.max(i.height)).max().unwrap_or(1);
-        let area: u64 = images.iter().map(|i| u64::from(i.width) * u64::from(i.height)).sum();
-        // Pages no larger than one texture's worth of all texels needs to be.
-        let side = ((area as f64 * 1.1).sqrt() as u32)
-            .next_power_of_two()
-            .clamp(widest, 4096.max(widest))
-            .min(limits.max_texture_dimension_2d);
-        if widest > side {
+        let page = page_size(&images);
+        let longest = page[0].max(page[1]);
+        if longest > limits.max_texture_dimension_2d {
             return Err(Error::Missing {
-                what: format!("a texture of {widest} texels a side"),
-                need: format!("{widest} texels"),
-                have: side.to_string(),
+                what: "the largest texture".into(),
+                need: format!("{longest} texels a side"),
+                have: limits.max_texture_dimension_2d.to_string(),
                 adapter: gpu.facts().info.name.clone(),
             });
         }
         let mut allocators: Vec<AtlasAllocator> = Vec::new();
         let mut spots = Vec::with_capacity(images.len());
         for image in &images {
-            spots.push(place(&mut allocators, image.width, image.height, side));
+            spots.push(place(&mut allocators, [image.width, image.height], page)?);
         }
         let pages = allocators.len().max(1) as u32;
         if pages > limits.max_texture_array_layers {
             return Err(Error::Missing {
                 what: "the textures".into(),
-                need: format!("{pages} pages of {side} x {side} texels"),
+                need: format!("{pages} pages of {} x {} texels", page[0], page[1]),
                 have: limits.max_texture_array_layers.to_string(),
                 adapter: gpu.facts().info.name.clone(),
             });
         }
-        let side = if images.is_empty() { 1 } else { side };
-        let bytes = 4 * u64::from(side) * u64::from(side) * u64::from(pages);
+        let bytes = 4 * u64::from(page[0]) * u64::from(page[1]) * u64::from(pages);
         let texture = gpu.checked("the textures", Some(bytes), |device| {
             device.create_texture(&wgpu::TextureDescriptor {
                 label: Some("atlas"),
-                size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: pages },
+                size: wgpu::Extent3d { width: page[0], height: page[1], depth_or_array_layers: pages },
                 mip_level_count: 1,
                 sample_count: 1,
                 dimension: wgpu::TextureDimension::D2,
@@ -146,21 +140,82 @@ fn shader_place(texture: &Texture, spot: Place, image: &Image8) -> [u32; 3] {
     ]
 }
 
-fn place(allocators: &mut Vec<AtlasAllocator>, width: u32, height: u32, side: u32) -> Place {
+/// The most texels a side that pages have without need.
+const PAGE_SIDE: u32 = 4096;
+
+/// Width and height of the pages: no larger than all texels need, and as wide and as high as the largest image is. An
+/// image of 16384 x 1 makes a page that is wide and not one that is square.
+fn page_size(images: &[Image8]) -> [u32; 2] {
+    let area: u64 = images.iter().map(|i| u64::from(i.width) * u64::from(i.height)).sum();
+    let side = ((area as f64 * 1.1).sqrt() as u32).next_power_of_two().min(PAGE_SIDE);
+    let width = images.iter().map(|i| i.width).max().unwrap_or(1);
+    let height = images.iter().map(|i| i.height).max().unwrap_or(1);
+    [side.max(width), side.max(height)]
+}
+
+/// A place for an image on the pages, the last of which may be new.
+fn place(allocators: &mut Vec<AtlasAllocator>, [width, height]: [u32; 2], page: [u32; 2]) -> Result<Place> {
     let wanted = size2(width as i32, height as i32);
-    let found = |page: usize, allocator: &mut AtlasAllocator| {
-        allocator.allocate(wanted).map(|a| Place {
-            page: page as u32,
-            x: a.rectangle.min.x as u32,
-            y: a.rectangle.min.y as u32,
-        })
+    let found = |number: usize, allocator: &mut AtlasAllocator| {
+        let corner = allocator.allocate(wanted)?.rectangle.min;
+        Some(Place { page: number as u32, x: corner.x as u32, y: corner.y as u32 })
     };
-    if let Some(spot) = allocators.iter_mut().enumerate().find_map(|(page, a)| found(page, a)) {
-        return spot;
+    if let Some(spot) = allocators.iter_mut().enumerate().find_map(|(number, a)| found(number, a)) {
+        return Ok(spot);
     }
-    let mut fresh = AtlasAllocator::new(size2(side as i32, side as i32));
-    let spot =
-        found(allocators.len(), &mut fresh).unwrap_or(Place { page: allocators.len() as u32, x: 0, y: 0 });
+    let mut fresh = AtlasAllocator::new(size2(page[0] as i32, page[1] as i32));
+    let spot = found(allocators.len(), &mut fresh);
     allocators.push(fresh);
-    spot
+    spot.ok_or_else(|| {
+        Error::scene(
+            "images",
+            format!("{width} x {height} texels do not fit a page of {} x {}", page[0], page[1]),
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn places(sizes: &[[u32; 2]]) -> ([u32; 2], Vec<Place>) {
+        let image = |&[width, height]: &[u32; 2]| Image8 { width, height, rgba: Vec::new() };
+        let page = page_size(&sizes.iter().map(image).collect::<Vec<_>>());
+        let mut pages = Vec::new();
+        (page, sizes.iter().map(|size| place(&mut pages, *size, page).unwrap()).collect())
+    }
+
+    #[test]
+    fn pages_are_as_large_as_their_images() {
+        assert_eq!(page_size(&[]), [1, 1]);
+        for (sizes, expected) in [
+            (vec![[1, 1]], [1, 1]),
+            (vec![[16_384, 1]], [16_384, 256]),
+            (vec![[1, 16_384]], [256, 16_384]),
+            (vec![[3, 5], [64, 2]], [64, 8]),
+            (vec![[4096, 4096]; 3], [4096, 4096]),
+            (vec![[5000, 5000]], [5000, 5000]),
+        ] {
+            let (page, places) = places(&sizes);
+            assert_eq!(page, expected, "{sizes:?}");
+            for (place, [width, height]) in places.iter().zip(&sizes) {
+                assert!(place.x + width <= page[0] && place.y + height <= page[1], "{sizes:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn images_do_not_overlap() {
+        let sizes: Vec<_> = (0..200).map(|i| [1 + i * 37 % 61, 1 + i * 53 % 67]).collect();
+        let (_, places) = places(&sizes);
+        let apart = |i: usize, j: usize| {
+            let ([a, b], [p, q]) = ([places[i], places[j]], [sizes[i], sizes[j]]);
+            a.page != b.page
+                || a.x + p[0] <= b.x
+                || b.x + q[0] <= a.x
+                || a.y + p[1] <= b.y
+                || b.y + q[1] <= a.y
+        };
+        assert!((0..sizes.len()).all(|i| (0..i).all(|j| apart(i, j))));
+    }
 }

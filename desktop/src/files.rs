@@ -7,16 +7,35 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use tempfile::NamedTempFile;
 
-/// Fails where [`write`] would: long work asks first.
-pub fn check(path: &Path) -> anyhow::Result<()> {
-    let path = resolved(path);
-    if is_special(&path) {
+/// The longest file that is read: a `.glb` says its length in 32 bits.
+const MAX_BYTES: u64 = u32::MAX as u64;
+
+/// Fails where [`write`] would, and where two of the files are one, or one is `input`: long work asks first.
+pub fn check<'p>(outputs: impl IntoIterator<Item = &'p Path>, input: &Path) -> anyhow::Result<()> {
+    let mut taken = vec![resolved(input)];
+    for path in outputs {
+        let resolved = resolved(path);
+        writable(&resolved)?;
+        if taken.contains(&resolved) && !is_special(&resolved) {
+            anyhow::bail!("cannot write {}: the command names that file twice", path.display());
+        }
+        taken.push(resolved);
+    }
+    Ok(())
+}
+
+fn writable(path: &Path) -> anyhow::Result<()> {
+    if is_special(path) {
         return Ok(());
     }
     if path.is_dir() {
         anyhow::bail!("cannot write {}: it is a folder", path.display());
     }
-    temporary_beside(&path).map(drop)
+    // Replacing it would work, and is what its owner did not want.
+    if fs::metadata(path).is_ok_and(|m| m.permissions().readonly()) {
+        anyhow::bail!("cannot write {}: it is read-only", path.display());
+    }
+    temporary_beside(path).map(drop)
 }
 
 /// Writes the file in one step: readers see the old content or the new one, never a part.
@@ -34,12 +53,32 @@ pub fn write(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
 
 /// Reads a whole file.
 pub fn read(path: &Path) -> anyhow::Result<Vec<u8>> {
+    readable(path)?;
     fs::read(path).with_context(|| format!("cannot read {}", path.display()))
 }
 
-/// Behind links: a link is kept and what it names is replaced.
+/// Fails where [`read`] would have no end or no sense: for folders, pipes, devices, and files that are too long.
+pub fn readable(path: &Path) -> anyhow::Result<()> {
+    let failed = || format!("cannot read {}", path.display());
+    let about = fs::metadata(path).with_context(failed)?;
+    if !about.is_file() {
+        let kind = if about.is_dir() { "folder" } else { "pipe or a device" };
+        anyhow::bail!("{}: expected a file, found a {kind}", failed());
+    }
+    if about.len() > MAX_BYTES {
+        anyhow::bail!("{}: expected at most {MAX_BYTES} bytes, found {}", failed(), about.len());
+    }
+    Ok(())
+}
+
+/// Behind links: a link is kept and what it names is replaced. The file itself need not exist.
 fn resolved(path: &Path) -> PathBuf {
-    fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
+    let new = || Some(fs::canonicalize(folder(path)).ok()?.join(path.file_name()?));
+    fs::canonicalize(path).ok().or_else(new).unwrap_or_else(|| path.to_owned())
+}
+
+fn folder(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// A pipe or a device cannot be replaced by a file.
@@ -48,10 +87,7 @@ fn is_special(path: &Path) -> bool {
 }
 
 fn temporary_beside(path: &Path) -> anyhow::Result<NamedTempFile> {
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
+    let folder = folder(path);
     if !folder.is_dir() {
         anyhow::bail!("cannot write {}: its folder does not exist", path.display());
     }
@@ -84,7 +120,7 @@ mod tests {
     fn writing_replaces_and_leaves_nothing_else_behind() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.png");
-        check(&path).unwrap();
+        check([path.as_path()], Path::new("builtin:room")).unwrap();
         assert!(names(folder.path()).is_empty(), "checking leaves nothing");
         write(&path, b"one").unwrap();
         write(&path, b"two").unwrap();
@@ -96,13 +132,39 @@ mod tests {
     fn a_missing_folder_and_a_folder_as_target_are_refused_by_name() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("missing/a.png");
-        for refused in [check(&path), write(&path, b"")] {
+        for refused in [writable(&path), write(&path, b"")] {
             let message = format!("{:#}", refused.unwrap_err());
             assert!(message.contains("missing/a.png: its folder does not exist"), "{message}");
         }
-        assert!(check(folder.path()).unwrap_err().to_string().contains("it is a folder"));
+        assert!(writable(folder.path()).unwrap_err().to_string().contains("it is a folder"));
         assert!(write(folder.path(), b"").is_err());
         assert!(folder.path().is_dir());
+    }
+
+    #[test]
+    fn no_file_is_written_twice_nor_over_the_input() {
+        let folder = tempfile::tempdir().unwrap();
+        let [scene, picture, new] = ["scene.glb", "a.png", "new.json"].map(|n| folder.path().join(n));
+        fs::write(&scene, b"").unwrap();
+        fs::write(&picture, b"").unwrap();
+        check([picture.as_path(), &new], &scene).unwrap();
+        let around = folder.path().join("../").join(folder.path().file_name().unwrap()).join("new.json");
+        for outputs in [[&picture, &scene], [&picture, &picture], [&new, &new], [&new, &around]] {
+            let message = check(outputs.map(PathBuf::as_path), &scene).unwrap_err().to_string();
+            assert!(message.contains("twice"), "{message}");
+        }
+        check([Path::new("/dev/null"), Path::new("/dev/null")], &scene).unwrap();
+    }
+
+    #[test]
+    fn what_is_no_file_is_not_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let message = read(folder.path()).unwrap_err().to_string();
+        assert!(message.contains("found a folder"), "{message}");
+        let long = folder.path().join("long.glb");
+        fs::File::create(&long).unwrap().set_len(MAX_BYTES + 1).unwrap();
+        let message = read(&long).unwrap_err().to_string();
+        assert!(message.contains("found 4294967296"), "{message}");
     }
 
     #[cfg(unix)]
@@ -125,5 +187,20 @@ mod tests {
     fn a_device_is_written_to_and_not_replaced() {
         write(Path::new("/dev/null"), b"x").unwrap();
         assert!(is_special(Path::new("/dev/null")));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_device_is_not_read_nor_a_read_only_file_replaced() {
+        let message = read(Path::new("/dev/zero")).unwrap_err().to_string();
+        assert!(message.contains("found a pipe or a device"), "{message}");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.png");
+        fs::write(&path, b"precious").unwrap();
+        let mut permissions = fs::metadata(&path).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&path, permissions).unwrap();
+        let message = writable(&path).unwrap_err().to_string();
+        assert!(message.contains("a.png: it is read-only"), "{message}");
     }
 }

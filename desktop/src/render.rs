@@ -1,6 +1,6 @@
 //! `glimpse render`: one frame into a file, and all that is known of it.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use glimpse::{Gpu, Method, to_exr, to_png};
 
@@ -38,9 +38,8 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
         return Err(glimpse::Error::setting("--show", "expected an output that ends in .png").into());
     }
     scene_file::check(&options.scene)?;
-    for path in std::iter::once(&options.output.path).chain(&options.stats) {
-        files::check(path)?;
-    }
+    let outputs = std::iter::once(&options.output.path).chain(&options.stats);
+    files::check(outputs.map(PathBuf::as_path), Path::new(&options.scene))?;
 
     let mut methods = vec![settings];
     if options.reference && settings.method != Method::Full {

@@ -1,7 +1,6 @@
 //! A scene by its name on the command line: `builtin:NAME` or a file.
 
-use std::fs;
-use std::path::Path;
+use std::path::{Component, Path};
 
 use anyhow::Context;
 use glimpse::Scene;
@@ -19,7 +18,7 @@ pub fn check(name: &str) -> anyhow::Result<()> {
     if !matches!(ending.as_deref(), Some("glb" | "gltf")) {
         return Err(glimpse::Error::setting(name, "expected a .glb or .gltf file, or builtin:NAME").into());
     }
-    fs::metadata(path).map(drop).with_context(|| format!("cannot read {name}"))
+    files::readable(path)
 }
 
 /// Loads `builtin:NAME`, a `.glb`, or a `.gltf` with the files that it names beside it.
@@ -42,17 +41,25 @@ fn check_builtin(name: &str) -> anyhow::Result<()> {
     Err(glimpse::Error::setting(format!("builtin:{name}"), reason).into())
 }
 
-/// The bytes of a relative URI (RFC 3986: percent-encoded, though not every exporter does it).
+/// The bytes of a relative URI (RFC 3986: percent-encoded, though not every exporter does it). A scene that somebody
+/// else made must not reach what lies outside its own folder: neither other machines nor other files.
 fn read_beside(folder: &Path, uri: &str) -> Result<Vec<u8>, String> {
-    let scheme = uri.split_once(':').map(|(scheme, _)| scheme);
-    if scheme
-        .is_some_and(|s| s.len() > 1 && s.chars().all(|c| c.is_ascii_alphanumeric() || "+-.".contains(c)))
-    {
-        return Err(format!("expected a file beside the scene, found the address `{uri}`"));
-    }
+    let decoded = percent_decoded(uri);
     let literal = folder.join(uri);
-    let path = if literal.exists() { literal } else { folder.join(percent_decoded(uri)) };
-    fs::read(&path).map_err(|error| format!("cannot read {}: {error}", path.display()))
+    let name = if is_below(uri) && literal.exists() { uri } else { decoded.as_str() };
+    if !is_below(name) {
+        return Err(format!("expected a file in the scene's folder or below it, found `{name}`"));
+    }
+    files::read(&folder.join(name)).map_err(|error| format!("{error:#}"))
+}
+
+/// Whether a name leads down from a folder: it has no scheme, no root and no way up.
+fn is_below(name: &str) -> bool {
+    let scheme = name.split_once(':').map(|(scheme, _)| scheme);
+    let has_scheme = scheme
+        .is_some_and(|s| !s.is_empty() && s.chars().all(|c| c.is_ascii_alphanumeric() || "+-.".contains(c)));
+    let down = |c: Component<'_>| matches!(c, Component::Normal(_) | Component::CurDir);
+    !has_scheme && !name.contains('\0') && Path::new(name).components().all(down)
 }
 
 fn percent_decoded(uri: &str) -> String {
@@ -72,6 +79,8 @@ fn percent_decoded(uri: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]
@@ -93,7 +102,37 @@ mod tests {
         assert_eq!(read_beside(folder.path(), "a b.bin").unwrap(), b"spaced");
         assert_eq!(read_beside(folder.path(), "c%20d.bin").unwrap(), b"literal");
         assert!(read_beside(folder.path(), "gone.bin").unwrap_err().contains("gone.bin"));
-        assert!(read_beside(folder.path(), "https://example.org/a.bin").unwrap_err().contains("address"));
+    }
+
+    #[test]
+    fn nothing_outside_the_folder_is_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let scene = folder.path().join("scene");
+        fs::create_dir_all(scene.join("textures")).unwrap();
+        fs::write(folder.path().join("secret.bin"), b"secret").unwrap();
+        fs::write(scene.join("textures/a.png"), b"inside").unwrap();
+        for inside in ["textures/a.png", "./textures/a.png", "textures/./a.png", "textures%2Fa.png"] {
+            assert_eq!(read_beside(&scene, inside).unwrap(), b"inside", "{inside}");
+        }
+        let absolute = folder.path().join("secret.bin").display().to_string();
+        for outside in [
+            "../secret.bin",
+            "%2e%2e/secret.bin",
+            "..%2fsecret.bin",
+            "textures/../../secret.bin",
+            &absolute,
+            &format!("file://{absolute}"),
+            "file:secret.bin",
+            "https://example.org/a.bin",
+            "c:secret.bin",
+            "/dev/zero",
+            "a\0b",
+        ] {
+            let message = read_beside(&scene, outside).unwrap_err();
+            assert!(message.contains("expected a file in the scene's folder"), "{outside}: {message}");
+        }
+        assert!(read_beside(&scene, "textures").unwrap_err().contains("found a folder"));
+        assert!(read_beside(&scene, "").unwrap_err().contains("found a folder"));
     }
 
     #[test]

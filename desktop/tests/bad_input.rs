@@ -167,6 +167,35 @@ fn a_folder_is_no_scene() {
     bench.scene_refused("folder.glb", &["folder.glb"]);
 }
 
+#[cfg(unix)]
+#[test]
+fn a_device_is_no_scene() {
+    let bench = Bench::new();
+    for name in ["zero.glb", "zero.gltf"] {
+        std::os::unix::fs::symlink("/dev/zero", bench.path(name)).unwrap();
+        bench.scene_refused(name, &[name, "expected a file, found a pipe or a device"]);
+    }
+}
+
+/// What a scene names lies in its folder or below, whatever the rest of the machine holds.
+#[test]
+fn what_a_scene_must_not_reach() {
+    let bench = Bench::new();
+    let outside = bench.file("secret.png", "secret");
+    fs::create_dir(bench.path("scene")).unwrap();
+    fs::create_dir(bench.path("scene/folder.png")).unwrap();
+    let address = format!("file://{outside}");
+    for uri in
+        ["../secret.png", "%2E%2E/secret.png", &outside, &address, "http://localhost/a.png", "/dev/zero"]
+    {
+        let scene = bench.file("scene/textured.glb", with_image(uri));
+        bench
+            .scene_refused(&scene, &["textured.glb: image 0: cannot read", "in the scene's folder or below"]);
+    }
+    let scene = bench.file("scene/textured.glb", with_image("folder.png"));
+    bench.scene_refused(&scene, &["image 0", "folder.png", "found a folder"]);
+}
+
 #[test]
 fn truncated_glb() {
     let bench = Bench::new();
@@ -294,7 +323,7 @@ fn sizes_that_cannot_be() {
 #[test]
 fn options_that_do_not_exist() {
     let bench = Bench::new();
-    let bad: [&[&str]; 9] = [
+    let bad: [&[&str]; 21] = [
         &["--wish", "1"],
         &["--method", "magic"],
         &["--show", "everything"],
@@ -304,11 +333,24 @@ fn options_that_do_not_exist() {
         &["--t-tex", "0.6"],
         &["--t-pos", "-1"],
         &["--t-pos", "nan"],
+        &["--t-pos", "inf"],
+        &["--t-pos", "1e39"],
+        &["--t-norm", "-1.5"],
+        &["--t-norm", "NaN"],
+        &["--t-gcol=-inf"],
+        &["--t-gcol", "many"],
+        &["--min-weight", "1.5"],
+        &["--min-weight", "nan"],
+        &["--frames", "0"],
+        &["--frames", "-1"],
+        &["--frames", "100001"],
+        &["--depth", "4294967296"],
     ];
     for options in bad {
         let arguments =
             [&["render", "builtin:furnace", "-o", "out.png", "--size", "16x16"], options].concat();
-        bench.refused(&arguments, USAGE, &[options[0]]);
+        let name = options[0].split('=').next().unwrap();
+        bench.refused(&arguments, USAGE, &[name]);
     }
     bench.refused(&["render", "builtin:furnace"], USAGE, &["-o"]);
     bench.refused(&["paint"], USAGE, &["paint"]);
@@ -334,6 +376,36 @@ fn an_output_that_cannot_be_written() {
     );
 }
 
+/// Nothing is rendered that could not be written: both files are looked at before the scene is.
+#[test]
+fn outputs_are_checked_before_the_work() {
+    let bench = Bench::new();
+    // Were the scene read first, this is what would be said.
+    let scene = bench.file("scene.glb", "this is no scene at all");
+    let picture = bench.file("locked.png", "precious");
+    let mut permissions = fs::metadata(&picture).unwrap().permissions();
+    permissions.set_readonly(true);
+    fs::set_permissions(&picture, permissions).unwrap();
+    let render = |more: &[&'static str], words: &[&str]| {
+        bench.refused(&[&["render", scene.as_str(), "--size", "16x16"], more].concat(), FAILED, words);
+    };
+    render(&["-o", "locked.png"], &["locked.png: it is read-only"]);
+    render(&["-o", "out.png", "--stats", "locked.png"], &["locked.png: it is read-only"]);
+    render(&["-o", "out.png", "--stats", "out.png"], &["out.png: the command names that file twice"]);
+    render(&["-o", "out.png", "--stats", "./out.png"], &["out.png: the command names that file twice"]);
+    render(&["-o", "out.png", "--stats", "scene.glb"], &["scene.glb: the command names that file twice"]);
+    render(&["-o", "out.png", "--stats", "."], &["it is a folder"]);
+    assert_eq!(fs::read(&scene).unwrap(), b"this is no scene at all");
+    assert_eq!(fs::read(&picture).unwrap(), b"precious");
+    #[cfg(target_os = "linux")]
+    render(&["-o", "/proc/out.png"], &["cannot write /proc/out.png"]);
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("scene.glb", bench.path("link.png")).unwrap();
+        render(&["-o", "link.png"], &["link.png: the command names that file twice"]);
+    }
+}
+
 /// A file that is there already stays as it is where the work fails.
 #[test]
 fn a_failure_keeps_the_old_file() {
@@ -352,7 +424,11 @@ fn unknown_names() {
     bench.refused(&render("builtin:castle", &[]), USAGE, &["castle", "room", "cornell"]);
     bench.refused(&render("builtin:", &[]), USAGE, &["builtin:"]);
     bench.refused(&render("builtin:room", &["--camera", "backstage"]), USAGE, &["backstage"]);
-    bench.refused(&render("builtin:room", &["--camera", "99"]), USAGE, &["99"]);
+    for camera in ["99", "-1", "99999999999999999999", "", "1e0", "../main"] {
+        let wanted = format!("--camera={camera}");
+        let arguments = ["render", "builtin:room", "-o", "out.png", "--size", "16x16", wanted.as_str()];
+        bench.refused(&arguments, USAGE, &["no such camera; the scene has 0 (main)"]);
+    }
     bench.refused(&render("builtin:room", &["--adapter", "no such adapter"]), FAILED, &["no such adapter"]);
 }
 
@@ -370,4 +446,7 @@ fn comparing_what_cannot_be_compared() {
     let text = bench.file("a.png", "this is no picture");
     bench.refused(&["compare", "absent.png", &text], FAILED, &["absent.png"]);
     bench.refused(&["compare", &text, &text], FAILED, &["a.png"]);
+    bench.refused(&["compare", ".", &text], FAILED, &["found a folder"]);
+    #[cfg(unix)]
+    bench.refused(&["compare", "/dev/zero", &text], FAILED, &["/dev/zero", "a pipe or a device"]);
 }

@@ -30,6 +30,19 @@ pub const MAX_LIGHTS: usize = 32;
 /// The largest absolute coordinate: beyond it squared lengths overflow f32.
 pub const MAX_COORDINATE: f32 = 1.0e18;
 
+/// The largest radiance or intensity of a channel: what materials and distances of ordinary size make of it stays
+/// finite in f32.
+pub const MAX_RADIANCE: f32 = 1.0e30;
+
+/// The largest index of refraction: it reflects 0.9996 of the light at normal incidence.
+pub const MAX_IOR: f32 = 1.0e4;
+
+/// The least range of a light: the fourth power of its inverse is finite in f32.
+pub const MIN_RANGE: f32 = 1.0e-9;
+
+/// How many cameras an error lists.
+const CAMERAS_NAMED: usize = 16;
+
 /// A scene in main memory. [`crate::GpuScene::upload`] consumes it.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
@@ -220,8 +233,17 @@ impl Scene {
                 .or_else(|| name.parse().ok().and_then(|i: usize| self.cameras.get(i))),
         };
         found.map(|(_, camera)| camera).ok_or_else(|| {
-            let names: Vec<_> =
-                self.cameras.iter().enumerate().map(|(i, (n, _))| format!("{i} ({n})")).collect();
+            let mut names: Vec<_> = self
+                .cameras
+                .iter()
+                .map(|(name, _)| name)
+                .enumerate()
+                .take(CAMERAS_NAMED)
+                .map(|(i, name)| format!("{i} ({name})"))
+                .collect();
+            if self.cameras.len() > names.len() {
+                names.push(format!("{} more", self.cameras.len() - names.len()));
+            }
             crate::Error::setting(
                 format!("--camera {}", wanted.unwrap_or("0")),
                 format!("no such camera; the scene has {}", names.join(", ")),

@@ -1,12 +1,17 @@
 //! What every scene must keep to, whether a file, a program or a built-in scene made it.
 
+use std::ops::RangeInclusive;
+
 use glam::Vec3;
 
-use super::{LightKind, MAX_COORDINATE, MAX_LIGHTS, Material, Scene};
-use crate::{Error, Result};
+use super::{LightKind, MAX_COORDINATE, MAX_IOR, MAX_LIGHTS, MAX_RADIANCE, MIN_RANGE, Material, Scene};
+use crate::{Camera, Error, Result};
 
 /// Unit vectors may be this far from unit length.
 const UNIT_TOLERANCE: f32 = 1.0e-4;
+
+/// Lengths of a camera's axes: half a frame's sides for an eye at distance 1, or in the scene's unit.
+const FRAME_HALVES: RangeInclusive<f32> = 1.0e-16..=MAX_COORDINATE;
 
 impl Scene {
     /// Checks the lengths of the arrays, every index and every number. An empty scene is valid.
@@ -40,11 +45,7 @@ impl Scene {
         }
         self.lights()?;
         for (name, camera) in &self.cameras {
-            let finite =
-                [camera.origin, camera.right, camera.up, camera.forward].iter().all(|v| v.is_finite());
-            if !finite || camera.right.cross(camera.up) == Vec3::ZERO {
-                return fail(format!("camera `{name}`"), "expected finite axes that span a frame".into());
-            }
+            check_camera(camera, &format!("camera `{name}`"))?;
         }
         let e = &self.environment;
         for (name, color) in
@@ -79,10 +80,10 @@ impl Scene {
             }
         }
         for (i, triangle) in self.texcoords.iter().enumerate() {
-            if let Some(uv) = triangle.iter().find(|uv| !uv.is_finite()) {
+            if let Some(uv) = triangle.iter().find(|uv| !inside(uv.extend(0.0))) {
                 return fail(
                     format!("triangle {i}"),
-                    format!("expected finite texture coordinates, found {uv}"),
+                    format!("expected finite texture coordinates up to {MAX_COORDINATE:e}, found {uv}"),
                 );
             }
         }
@@ -121,12 +122,12 @@ impl Scene {
                 LightKind::Spot { position, range, direction, .. } => (*position, *range, *direction),
                 LightKind::Directional { direction } => (Vec3::ZERO, 1.0, *direction),
             };
-            if !(inside(position) && range > 0.0 && light.radius >= 0.0) {
+            if !(inside(position) && range >= MIN_RANGE && light.radius >= 0.0) {
                 return fail(
                     what,
                     format!(
-                        "expected a finite position, a range above zero and a radius that is not negative, \
-                         found {position}, {range} and {}",
+                        "expected a finite position, a range of at least {MIN_RANGE:e} and a radius that is \
+                         not negative, found {position}, {range} and {}",
                         light.radius
                     ),
                 );
@@ -164,10 +165,10 @@ fn check_material(material: &Material, what: &str) -> Result<()> {
     if let Some((name, found)) = shares.iter().find(|(_, v)| !(0.0..=1.0).contains(v)) {
         return fail(format!("{what}, {name}"), format!("expected a number from 0 to 1, found {found}"));
     }
-    if !(material.ior >= 1.0 && material.ior.is_finite()) {
+    if !(1.0..=MAX_IOR).contains(&material.ior) {
         return fail(
             format!("{what}, index of refraction"),
-            format!("expected at least 1, found {}", material.ior),
+            format!("expected a number from 1 to {MAX_IOR}, found {}", material.ior),
         );
     }
     match material.alpha_cutoff {
@@ -177,10 +178,28 @@ fn check_material(material: &Material, what: &str) -> Result<()> {
 }
 
 fn check_radiance(what: String, color: Vec3) -> Result<()> {
-    if color.is_finite() && color.min_element() >= 0.0 {
+    if color.cmpge(Vec3::ZERO).all() && color.cmple(Vec3::splat(MAX_RADIANCE)).all() {
         return Ok(());
     }
-    fail(what, format!("expected three finite numbers, none negative, found {color}"))
+    fail(what, format!("expected three numbers from 0 to {MAX_RADIANCE:e}, found {color}"))
+}
+
+/// The sides of the frame span a plane, and their products neither vanish nor overflow.
+fn check_camera(camera: &Camera, what: &str) -> Result<()> {
+    let measurable = |axis: Vec3| FRAME_HALVES.contains(&axis.length());
+    let spans = camera.right.cross(camera.up) != Vec3::ZERO;
+    let axes = [camera.right, camera.up, camera.forward];
+    if inside(camera.origin) && axes.into_iter().all(measurable) && spans {
+        return Ok(());
+    }
+    fail(
+        what.to_owned(),
+        format!(
+            "expected a finite position, and axes of a length from {:e} to {:e} that span a frame, found {camera:?}",
+            FRAME_HALVES.start(),
+            FRAME_HALVES.end()
+        ),
+    )
 }
 
 fn inside(p: Vec3) -> bool {
@@ -251,7 +270,17 @@ mod tests {
         };
         fails(|s| s.lights[0] = down(vec3(0.0, -2.0, 0.0)), &["light 0", "unit length"]);
         fails(|s| s.lights[0].radius = f32::NAN, &["light 0", "radius"]);
+        fails(|s| s.lights[0].intensity.x = 2.0e30, &["light 0", "1e30"]);
+        fails(|s| s.environment.background.z = 2.0e30, &["environment, background", "1e30"]);
+        fails(|s| s.materials[0].ior = f32::NAN, &["index of refraction", "NaN"]);
+        fails(|s| s.materials[0].ior = 2.0e4, &["index of refraction", "10000"]);
+        fails(|s| s.texcoords[3][0].x = -2.0e18, &["triangle 3", "texture coordinates", "1e18"]);
         fails(|s| s.cameras[0].1.up = Vec3::ZERO, &["camera `main`"]);
+        fails(|s| s.cameras[0].1.up = s.cameras[0].1.right, &["camera `main`", "span"]);
+        fails(|s| s.cameras[0].1.right *= 1.0e-20, &["camera `main`", "1e-16"]);
+        fails(|s| s.cameras[0].1.forward = Vec3::ZERO, &["camera `main`"]);
+        fails(|s| s.cameras[0].1.origin.x = 2.0e18, &["camera `main`"]);
+        fails(|s| s.cameras[0].1.origin.x = f32::NAN, &["camera `main`"]);
         fails(|s| s.environment.ambient.y = f32::NAN, &["environment, ambient"]);
     }
 }

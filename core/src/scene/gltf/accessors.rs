@@ -1,7 +1,7 @@
 //! Typed, bounds-checked reading of accessors (glTF 2.0, section 3.6.2): strides, sparse values, normalised integers.
 
-use std::borrow::Cow;
-use std::collections::HashMap;
+use std::cell::Cell;
+use std::cmp::Ordering;
 
 use gltf::json;
 use json::accessor::{ComponentType, Type};
@@ -11,7 +11,11 @@ use super::container;
 use crate::{Error, Result};
 
 /// The most elements of an accessor that stores nothing but its sparse values: no bytes of the file bound it.
-const MAX_SPARSE_ONLY: u64 = 1 << 24;
+const MAX_SPARSE_ONLY: u64 = 1 << 20;
+
+/// The most sparse values of all accessors that are opened: many accessors can name the same bytes, and each
+/// value is looked at when its accessor is opened.
+const MAX_SPARSE: u64 = 1 << 26;
 
 /// An accessor whose every element lies inside the file's bytes.
 pub(super) struct Accessor<'b> {
@@ -24,18 +28,31 @@ pub(super) struct Accessor<'b> {
     /// First element to end; empty where the accessor is zero but for its sparse values.
     bytes: &'b [u8],
     stride: usize,
-    /// Byte offset in `sparse_bytes` by element.
-    sparse: HashMap<u32, usize>,
-    sparse_bytes: &'b [u8],
+    sparse: Option<Sparse<'b>>,
+}
+
+/// Values that replace those of some elements, kept as the file has them.
+struct Sparse<'b> {
+    /// Element numbers, strictly ascending.
+    indices: &'b [u8],
+    /// Bytes of one of them.
+    index_size: usize,
+    /// One value for each, without gaps.
+    values: &'b [u8],
 }
 
 /// Where accessors are read from.
 pub(super) struct Source<'b> {
     pub root: &'b json::Root,
-    pub buffers: &'b [Cow<'b, [u8]>],
+    pub buffers: &'b [&'b [u8]],
+    sparse_opened: Cell<u64>,
 }
 
 impl<'b> Source<'b> {
+    pub fn new(root: &'b json::Root, buffers: &'b [&'b [u8]]) -> Self {
+        Self { root, buffers, sparse_opened: Cell::new(0) }
+    }
+
     /// The accessor of that index; `what` names its use in errors, `shapes` says what may be there.
     pub fn accessor(&self, index: usize, what: &str, shapes: &[Type]) -> Result<Accessor<'b>> {
         let fail = |reason: String| Error::scene(format!("{what} (accessor {index})"), reason);
@@ -75,33 +92,16 @@ impl<'b> Source<'b> {
             }
             None => (&[][..], size),
         };
-        let (sparse, sparse_bytes) = match &json.sparse {
-            Some(sparse) => self.sparse(sparse, count, size).map_err(|e| match e {
-                Error::Scene { what, reason } => fail(format!("{what}: {reason}")),
-                other => other,
-            })?,
-            None => (HashMap::new(), &[][..]),
-        };
-        let count = count as usize;
-        let normalized = json.normalized;
-        Ok(Accessor {
-            count,
-            components,
-            component: component.0,
-            normalized,
-            bytes,
-            stride,
-            sparse,
-            sparse_bytes,
-        })
+        let sparse = json.sparse.as_ref().map(|sparse| self.sparse(sparse, count, size));
+        let sparse = sparse.transpose().map_err(|e| match e {
+            Error::Scene { what, reason } => fail(format!("{what}: {reason}")),
+            other => other,
+        })?;
+        let (component, normalized) = (component.0, json.normalized);
+        Ok(Accessor { count: count as usize, components, component, normalized, bytes, stride, sparse })
     }
 
-    fn sparse(
-        &self,
-        sparse: &json::accessor::sparse::Sparse,
-        count: u64,
-        size: usize,
-    ) -> Result<(HashMap<u32, usize>, &'b [u8])> {
+    fn sparse(&self, sparse: &json::accessor::sparse::Sparse, count: u64, size: usize) -> Result<Sparse<'b>> {
         let fail = |part: &str, reason: String| Error::scene(format!("sparse {part}"), reason);
         let Checked::Valid(component) = sparse.indices.component_type.as_ref() else {
             return Err(fail("indices", "their component type is none of 5121, 5123, 5125".to_owned()));
@@ -113,18 +113,48 @@ impl<'b> Source<'b> {
         let view = container::view(self.root, self.buffers, sparse.values.buffer_view.value())?;
         let values = slice(view, sparse.values.byte_offset.0, sparse.count.0, size, size)
             .map_err(|r| fail("values", r))?;
-        let mut places = HashMap::with_capacity(indices.len() / index_size);
+        self.sparse_opened.set(self.sparse_opened.get() + sparse.count.0);
+        if self.sparse_opened.get() > MAX_SPARSE {
+            return Err(fail(
+                "indices",
+                format!("expected at most {MAX_SPARSE} in all accessors, found more"),
+            ));
+        }
+        let mut least = 0;
         for (i, bytes) in indices.chunks_exact(index_size).enumerate() {
-            let index = unsigned(bytes);
-            if u64::from(index) >= count {
+            let index = u64::from(unsigned(bytes));
+            if index >= count {
                 return Err(fail(
                     "indices",
                     format!("number {i} is {index}, the accessor has {count} elements"),
                 ));
             }
-            places.insert(index, i * size);
+            if index < least {
+                return Err(fail(
+                    "indices",
+                    format!("expected strictly ascending numbers, found {index} at {i}"),
+                ));
+            }
+            least = index + 1;
         }
-        Ok((places, values))
+        Ok(Sparse { indices, index_size, values })
+    }
+}
+
+impl Sparse<'_> {
+    /// The value of an element of that many bytes, where there is one.
+    fn value(&self, element: usize, size: usize) -> Option<&[u8]> {
+        let at = |i: usize| unsigned(&self.indices[i * self.index_size..][..self.index_size]) as usize;
+        let (mut low, mut high) = (0, self.indices.len() / self.index_size);
+        while low < high {
+            let middle = low + (high - low) / 2;
+            match at(middle).cmp(&element) {
+                Ordering::Less => low = middle + 1,
+                Ordering::Greater => high = middle,
+                Ordering::Equal => return self.values.get(middle * size..(middle + 1) * size),
+            }
+        }
+        None
     }
 }
 
@@ -160,10 +190,8 @@ impl Accessor<'_> {
     /// The bytes of an element, `None` where it is zero; `index` is below `count`.
     fn element(&self, index: usize) -> Option<&[u8]> {
         let size = self.component.size() * self.components;
-        match self.sparse.get(&(index as u32)) {
-            Some(&place) => self.sparse_bytes.get(place..place + size),
-            None => self.bytes.get(index * self.stride..index * self.stride + size),
-        }
+        let replaced = self.sparse.as_ref().and_then(|sparse| sparse.value(index, size));
+        replaced.or_else(|| self.bytes.get(index * self.stride..index * self.stride + size))
     }
 
     /// An element as floats (glTF 2.0, section 3.6.2.2); components that are not there are zero.

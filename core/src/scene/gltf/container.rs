@@ -1,11 +1,14 @@
 //! The bytes behind a file: the chunks of a `.glb`, buffers, data URIs and external URIs.
 
-use std::borrow::Cow;
+use std::collections::HashMap;
 
 use base64::Engine as _;
 use gltf::json;
 
 use crate::{Error, Result};
+
+/// The most bytes of all data URIs and external files together: what a `.glb`, whose lengths have 32 bits, holds.
+const MAX_FETCHED: u64 = 1 << 32;
 
 /// Gives the bytes of an external URI, or says why it cannot.
 pub(super) type Resolve<'r> = dyn FnMut(&str) -> std::result::Result<Vec<u8>, String> + 'r;
@@ -31,19 +34,19 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<Chunks<'_>> {
         return Err(Error::scene(".glb header", format!("expected version 2, found {version}")));
     }
     let end = word(8)? as usize;
-    if end > bytes.len() {
-        return Err(truncated(format!("{end} bytes, as its header says"), bytes.len()));
-    }
+    let whole =
+        bytes.get(..end).ok_or_else(|| truncated(format!("{end} bytes, as its header says"), bytes.len()))?;
     let (mut json, mut binary) = (None, None);
     let mut at = 12;
     while at + 8 <= end {
-        let (length, kind) = (word(at)? as usize, bytes.get(at + 4..at + 8));
-        let chunk = bytes
-            .get(at + 8..at + 8 + length)
-            .ok_or_else(|| truncated(format!("a chunk of {length} bytes at byte {at}"), bytes.len()))?;
+        let (length, kind) = (word(at)? as usize, &whole[at + 4..at + 8]);
+        let chunk = whole
+            .get(at + 8..)
+            .and_then(|rest| rest.get(..length))
+            .ok_or_else(|| truncated(format!("a chunk of {length} bytes at byte {at}"), end))?;
         match kind {
-            Some(b"JSON") if json.is_none() => json = Some(chunk),
-            Some(b"BIN\0") if binary.is_none() => binary = Some(chunk),
+            b"JSON" if json.is_none() => json = Some(chunk),
+            b"BIN\0" if binary.is_none() => binary = Some(chunk),
             _ => {}
         }
         at += 8 + length.next_multiple_of(4);
@@ -56,46 +59,79 @@ fn truncated(wanted: String, length: usize) -> Error {
     Error::scene(".glb file", format!("it is truncated: expected {wanted}, found {length} bytes in all"))
 }
 
-/// The bytes of every buffer, as long as the file says (longer ones are cut: chunks are padded).
-pub(super) fn buffers<'a>(
-    root: &json::Root,
-    binary: Option<&'a [u8]>,
-    resolve: &mut Resolve<'_>,
-) -> Result<Vec<Cow<'a, [u8]>>> {
-    let mut all = Vec::with_capacity(root.buffers.len());
-    for (i, buffer) in root.buffers.iter().enumerate() {
-        let what = format!("buffer {i}");
-        let bytes = match (&buffer.uri, binary) {
-            (Some(uri), _) => Cow::Owned(fetch(uri, &what, resolve)?),
-            (None, Some(binary)) if i == 0 => Cow::Borrowed(binary),
-            (None, _) => {
-                return Err(Error::scene(
-                    what,
-                    "expected a URI or the binary chunk of a .glb, found neither",
-                ));
+/// Reads what URIs name, as long as all of it together stays below a limit.
+pub(super) struct External<'r> {
+    resolve: &'r mut Resolve<'r>,
+    fetched: u64,
+}
+
+impl<'r> External<'r> {
+    pub fn new(resolve: &'r mut Resolve<'r>) -> Self {
+        Self { resolve, fetched: 0 }
+    }
+
+    /// The bytes of a URI: decoded if it is a data URI, else asked for under its percent-decoded name.
+    pub fn fetch(&mut self, uri: &str, what: &str) -> Result<Vec<u8>> {
+        let bytes = match uri.strip_prefix("data:") {
+            Some(data) => decoded(data, what)?,
+            None => {
+                let name = percent_decoded(uri).ok_or_else(|| {
+                    Error::scene(what, format!("its URI `{uri}` is not percent-encoded UTF-8"))
+                })?;
+                (self.resolve)(&name)
+                    .map_err(|reason| Error::scene(what, format!("cannot read `{name}`: {reason}")))?
             }
         };
-        let expected = buffer.byte_length.0;
-        if (bytes.len() as u64) < expected {
+        self.fetched += bytes.len() as u64;
+        if self.fetched > MAX_FETCHED {
             return Err(Error::scene(
                 what,
-                format!("it is truncated: expected {expected} bytes, found {}", bytes.len()),
+                format!("expected at most {MAX_FETCHED} bytes behind all URIs together, found more"),
             ));
         }
-        let expected = expected as usize;
-        all.push(match bytes {
-            Cow::Borrowed(bytes) => Cow::Borrowed(&bytes[..expected]),
-            Cow::Owned(mut bytes) => {
-                bytes.truncate(expected);
-                Cow::Owned(bytes)
-            }
-        });
+        Ok(bytes)
+    }
+}
+
+/// What buffers name, each URI once: a small file can name a large one a million times.
+pub(super) fn fetched<'r>(
+    root: &'r json::Root,
+    external: &mut External<'_>,
+) -> Result<HashMap<&'r str, Vec<u8>>> {
+    let mut all = HashMap::new();
+    for (i, buffer) in root.buffers.iter().enumerate() {
+        if let Some(uri) = buffer.uri.as_deref().filter(|uri| !all.contains_key(uri)) {
+            all.insert(uri, external.fetch(uri, &format!("buffer {i}"))?);
+        }
     }
     Ok(all)
 }
 
+/// The bytes of every buffer, as long as the file says (longer ones are cut: chunks are padded).
+pub(super) fn buffers<'b>(
+    root: &json::Root,
+    binary: Option<&'b [u8]>,
+    fetched: &'b HashMap<&str, Vec<u8>>,
+) -> Result<Vec<&'b [u8]>> {
+    let bytes = |(i, buffer): (usize, &json::Buffer)| {
+        let what = || format!("buffer {i}");
+        let bytes = match &buffer.uri {
+            Some(uri) => fetched.get(uri.as_str()).map(Vec::as_slice),
+            None => binary.filter(|_| i == 0),
+        };
+        let bytes = bytes.ok_or_else(|| {
+            Error::scene(what(), "expected a URI or the binary chunk of a .glb, found neither")
+        })?;
+        let expected = buffer.byte_length.0;
+        usize::try_from(expected).ok().and_then(|length| bytes.get(..length)).ok_or_else(|| {
+            Error::scene(what(), format!("it is truncated: expected {expected} bytes, found {}", bytes.len()))
+        })
+    };
+    root.buffers.iter().enumerate().map(bytes).collect()
+}
+
 /// The bytes of a buffer view.
-pub(super) fn view<'b>(root: &json::Root, buffers: &'b [Cow<'_, [u8]>], index: usize) -> Result<&'b [u8]> {
+pub(super) fn view<'b>(root: &json::Root, buffers: &[&'b [u8]], index: usize) -> Result<&'b [u8]> {
     let what = || format!("buffer view {index}");
     let view = root.buffer_views.get(index).ok_or_else(|| {
         Error::scene(what(), format!("no such view; the file has {}", root.buffer_views.len()))
@@ -120,14 +156,8 @@ pub(super) fn view<'b>(root: &json::Root, buffers: &'b [Cow<'_, [u8]>], index: u
     })
 }
 
-/// The bytes of a URI: decoded if it is a data URI, else asked for under its percent-decoded name.
-pub(super) fn fetch(uri: &str, what: &str, resolve: &mut Resolve<'_>) -> Result<Vec<u8>> {
-    let Some(data) = uri.strip_prefix("data:") else {
-        let name = percent_decoded(uri)
-            .ok_or_else(|| Error::scene(what, format!("its URI `{uri}` is not percent-encoded UTF-8")))?;
-        return resolve(&name)
-            .map_err(|reason| Error::scene(what, format!("cannot read `{name}`: {reason}")));
-    };
+/// The bytes of a data URI (RFC 2397) behind its scheme.
+fn decoded(data: &str, what: &str) -> Result<Vec<u8>> {
     let (header, payload) = data
         .split_once(',')
         .ok_or_else(|| Error::scene(what, "expected a comma in its data URI, found none"))?;

@@ -4,20 +4,27 @@ use std::collections::HashMap;
 use std::io::Cursor;
 
 use gltf::json;
+use image::{DynamicImage, ImageDecoder as _, ImageError, ImageFormat, ImageReader};
 use json::texture::{MagFilter, WrappingMode};
 use json::validation::Checked;
 
 use super::accessors::Source;
-use super::container::{self, Resolve};
+use super::container::{self, External};
 use crate::scene::{Image8, Texture, Wrap};
 use crate::{Error, Result};
 
-/// The largest width and height.
+/// The largest width and height: of what WebGPU devices offer.
 const MAX_SIDE: u32 = 16_384;
-/// The most bytes that one image may need while it is decoded.
-const MAX_DECODED: u64 = 2 << 30;
-/// The most bytes of all decoded images.
-const MAX_TOTAL: u64 = 8 << 30;
+
+/// The most texels of all images of a scene: 4 GiB as they are stored.
+pub(super) const MAX_TEXELS: u64 = 1 << 30;
+
+/// The most texels that a byte of an image file can stand for. Deflate makes at most 1032 bytes of one (RFC 1951:
+/// 258 for two bits), and a PNG has at most 8 texels in a byte; a JPEG spends at least a bit on 8 x 8 of them.
+const TEXELS_PER_BYTE: u64 = 8 * 1032;
+
+/// What a decoder may take besides the image, for a row and for a colour profile, which can be a bomb of its own.
+const DECODER_BYTES: u64 = 4 << 20;
 
 #[derive(PartialEq, Eq, Hash)]
 enum Origin {
@@ -26,21 +33,28 @@ enum Origin {
 }
 
 /// What is loaded already.
-#[derive(Default)]
 pub(super) struct Textures {
     pub textures: Vec<Texture>,
     pub images: Vec<Image8>,
+    /// How many texels more may come.
+    room: u64,
     texture_of: HashMap<usize, Option<u32>>,
     image_of: HashMap<Origin, u32>,
 }
 
 impl Textures {
+    /// Nothing, with room for that many texels.
+    pub fn new(room: u64) -> Self {
+        let (textures, images) = (Vec::new(), Vec::new());
+        Self { textures, images, room, texture_of: HashMap::new(), image_of: HashMap::new() }
+    }
+
     /// The index of the scene's texture for the file's texture; `None` where that has no image which this
     /// program reads (its source is left to an extension).
     pub fn load(
         &mut self,
         source: &Source<'_>,
-        resolve: &mut Resolve<'_>,
+        external: &mut External<'_>,
         index: usize,
     ) -> Result<Option<u32>> {
         if let Some(known) = self.texture_of.get(&index) {
@@ -55,7 +69,7 @@ impl Textures {
         let loaded = if json.source.value() == u32::MAX as usize {
             None
         } else {
-            let image = self.image(source, resolve, json.source.value())?;
+            let image = self.image(source, external, json.source.value())?;
             let texture = sampler(root, json, &what)?;
             self.textures.push(Texture { image, ..texture });
             Some((self.textures.len() - 1) as u32)
@@ -64,7 +78,7 @@ impl Textures {
         Ok(loaded)
     }
 
-    fn image(&mut self, source: &Source<'_>, resolve: &mut Resolve<'_>, index: usize) -> Result<u32> {
+    fn image(&mut self, source: &Source<'_>, external: &mut External<'_>, index: usize) -> Result<u32> {
         let images = &source.root.images;
         let what = format!("image {index}");
         let json = images
@@ -81,18 +95,59 @@ impl Textures {
             return Ok(*known);
         }
         let image = match &origin {
-            Origin::View(view) => decode(container::view(source.root, source.buffers, *view)?, &what)?,
-            Origin::Uri(uri) => decode(&container::fetch(uri, &what, resolve)?, &what)?,
+            Origin::View(view) => self.decode(container::view(source.root, source.buffers, *view)?, &what)?,
+            Origin::Uri(uri) => self.decode(&external.fetch(uri, &what)?, &what)?,
         };
-        let total: u64 = self.images.iter().chain([&image]).map(|i| i.rgba.len() as u64).sum();
-        if total > MAX_TOTAL {
-            return Err(Error::scene(what, format!("expected at most {MAX_TOTAL} bytes of decoded images")));
-        }
         self.images.push(image);
         let place = (self.images.len() - 1) as u32;
         self.image_of.insert(origin, place);
         Ok(place)
     }
+
+    /// An image as large as its header says, if its bytes can hold that much and the limits let it in: nothing of
+    /// that size is allocated before.
+    fn decode(&mut self, bytes: &[u8], what: &str) -> Result<Image8> {
+        let fail = |reason: String| Error::scene(what, reason);
+        let undecodable = |e: ImageError| fail(format!("cannot be decoded as PNG or JPEG: {e}"));
+        let format = match image::guess_format(bytes) {
+            Ok(format @ (ImageFormat::Png | ImageFormat::Jpeg)) => format,
+            _ => return Err(fail("cannot be decoded: expected a PNG or a JPEG, found neither".to_owned())),
+        };
+        if format == ImageFormat::Jpeg && !jpeg_ends(bytes) {
+            return Err(fail("cannot be decoded: the JPEG is truncated, it has no end marker".to_owned()));
+        }
+        let held = bytes.len() as u64 * TEXELS_PER_BYTE;
+        let mut limits = image::Limits::no_limits();
+        limits.max_image_width = Some(MAX_SIDE);
+        limits.max_image_height = Some(MAX_SIDE);
+        limits.max_alloc = Some(DECODER_BYTES);
+        let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
+        reader.limits(limits);
+        let decoder = reader.into_decoder().map_err(undecodable)?;
+        let (width, height) = decoder.dimensions();
+        let texels = u64::from(width) * u64::from(height);
+        if texels > held {
+            return Err(fail(format!(
+                "its header says {width} x {height} texels, {} bytes cannot hold more than {held}",
+                bytes.len()
+            )));
+        }
+        if texels > self.room {
+            return Err(fail(format!(
+                "expected at most {MAX_TEXELS} texels of all images, found {texels} where {} are left",
+                self.room
+            )));
+        }
+        let image = DynamicImage::from_decoder(decoder).map_err(undecodable)?.into_rgba8();
+        self.room -= texels;
+        Ok(Image8 { width, height, rgba: image.into_raw() })
+    }
+}
+
+/// Whether the marker EOI stands behind the last SOS (ITU T.81, annex B): decoders fill in what is missing.
+fn jpeg_ends(bytes: &[u8]) -> bool {
+    let last = |code: u8| bytes.windows(2).rposition(|marker| marker == [0xff, code]);
+    last(0xd9).is_some_and(|end| last(0xda).is_none_or(|scan| scan < end))
 }
 
 fn sampler(root: &json::Root, json: &json::Texture, what: &str) -> Result<Texture> {
@@ -117,16 +172,22 @@ fn sampler(root: &json::Root, json: &json::Texture, what: &str) -> Result<Textur
     Ok(Texture { image: 0, wrap: [wrap(&sampler.wrap_s)?, wrap(&sampler.wrap_t)?], nearest })
 }
 
-fn decode(bytes: &[u8], what: &str) -> Result<Image8> {
-    let fail = |e: image::ImageError| Error::scene(what, format!("cannot be decoded as PNG or JPEG: {e}"));
-    let mut reader = image::ImageReader::new(Cursor::new(bytes))
-        .with_guessed_format()
-        .map_err(|e| Error::scene(what, format!("cannot be read: {e}")))?;
-    let mut limits = image::Limits::default();
-    limits.max_image_width = Some(MAX_SIDE);
-    limits.max_image_height = Some(MAX_SIDE);
-    limits.max_alloc = Some(MAX_DECODED);
-    reader.limits(limits);
-    let image = reader.decode().map_err(fail)?.into_rgba8();
-    Ok(Image8 { width: image.width(), height: image.height(), rgba: image.into_raw() })
+#[cfg(test)]
+mod tests {
+    use super::super::tests::png;
+    use super::*;
+
+    #[test]
+    fn images_share_the_room_that_there_is() {
+        let mut textures = Textures::new(100);
+        let mut decode = |side| textures.decode(&png(side, side, [1; 4]), "image 0");
+        assert_eq!(decode(9).unwrap().rgba.len(), 4 * 81);
+        assert!(decode(4).is_ok(), "19 are left");
+        let error = decode(2).unwrap_err().to_string();
+        assert!(
+            error.contains("image 0: expected at most") && error.contains("4 where 3 are left"),
+            "{error}"
+        );
+        assert!(decode(1).is_ok(), "what was refused took nothing");
+    }
 }

@@ -10,9 +10,11 @@ use json::texture::Info;
 use json::validation::Checked;
 
 use super::accessors::Source;
-use super::container::Resolve;
+use super::container::External;
 use super::images::Textures;
-use crate::scene::Material;
+use super::numbers::{Numbers, flushed2};
+use super::text::{MAX_NAME, clipped};
+use crate::scene::{MAX_IOR, MAX_RADIANCE, Material};
 use crate::{Error, Result};
 
 /// Which texture coordinates a material reads, and how they are moved (KHR_texture_transform).
@@ -45,7 +47,7 @@ impl Coordinates {
         let rotation = DMat2::from_cols_array(&[cos, -sin, sin, cos]);
         let scaled = Vec2::from(uv).as_dvec2() * Vec2::from(self.scale).as_dvec2();
         let moved: DVec2 = rotation * scaled + Vec2::from(self.offset).as_dvec2();
-        moved.as_vec2()
+        flushed2(moved.as_vec2())
     }
 }
 
@@ -68,7 +70,7 @@ impl Materials {
     pub fn load(
         &mut self,
         source: &Source<'_>,
-        resolve: &mut Resolve<'_>,
+        external: &mut External<'_>,
         textures: &mut Textures,
         warnings: &mut Vec<String>,
         index: Option<usize>,
@@ -87,11 +89,11 @@ impl Materials {
                     )
                 })?;
                 let what = match &json.name {
-                    Some(name) => format!("material {index} `{name}`"),
+                    Some(name) => format!("material {index} `{}`", clipped(name, MAX_NAME)),
                     None => format!("material {index}"),
                 };
                 let mut material = factors(json, &what, warnings)?;
-                let mut load = |texture: usize| textures.load(source, resolve, texture);
+                let mut load = |texture: usize| textures.load(source, external, texture);
                 let coordinates = slots(json, &what, &mut material, warnings, &mut load)?;
                 (material, coordinates)
             }
@@ -105,68 +107,93 @@ impl Materials {
 
 /// Everything but textures.
 fn factors(json: &json::Material, what: &str, warnings: &mut Vec<String>) -> Result<Material> {
-    let number = |name: &str, value: f32, low: f32, high: f32| {
-        if value.is_finite() {
-            Ok(value.clamp(low, high))
-        } else {
-            Err(Error::scene(what, format!("{name}: expected a finite number, found {value}")))
-        }
-    };
-    let share = |name: &str, value: f32| number(name, value, 0.0, 1.0);
+    let mut numbers = Numbers { what, warnings };
     let pbr = &json.pbr_metallic_roughness;
     let [r, g, b, a] = pbr.base_color_factor.0;
+    let base_color = [
+        numbers.share("baseColorFactor", r)?,
+        numbers.share("baseColorFactor", g)?,
+        numbers.share("baseColorFactor", b)?,
+    ];
+    let alpha = numbers.share("baseColorFactor", a)?;
+    let metallic = numbers.share("metallicFactor", pbr.metallic_factor.0)?;
+    let roughness = numbers.share("roughnessFactor", pbr.roughness_factor.0)?;
+    let emission = emission(json, &mut numbers)?;
     let extensions = json.extensions.as_ref();
-    let strength =
-        extensions.and_then(|e| e.emissive_strength.as_ref()).map_or(1.0, |e| e.emissive_strength.0);
-    let emitted = |c: f32| number("emissiveFactor x emissiveStrength", c * strength, 0.0, f32::MAX);
-    let [er, eg, eb] = json.emissive_factor.0;
+    let ior =
+        index_of_refraction(extensions.and_then(|e| e.ior.as_ref()).map_or(1.5, |e| e.ior.0), &numbers)?;
+    let alpha_cutoff = alpha_cutoff(json, &mut numbers)?;
     let transmission = match extensions.and_then(|e| e.transmission.as_ref()) {
         Some(t) => {
             if t.transmission_texture.is_some() {
-                warnings
-                    .push(format!("{what}: its transmission texture is ignored, the factor counts alone"));
+                let text = "its transmission texture is ignored, the factor counts alone";
+                numbers.warnings.push(format!("{what}: {text}"));
             }
-            share("transmissionFactor", t.transmission_factor.0)?
+            numbers.share("transmissionFactor", t.transmission_factor.0)?
         }
         None => 0.0,
     };
     let volume = extensions.and_then(|e| e.volume.as_ref());
     if volume.is_some_and(|v| v.attenuation_distance.0.is_finite() && v.attenuation_color.0 != [1.0; 3]) {
-        warnings.push(format!("{what}: the attenuation inside its volume is ignored"));
+        numbers.warnings.push(format!("{what}: the attenuation inside its volume is ignored"));
     }
     let solid = volume.is_some_and(|v| v.thickness_factor.0 > 0.0);
-    let alpha_cutoff = match json.alpha_mode {
-        Checked::Valid(AlphaMode::Opaque) => None,
-        Checked::Valid(AlphaMode::Mask) => {
-            Some(number("alphaCutoff", json.alpha_cutoff.map_or(0.5, |c| c.0), 0.0, f32::MAX)?)
-        }
-        Checked::Valid(AlphaMode::Blend) => {
-            warnings.push(format!("{what}: alpha mode BLEND is read as MASK with a cutoff of 0.5"));
-            Some(0.5)
-        }
-        Checked::Invalid => {
-            return Err(Error::scene(what, "alphaMode: expected OPAQUE, MASK or BLEND, found another"));
-        }
-    };
     Ok(Material {
-        name: json.name.clone().unwrap_or_else(|| what.to_owned()),
-        base_color: Vec3::new(
-            share("baseColorFactor", r)?,
-            share("baseColorFactor", g)?,
-            share("baseColorFactor", b)?,
-        ),
-        metallic: share("metallicFactor", pbr.metallic_factor.0)?,
-        roughness: share("roughnessFactor", pbr.roughness_factor.0)?,
-        emission: Vec3::new(emitted(er)?, emitted(eg)?, emitted(eb)?),
+        name: json.name.as_deref().map_or_else(|| what.to_owned(), |name| clipped(name, MAX_NAME)),
+        base_color: base_color.into(),
+        metallic,
+        roughness,
+        emission,
         transmission,
-        ior: number("ior", extensions.and_then(|e| e.ior.as_ref()).map_or(1.5, |e| e.ior.0), 1.0, f32::MAX)?,
+        ior,
         thin: transmission > 0.0 && !solid,
         unlit: extensions.is_some_and(|e| e.unlit.is_some()),
         alpha_cutoff,
-        alpha: share("baseColorFactor", a)?,
+        alpha,
         casts_shadow: transmission == 0.0,
         ..Material::default()
     })
+}
+
+fn emission(json: &json::Material, numbers: &mut Numbers<'_>) -> Result<Vec3> {
+    let strength = json.extensions.as_ref().and_then(|e| e.emissive_strength.as_ref());
+    let strength = strength.map_or(1.0, |e| e.emissive_strength.0);
+    let name = "emissiveFactor x emissiveStrength";
+    let mut emitted = json.emissive_factor.0.map(|factor| factor * strength);
+    for value in &mut emitted {
+        if value.is_nan() || *value > MAX_RADIANCE {
+            return numbers.refused(name, &format!("a number up to {MAX_RADIANCE:e}"), *value);
+        }
+        *value = numbers.within(name, *value, 0.0..=MAX_RADIANCE)?;
+    }
+    Ok(emitted.into())
+}
+
+/// KHR_materials_ior allows 0 besides 1 and more: everything is reflected, which the largest index comes close to.
+fn index_of_refraction(ior: f32, numbers: &Numbers<'_>) -> Result<f32> {
+    match ior {
+        0.0 => Ok(MAX_IOR),
+        ior if (1.0..=MAX_IOR).contains(&ior) => Ok(ior),
+        ior => numbers.refused("ior", &format!("0 or a number from 1 to {MAX_IOR}"), ior),
+    }
+}
+
+fn alpha_cutoff(json: &json::Material, numbers: &mut Numbers<'_>) -> Result<Option<f32>> {
+    match json.alpha_mode {
+        Checked::Valid(AlphaMode::Opaque) => Ok(None),
+        Checked::Valid(AlphaMode::Mask) => {
+            let cutoff = json.alpha_cutoff.map_or(0.5, |c| c.0);
+            numbers.within("alphaCutoff", cutoff, 0.0..=f32::MAX).map(Some)
+        }
+        Checked::Valid(AlphaMode::Blend) => {
+            let what = numbers.what;
+            numbers.warnings.push(format!("{what}: alpha mode BLEND is read as MASK with a cutoff of 0.5"));
+            Ok(Some(0.5))
+        }
+        Checked::Invalid => {
+            Err(Error::scene(numbers.what, "alphaMode: expected OPAQUE, MASK or BLEND, found another"))
+        }
+    }
 }
 
 /// The textures: the first slot that has one decides on the coordinates, slots that differ are dropped.

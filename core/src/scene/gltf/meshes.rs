@@ -1,6 +1,6 @@
 //! Mesh primitives into world-space triangles.
 
-use glam::{DMat3, DVec3, Vec2, Vec3};
+use glam::{DVec3, Vec2};
 use gltf::json;
 use json::accessor::Type;
 use json::mesh::{Mode, Primitive, Semantic};
@@ -9,7 +9,8 @@ use json::validation::Checked;
 use super::accessors::{Accessor, Source};
 use super::materials::{Coordinates, Imported};
 use super::nodes::Placed;
-use crate::scene::{MAX_COORDINATE, Object, Scene, octahedral_encode};
+use super::vertices::Vertices;
+use crate::scene::{Object, Scene, octahedral_encode};
 use crate::{Error, Result};
 
 /// White, opaque.
@@ -18,30 +19,22 @@ const WHITE: u32 = u32::MAX;
 /// A primitive whose accessors lie inside the file's bytes.
 pub(super) struct Mesh<'b> {
     /// `mesh 3 primitive 0`, for errors.
-    what: String,
+    pub what: String,
     mode: Mode,
-    indices: Option<Accessor<'b>>,
-    positions: Accessor<'b>,
-    normals: Option<Accessor<'b>>,
-    colors: Option<Accessor<'b>>,
-    texcoords: Vec<(u32, Accessor<'b>)>,
-}
-
-/// Vertices `first..` of a primitive, in world space.
-struct Vertices {
-    first: usize,
-    positions: Vec<Vec3>,
-    /// `None` where the face's normal is to be taken.
-    normals: Vec<Option<u32>>,
-    texcoords: Vec<Vec2>,
-    colors: Vec<u32>,
+    pub indices: Option<Accessor<'b>>,
+    pub positions: Accessor<'b>,
+    pub normals: Option<Accessor<'b>>,
+    pub colors: Option<Accessor<'b>>,
+    /// What its material's textures are read at.
+    pub texcoords: Option<(Coordinates, Accessor<'b>)>,
 }
 
 impl<'b> Mesh<'b> {
-    /// `None` and a warning where there is nothing to draw.
+    /// `None` and a warning where there is nothing to draw; `coordinates` are those that its material reads.
     pub fn open(
         source: &Source<'b>,
         primitive: &Primitive,
+        coordinates: Option<Coordinates>,
         what: String,
         warnings: &mut Vec<String>,
     ) -> Result<Option<Self>> {
@@ -98,6 +91,13 @@ impl<'b> Mesh<'b> {
             }
         }
         let indices = indices.transpose()?;
+        let texcoords = coordinates.and_then(|c| {
+            let found = texcoords.into_iter().find(|(set, _)| *set == c.set);
+            if found.is_none() {
+                warnings.push(format!("{what}: without TEXCOORD_{} its textures are read at (0, 0)", c.set));
+            }
+            found.map(|(_, accessor)| (c, accessor))
+        });
         Ok(Some(Self { what, mode, indices, positions, normals, colors, texcoords }))
     }
 
@@ -123,94 +123,6 @@ impl<'b> Mesh<'b> {
         }
     }
 
-    /// The range of vertices that triangles use: files often share one large array among many primitives.
-    fn used(&self) -> Result<std::ops::Range<usize>> {
-        let count = self.positions.count;
-        let Some(indices) = &self.indices else { return Ok(0..count) };
-        let (mut low, mut high) = (usize::MAX, 0);
-        for i in 0..indices.count {
-            let index = indices.index(i) as usize;
-            if index >= count {
-                return Err(Error::scene(
-                    format!("{}, indices", self.what),
-                    format!("element {i} is {index}, but there are {count} vertices"),
-                ));
-            }
-            (low, high) = (low.min(index), high.max(index + 1));
-        }
-        Ok(low.min(high)..high)
-    }
-
-    fn vertices(
-        &self,
-        node: &Placed<'_>,
-        coordinates: Option<Coordinates>,
-        warnings: &mut Vec<String>,
-    ) -> Result<Vertices> {
-        let used = self.used()?;
-        let linear = DMat3::from_mat4(node.world);
-        let [x, y, z] = [linear.x_axis, linear.y_axis, linear.z_axis];
-        // The inverse transpose times the determinant, which exists for every matrix; only directions count.
-        let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y)) * mirror(node);
-        let bad = |name: &str, i: usize, found: &dyn std::fmt::Debug, expected: &str| {
-            Error::scene(
-                format!("{}, {name}", self.what),
-                format!("element {i}: expected {expected}, found {found:?}"),
-            )
-        };
-        let position = |i: usize| {
-            let stored = self.positions.floats::<3>(i);
-            let world = node.world.transform_point3(Vec3::from(stored).as_dvec3());
-            if world.abs().max_element() <= f64::from(MAX_COORDINATE) {
-                return Ok(world.as_vec3());
-            }
-            let found = if Vec3::from(stored).is_finite() { world.to_array() } else { stored.map(f64::from) };
-            Err(bad("POSITION", i, &found, "finite coordinates up to 1e18 in the world"))
-        };
-        let normal = |accessor: &Accessor<'_>, i: usize| {
-            let n = Vec3::from(accessor.floats::<3>(i));
-            if !n.is_finite() {
-                return Err(bad("NORMAL", i, &n.to_array(), "a finite vector"));
-            }
-            let n = (cofactors * n.as_dvec3()).normalize_or_zero();
-            Ok((n != DVec3::ZERO).then(|| octahedral_encode(n.as_vec3())))
-        };
-        let normals = self.normals.as_ref();
-        let normals = normals.map_or(Ok(Vec::new()), |a| used.clone().map(|i| normal(a, i)).collect())?;
-        let mut texcoords = Vec::new();
-        if let Some(c) = coordinates {
-            let name = format!("TEXCOORD_{}", c.set);
-            match self.texcoords.iter().find(|(set, _)| *set == c.set) {
-                None => {
-                    warnings.push(format!("{}: without {name} its textures are read at (0, 0)", self.what))
-                }
-                Some((_, accessor)) => {
-                    let texcoord = |i: usize| {
-                        let stored = accessor.floats::<2>(i);
-                        let moved = c.transform(stored);
-                        let finite = moved.is_finite().then_some(moved);
-                        finite.ok_or_else(|| bad(&name, i, &stored, "finite coordinates"))
-                    };
-                    texcoords = used.clone().map(texcoord).collect::<Result<_>>()?;
-                }
-            }
-        }
-        let color = |accessor: &Accessor<'_>, i: usize| {
-            let mut rgba = accessor.floats::<4>(i);
-            if accessor.components == 3 {
-                rgba[3] = 1.0;
-            }
-            if rgba.iter().any(|c| !c.is_finite()) {
-                return Err(bad("COLOR_0", i, &rgba, "finite colours"));
-            }
-            Ok(u32::from_le_bytes(rgba.map(|c| (c.clamp(0.0, 1.0) * 255.0).round() as u8)))
-        };
-        let colors = self.colors.as_ref();
-        let colors = colors.map_or(Ok(Vec::new()), |a| used.clone().map(|i| color(a, i)).collect())?;
-        let positions = used.clone().map(position).collect::<Result<_>>()?;
-        Ok(Vertices { first: used.start, positions, normals, texcoords, colors })
-    }
-
     /// Adds its triangles as one object, and returns how many had no area; without others there is no object.
     pub fn add(
         &self,
@@ -219,12 +131,12 @@ impl<'b> Mesh<'b> {
         material: Imported,
         scene: &mut Scene,
     ) -> Result<usize> {
-        let vertices = self.vertices(node, material.coordinates, &mut scene.warnings)?;
-        let mirrored = mirror(node) < 0.0;
+        let vertices = Vertices::of(self, node)?;
+        let mirrored = node.mirrors();
         let before = scene.positions.len();
         let object = scene.objects.len() as u32;
         for i in 0..self.triangles() {
-            let mut corners = self.corners(i).map(|c| c - vertices.first);
+            let mut corners = self.corners(i).map(|c| vertices.place(c));
             if mirrored {
                 corners.swap(1, 2);
             }
@@ -239,10 +151,12 @@ impl<'b> Mesh<'b> {
             scene.normals.push(corners.map(|c| vertices.normals.get(c).copied().flatten().unwrap_or(flat)));
             scene.triangle_objects.push(object);
             if !vertices.texcoords.is_empty() {
+                scene.texcoords.reserve_exact(scene.positions.capacity() - scene.texcoords.len());
                 scene.texcoords.resize(scene.positions.len() - 1, [Vec2::ZERO; 3]);
                 scene.texcoords.push(corners.map(|c| vertices.texcoords[c]));
             }
             if !vertices.colors.is_empty() {
+                scene.colors.reserve_exact(scene.positions.capacity() - scene.colors.len());
                 scene.colors.resize(scene.positions.len() - 1, [WHITE; 3]);
                 scene.colors.push(corners.map(|c| vertices.colors[c]));
             }
@@ -253,9 +167,4 @@ impl<'b> Mesh<'b> {
         }
         Ok(self.triangles() - kept)
     }
-}
-
-/// -1 for a node that mirrors, else 1.
-fn mirror(node: &Placed<'_>) -> f64 {
-    if DMat3::from_mat4(node.world).determinant() < 0.0 { -1.0 } else { 1.0 }
 }

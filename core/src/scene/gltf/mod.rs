@@ -2,28 +2,50 @@
 //!
 //! What is not part of the model and therefore not read: normal and occlusion textures, `doubleSided` (every
 //! surface has two sides here), skins, morph targets and animations (nodes and meshes stand as they are stored),
-//! attenuation inside volumes. Lengths are in the file's unit, angles in radians, colours linear RGB.
+//! attenuation inside volumes; a camera's aspect ratio and depth range (the frame has its own, rays do not end).
+//! Lengths are in the file's unit, angles in radians, colours linear RGB.
+//!
+//! # What a file can do
+//!
+//! A file is untrusted. It gives a scene that passes [`Scene::validate`] and has at least a triangle with an area, or
+//! an error of one short line that names the element; what is left out or read as something else is a warning.
+//! Coordinates and factors that f32 holds as subnormal numbers only are taken for zero, as GPUs may do.
+//!
+//! What an import allocates at its peak, the result included, is at most
+//!
+//! ```text
+//! 8 MiB + 1024 x bytes of JSON + 8 x bytes of all else + 256 x (triangles + objects) + 16 x texels
+//! ```
+//!
+//! All else is what a `.glb` holds besides its JSON, and what URIs name. The factor of JSON is that of `{},` in a list
+//! of materials: three bytes that become a struct, in a list that doubles when it is full.
+//!
+//! Triangles and objects (instances counted each) and texels are what a small file can ask for in any number: they are
+//! counted, and held against the limits of `instances.rs` and `images.rs`, before anything of their size is allocated.
+//! `tests/tests/memory.rs` measures it.
 
 mod accessors;
 mod container;
 mod images;
+mod instances;
 mod materials;
 mod meshes;
 mod nodes;
+mod numbers;
 #[cfg(test)]
 mod tests;
+mod text;
+mod vertices;
 
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 use gltf::json;
 
-use super::{Environment, Light, LightKind, Material, Scene};
+use super::{Environment, Light, LightKind, MAX_RADIANCE, Material, Scene};
 use crate::camera::Camera;
 use crate::{Error, Result};
 use accessors::Source;
-use container::Resolve;
-use images::Textures;
-use materials::Materials;
-use meshes::Mesh;
+use container::{External, Resolve};
+use numbers::flushed3;
 
 /// Extensions that a file may require.
 const SUPPORTED: [&str; 8] = [
@@ -37,17 +59,17 @@ const SUPPORTED: [&str; 8] = [
     "KHR_texture_transform",
 ];
 
-/// The most triangles, instances counted each: a small file can name one mesh a million times.
-const MAX_TRIANGLES: usize = 1 << 26;
-
-/// How many objects one warning names.
-const NAMED: usize = 4;
-
 pub(super) fn read(bytes: &[u8], resolve: &mut Resolve<'_>) -> Result<Scene> {
+    import(bytes, resolve).map_err(text::error)
+}
+
+fn import(bytes: &[u8], resolve: &mut Resolve<'_>) -> Result<Scene> {
     let chunks = container::chunks(bytes)?;
     let root = parse(chunks.json)?;
-    let buffers = container::buffers(&root, chunks.binary, resolve)?;
-    let source = Source { root: &root, buffers: &buffers };
+    let mut external = External::new(resolve);
+    let fetched = container::fetched(&root, &mut external)?;
+    let buffers = container::buffers(&root, chunks.binary, &fetched)?;
+    let source = Source::new(&root, &buffers);
     let mut scene = Scene::default();
 
     let shown = match root.scene {
@@ -67,10 +89,10 @@ pub(super) fn read(bytes: &[u8], resolve: &mut Resolve<'_>) -> Result<Scene> {
     for node in &placed {
         nodes::equip(&root, node, &mut scene)?;
     }
-    import_meshes(&source, &placed, resolve, &mut scene)?;
+    instances::add(&source, &placed, &mut external, &mut scene)?;
 
     let Some((low, high)) = scene.bounds() else {
-        return Err(Error::scene("file", "the scene holds no triangles"));
+        return Err(Error::scene("file", "the scene holds no triangles that have an area"));
     };
     if scene.cameras.is_empty() {
         scene.cameras.push(("framing".to_owned(), Camera::framing(low, high)));
@@ -80,6 +102,9 @@ pub(super) fn read(bytes: &[u8], resolve: &mut Resolve<'_>) -> Result<Scene> {
     }
     for light in &mut scene.lights {
         light.radius = FIXTURE * (high - low).max_element();
+    }
+    for warning in &mut scene.warnings {
+        *warning = text::sentence(warning);
     }
     scene.validate()?;
     Ok(scene)
@@ -142,13 +167,13 @@ fn environment(shown: &json::Scene) -> Result<Environment> {
         None => Ok(None),
         Some(value) => serde_json::from_value::<[f32; 3]>(value.clone())
             .ok()
-            .map(Vec3::from)
-            .filter(|c| c.is_finite() && c.min_element() >= 0.0)
+            .map(|c| flushed3(c.into()))
+            .filter(|c| c.cmpge(Vec3::ZERO).all() && c.max_element() <= MAX_RADIANCE)
             .map(Some)
             .ok_or_else(|| {
                 Error::scene(
                     format!("extras.{name} of the scene"),
-                    format!("expected three finite numbers, none negative, found {value}"),
+                    format!("expected three numbers from 0 to {MAX_RADIANCE:e}, found {value}"),
                 )
             }),
     };
@@ -158,79 +183,4 @@ fn environment(shown: &json::Scene) -> Result<Environment> {
         environment.truncated = ambient;
     }
     Ok(environment)
-}
-
-fn import_meshes<'b>(
-    source: &Source<'b>,
-    placed: &[nodes::Placed<'_>],
-    resolve: &mut Resolve<'_>,
-    scene: &mut Scene,
-) -> Result<()> {
-    let root = source.root;
-    let mut opened: Vec<Option<Vec<Option<Mesh<'b>>>>> = root.meshes.iter().map(|_| None).collect();
-    let mut total = 0_usize;
-    let instances = placed.iter().filter_map(|node| Some((node, node.json.mesh?.value())));
-    for (node, index) in instances.clone() {
-        let json = root.meshes.get(index).ok_or_else(|| {
-            Error::scene(
-                format!("mesh {index} of node {}", node.index),
-                format!("no such mesh; the file has {}", root.meshes.len()),
-            )
-        })?;
-        if opened[index].is_none() {
-            let open =
-                |(i, p)| Mesh::open(source, p, format!("mesh {index} primitive {i}"), &mut scene.warnings);
-            opened[index] = Some(json.primitives.iter().enumerate().map(open).collect::<Result<_>>()?);
-        }
-        total += opened[index].iter().flatten().flatten().map(Mesh::triangles).sum::<usize>();
-        if total > MAX_TRIANGLES {
-            return Err(Error::scene(
-                "file",
-                format!("expected at most {MAX_TRIANGLES} triangles, instances counted each, found more"),
-            ));
-        }
-    }
-    scene.positions.reserve_exact(total);
-    scene.normals.reserve_exact(total);
-    scene.triangle_objects.reserve_exact(total);
-
-    let (mut materials, mut textures) = (Materials::default(), Textures::default());
-    let (mut without_area, mut collapsed) = (0, Vec::new());
-    for (node, index) in instances {
-        let json = &root.meshes[index];
-        let mesh_name = json.name.clone().unwrap_or_else(|| format!("mesh{index}"));
-        for (i, mesh) in opened[index].iter().flatten().enumerate() {
-            let Some(mesh) = mesh else { continue };
-            let material = json.primitives[i].material.map(|m| m.value());
-            let material = materials.load(source, resolve, &mut textures, &mut scene.warnings, material)?;
-            let name = format!("{}/{mesh_name}[{i}]", node.name());
-            let before = scene.objects.len();
-            let dropped = mesh.add(node, name.clone(), material, scene)?;
-            if dropped > 0 && scene.objects.len() == before {
-                collapsed.push(name);
-            } else {
-                without_area += dropped;
-            }
-        }
-    }
-    if !scene.texcoords.is_empty() {
-        scene.texcoords.resize(scene.positions.len(), [Vec2::ZERO; 3]);
-    }
-    if !scene.colors.is_empty() {
-        scene.colors.resize(scene.positions.len(), [u32::MAX; 3]);
-    }
-    if without_area > 0 {
-        scene.warnings.push(format!("{without_area} triangles without area are left out"));
-    }
-    if !collapsed.is_empty() {
-        let more = if collapsed.len() > NAMED { ", ..." } else { "" };
-        scene.warnings.push(format!(
-            "{} objects are left out, for all their triangles are without area: {}{more}",
-            collapsed.len(),
-            collapsed[..collapsed.len().min(NAMED)].join(", ")
-        ));
-    }
-    (scene.materials, scene.textures, scene.images) =
-        (materials.materials, textures.textures, textures.images);
-    Ok(())
 }

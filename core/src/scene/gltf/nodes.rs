@@ -1,13 +1,18 @@
 //! The node tree: where everything stands, and the cameras and lights that stand there.
 
-use glam::{DMat4, DQuat, DVec3, Vec3};
+use glam::{DMat3, DMat4, DQuat, DVec3, DVec4, Mat4, Vec3};
 use gltf::json;
 use json::extensions::scene::khr_lights_punctual::Type as LightType;
 use json::validation::Checked;
 
+use super::numbers::flushed3;
+use super::text::{MAX_NAME, clipped};
 use crate::camera::Camera;
-use crate::scene::{Light, LightKind, MAX_COORDINATE, MAX_LIGHTS, Scene};
+use crate::scene::{Light, LightKind, MAX_COORDINATE, MAX_LIGHTS, MAX_RADIANCE, MIN_RANGE, Scene};
 use crate::{Error, Result};
+
+/// What exporters may round off in the last row of a matrix, which is not read.
+const AFFINE_TOLERANCE: f64 = 1.0e-4;
 
 /// A node of the scene that is shown.
 pub(super) struct Placed<'a> {
@@ -19,7 +24,22 @@ pub(super) struct Placed<'a> {
 impl Placed<'_> {
     /// Its name, or its number.
     pub fn name(&self) -> String {
-        self.json.name.clone().unwrap_or_else(|| format!("node{}", self.index))
+        self.json
+            .name
+            .as_deref()
+            .map_or_else(|| format!("node{}", self.index), |name| clipped(name, MAX_NAME))
+    }
+
+    /// Whether it turns left hands into right ones.
+    pub fn mirrors(&self) -> bool {
+        DMat3::from_mat4(self.world).determinant() < 0.0
+    }
+
+    /// Its axes at unit length (zero where it has none) and its place.
+    fn pose(&self) -> Mat4 {
+        let unit = |axis: DVec4| axis.truncate().normalize_or_zero().extend(0.0);
+        let w = &self.world;
+        DMat4::from_cols(unit(w.x_axis), unit(w.y_axis), unit(w.z_axis), w.w_axis).as_mat4()
     }
 }
 
@@ -36,7 +56,14 @@ pub(super) fn placed<'a>(root: &'a json::Root, roots: &[json::Index<json::Node>]
         if std::mem::replace(&mut seen[index], true) {
             return Err(Error::scene(what(), "expected one parent, found a second one or a cycle"));
         }
-        let world = parent * local(json);
+        let local = local(json);
+        if !local.row(3).abs_diff_eq(DVec4::W, AFFINE_TOLERANCE) && local.is_finite() {
+            return Err(Error::scene(
+                what(),
+                format!("expected a matrix whose last row is 0, 0, 0, 1, found {}", local.row(3)),
+            ));
+        }
+        let world = parent * local;
         if !world.is_finite() {
             return Err(Error::scene(what(), "expected a finite matrix, found an infinity or a NaN"));
         }
@@ -86,9 +113,9 @@ fn import_camera(root: &json::Root, node: &Placed<'_>, index: usize) -> Result<(
             format!("no such camera; the file has {}", root.cameras.len()),
         )
     })?;
-    let name =
-        json.name.clone().or_else(|| node.json.name.clone()).unwrap_or_else(|| format!("camera{index}"));
-    let matrix = node.world.as_mat4();
+    let name = json.name.as_deref().or(node.json.name.as_deref());
+    let name = name.map_or_else(|| format!("camera{index}"), |name| clipped(name, MAX_NAME));
+    let matrix = node.pose();
     let camera = match (&json.perspective, &json.orthographic) {
         (Some(lens), _) => Camera::perspective(&matrix, lens.yfov),
         (None, Some(lens)) => Camera::orthographic(&matrix, lens.ymag),
@@ -110,19 +137,17 @@ fn import_light(root: &json::Root, node: &Placed<'_>, index: usize) -> Result<Li
     let lights = lights.map_or(&[][..], |l| &l.lights);
     let json =
         lights.get(index).ok_or_else(|| fail(format!("no such light; the file has {}", lights.len())))?;
-    let intensity = Vec3::from(json.color) * json.intensity;
-    if !(intensity.is_finite() && intensity.min_element() >= 0.0) {
-        return Err(fail(format!(
-            "expected an intensity that is finite and not negative, found {intensity}"
-        )));
+    let intensity = flushed3(Vec3::from(json.color) * json.intensity);
+    if !(intensity.cmpge(Vec3::ZERO).all() && intensity.max_element() <= MAX_RADIANCE) {
+        return Err(fail(format!("expected an intensity from 0 to {MAX_RADIANCE:e}, found {intensity}")));
     }
-    let position = node.world.w_axis.truncate().as_vec3();
+    let position = flushed3(node.world.w_axis.truncate().as_vec3());
     if position.abs().max_element() > MAX_COORDINATE {
         return Err(fail(format!("expected coordinates up to {MAX_COORDINATE:e}, found {position}")));
     }
     let range = json.range.unwrap_or(f32::INFINITY);
-    if range.is_nan() || range <= 0.0 {
-        return Err(fail(format!("expected a range above zero, found {range}")));
+    if range.is_nan() || range < MIN_RANGE {
+        return Err(fail(format!("expected a range of at least {MIN_RANGE:e}, found {range}")));
     }
     let direction = || {
         let direction = node.world.transform_vector3(DVec3::NEG_Z).normalize_or_zero().as_vec3();

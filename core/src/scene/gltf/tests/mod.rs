@@ -1,8 +1,11 @@
 //! Import tests: tiny files, built in the test.
 
 mod bad;
+mod extremes;
 mod features;
+mod hostile;
 mod materials;
+mod pictures;
 
 use base64::Engine as _;
 use serde_json::{Value, json};
@@ -145,7 +148,8 @@ pub(super) fn import(bytes: &[u8]) -> Result<Scene> {
 pub(super) fn fails(bytes: &[u8], parts: &[&str]) {
     let text = match import(bytes) {
         Err(error @ crate::Error::Scene { .. }) => error.to_string(),
-        other => panic!("expected a scene error with {parts:?}, found {other:?}"),
+        Err(other) => panic!("expected a scene error with {parts:?}, found {other:?}"),
+        Ok(_) => panic!("expected a scene error with {parts:?}, found a scene"),
     };
     for part in parts {
         assert!(text.contains(part), "`{text}` does not say `{part}`");

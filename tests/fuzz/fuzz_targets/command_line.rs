@@ -1,0 +1,47 @@
+//! Bytes into the command line, an argument a line: wrong usage that says what is wrong, or options within their
+//! ranges.
+
+#![no_main]
+
+#[path = "../../../desktop/src/args.rs"]
+#[allow(dead_code, reason = "the program reads every option, the target those with ranges")]
+mod args;
+
+use args::{Arguments, Command, FrameOptions, MAX_SIDE, MethodName, Size};
+use clap::Parser;
+use glimpse::{Error, MAX_DEPTH};
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|data: &[u8]| {
+    let Ok(text) = std::str::from_utf8(data) else { return };
+    match Arguments::try_parse_from(std::iter::once("glimpse").chain(text.split('\n'))) {
+        Err(error) => assert!(!error.to_string().trim().is_empty()),
+        Ok(arguments) => match &arguments.command {
+            Some(Command::Render(options)) => {
+                assert!((1..=100_000).contains(&options.frames));
+                judge(&options.frame, options.method);
+            }
+            Some(Command::Bench(options)) => {
+                assert!(!options.scenes.is_empty() && (1..=100_000).contains(&options.frames));
+                options.methods.iter().for_each(|method| judge(&options.frame, *method));
+            }
+            _ => {}
+        },
+    }
+});
+
+fn judge(options: &FrameOptions, method: MethodName) {
+    let Size(sides) = options.size;
+    assert!(sides.iter().all(|side| (1..=MAX_SIDE).contains(side)), "{sides:?}");
+    match options.settings(method) {
+        Ok(settings) => {
+            settings.validate().expect("checked settings are valid");
+            let t = settings.tolerances;
+            for number in [t.pos, t.norm, t.tex, t.gcol, settings.min_weight] {
+                assert!(number.is_finite(), "{settings:?}");
+            }
+            assert!((1..=MAX_DEPTH).contains(&settings.depth));
+        }
+        Err(error) => assert!(matches!(error, Error::Setting { .. }), "{error:?}"),
+    }
+}
