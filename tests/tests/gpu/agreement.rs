@@ -4,10 +4,10 @@ use std::sync::OnceLock;
 
 use glam::{DVec3, Vec3};
 use glimpse::{
-    Inspection, LinearImage, Method, PixelRecord, Robustness, Scene, Settings, Tolerances,
+    Inspection, LinearImage, Method, PixelRecord, Renderer, Robustness, Scene, Settings,
     probe::{Probe, ProbeHit, ProbeRay, ProbeSample, ProbeSpawn},
     reference::{Attributes, Frame, Limits, Ray, Reference, Rounding, SPAWN_ULPS},
-    scene::{LightKind, OCTAHEDRAL_ERROR, builtin},
+    scene::{OCTAHEDRAL_ERROR, builtin},
     stress::Random,
 };
 use glimpse_tests::{
@@ -16,8 +16,8 @@ use glimpse_tests::{
     gallery, gpu, note, turn,
 };
 
-/// Pixels and rays of which so many may need an explanation.
-const SHARE: f64 = 0.005;
+/// Of pixels and rays these shares may be sensitive to rounding, and ties.
+const SHARES: [f64; 2] = [0.03, 0.005];
 /// Random rays a scene.
 const RAYS: usize = 100_000;
 /// Two units in the last place.
@@ -48,10 +48,16 @@ impl Pair {
 
     fn frames(&self, method: Method) -> Frames<'_> {
         let settings = Settings { method, ..self.settings };
+        let (stage, turn) = (&self.stage, turn());
+        let mut renderer =
+            Renderer::new(gpu(), &stage.scene, self.size, &settings).expect("the kernels compile");
+        let linear = renderer.linear_image(&stage.camera).expect("the frame renders");
+        let inspection = renderer.inspect(&stage.camera).expect("the frame is counted");
+        drop(turn);
         Frames {
             frame: Frame { reference: &self.reference, camera: self.stage.camera, size: self.size, settings },
-            linear: self.stage.frame(self.size, &settings).linear,
-            inspection: self.stage.inspect(self.size, &settings),
+            linear,
+            inspection,
         }
     }
 }
@@ -285,16 +291,16 @@ fn off_its_surface(s: &ProbeSpawn, side: f64) -> bool {
 fn agree(name: &str, scene: Scene, size: [u32; 2], settings: Settings) {
     let pair = Pair::new(scene, size, settings);
     let full = pair.frames(Method::Full);
-    full.traced_hits().check(&format!("{name}, full, hits"), SHARE);
-    full.traced_colors().check(&format!("{name}, full, radiance"), SHARE);
+    full.traced_hits().check(&format!("{name}, full, hits"), SHARES);
+    full.traced_colors().check(&format!("{name}, full, radiance"), SHARES);
     let adaptive = pair.frames(Method::Adaptive);
-    adaptive.decisions().check(&format!("{name}, adaptive, checks"), SHARE);
-    adaptive.adaptive_hits().check(&format!("{name}, adaptive, attributes"), SHARE);
-    adaptive.adaptive_colors().check(&format!("{name}, adaptive, radiance"), SHARE);
+    adaptive.decisions().check(&format!("{name}, adaptive, checks"), SHARES);
+    adaptive.adaptive_hits().check(&format!("{name}, adaptive, attributes"), SHARES);
+    adaptive.adaptive_colors().check(&format!("{name}, adaptive, radiance"), SHARES);
     let other = adaptive.other_origins();
     note(&format!("{name}, adaptive: {other} pixels come to be in another way in f64 alone"));
-    arrived(&pair).check(&format!("{name}, rays, surfaces"), SHARE);
-    seen(&pair).check(&format!("{name}, rays, radiance"), SHARE);
+    arrived(&pair).check(&format!("{name}, rays, surfaces"), SHARES);
+    seen(&pair).check(&format!("{name}, rays, radiance"), SHARES);
 }
 
 fn built_in(name: &str) -> Scene {
@@ -306,9 +312,10 @@ fn room() {
     agree("room", built_in("room"), [97, 61], Settings::default());
 }
 
+/// Of odd height: else the corners of the box lie on the diagonals that pixels lie on.
 #[test]
 fn cornell() {
-    agree("cornell", built_in("cornell"), [96, 96], Settings::default());
+    agree("cornell", built_in("cornell"), [96, 61], Settings::default());
 }
 
 #[test]
