@@ -17,7 +17,7 @@ pub const DIM: f64 = 0.1;
 /// Displaced answers that are farther from the exact one than so many tolerances are other answers, not nearly the same.
 const SMOOTH: f64 = 100.0;
 /// So many displaced answers show how sensitive one is.
-const DISPLACED: u64 = 64;
+const DISPLACED: u64 = 512;
 
 /// An answer to one question: what must be equal, and numbers with how far off they may be.
 #[derive(Clone, Debug)]

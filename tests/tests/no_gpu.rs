@@ -5,5 +5,6 @@ mod no_gpu {
     mod golden;
     mod limits;
     mod minray;
+    mod reference;
     mod traversal;
 }
