@@ -14,8 +14,9 @@ pub const RADIANCE: f64 = 1.0 / 8192.0;
 /// Radiance that dark is not told from black by its digits.
 pub const DIM: f64 = 0.1;
 
-/// Displaced answers that are farther from the exact one than so many tolerances are other answers, not nearly the same.
-const SMOOTH: f64 = 100.0;
+/// Displaced answers that are farther from the exact one than so many tolerances (5 % of a radiance) are other answers,
+/// not nearly the same.
+const SMOOTH: f64 = 400.0;
 /// So many displaced answers show how sensitive one is.
 const DISPLACED: u64 = 512;
 

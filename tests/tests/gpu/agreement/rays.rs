@@ -5,11 +5,12 @@ use glimpse::{
     Robustness, Settings,
     probe::{Probe, ProbeHit, ProbeRay, ProbeSample, ProbeSpawn},
     reference::{Limits, Ray, Reference, SPAWN_ULPS},
+    scene::OCTAHEDRAL_ERROR,
     stress::Random,
 };
 use glimpse_tests::{
     Stage,
-    agreement::{Answer, Outcome, Tally, judge},
+    agreement::{Answer, DIM, Outcome, RADIANCE, Tally, judge},
     gpu, turn,
 };
 
@@ -48,19 +49,28 @@ fn vector(v: [f32; 3]) -> DVec3 {
     DVec3::from_array(v.map(f64::from))
 }
 
-/// What random rays see, with everything that follows from them.
+/// What random rays see, with everything that follows from them: object and shadow bits, radiance, the part of it that
+/// other rays brought, texture coordinates.
 pub fn seen(pair: &Pair, reference: &Reference, count: usize) -> Tally {
     let rays = random_rays(&pair.stage, count);
     let samples = shade(&pair.stage, &rays, &pair.settings);
     let items: Vec<_> = rays.iter().zip(&samples).collect();
     let limits = Limits::of(&pair.settings);
+    let answer = |labels, color: DVec3, gcol: DVec3, [s, t]: [f64; 2]| {
+        let bright = RADIANCE * color.max_element().max(DIM);
+        let (c, g) = (color.to_array(), gcol.to_array());
+        let mut tolerances = [bright; 8];
+        tolerances[6..].fill(16.0 * EPSILON);
+        Answer::<8> { labels, values: [c[0], c[1], c[2], g[0], g[1], g[2], s, t], tolerances }
+    };
     Tally::of(&items, |(ray, sample)| {
-        let found =
-            Answer { labels: [sample.object, sample.shadow], ..Answer::radiance(vector(sample.color)) };
+        let labels = [sample.object, sample.shadow];
+        let texcoord = sample.texcoord.map(f64::from);
+        let found = answer(labels, vector(sample.color), vector(sample.gcol), texcoord);
         let outcome = judge(&found, |r| {
             let exact = reference.sample(&exact(ray).0, &limits, r);
             let a = exact.attributes;
-            Answer { labels: [a.object.map_or(0, |o| o + 1), a.shadow], ..Answer::radiance(exact.color) }
+            answer([a.object.map_or(0, |o| o + 1), a.shadow], exact.color, a.gcol, a.texcoord.to_array())
         });
         named(outcome, ray)
     })
@@ -81,7 +91,8 @@ pub fn arrived(pair: &Pair, reference: &Reference, count: usize) -> Tally {
     let side = reference.longest_side();
     let answer = |labels, [position, normal, face]: [DVec3; 3]| {
         let values: Vec<f64> = [position, normal, face].iter().flat_map(|v| v.to_array()).collect();
-        let mut tolerances = [16.0 * EPSILON; 9];
+        // A normal is interpolated over its triangle, which may be small: it is as good as it is stored.
+        let mut tolerances = [f64::from(OCTAHEDRAL_ERROR); 9];
         tolerances[..3].fill(16.0 * EPSILON * side);
         Answer::<9> { labels, values: values.try_into().expect("nine numbers"), tolerances }
     };
