@@ -1,8 +1,8 @@
-//! The comparison of f32 answers with the f64 reference. An answer is the same; or it is a little farther off where the
-//! reference itself moves so far when its numbers are displaced by rounding (ill-conditioned); or it is the answer to a
-//! tie, which the reference gives too when displaced; or it is wrong. All are counted, none is masked.
+//! The comparison of f32 answers with the f64 reference, which is asked again with displaced numbers where they differ.
+//! An answer is the same; or it is sensitive: the reference itself moves as far when rounding displaces it; or it is the
+//! other answer to a tie, which the displaced reference gives too; or it is wrong. All are counted, none is masked.
 
-use std::{collections::BTreeMap, num::NonZero, thread};
+use std::{collections::BTreeMap, iter, num::NonZero, thread};
 
 use glam::DVec3;
 use glimpse::reference::{Cause, Rounding};
@@ -14,11 +14,13 @@ pub const RADIANCE: f64 = 1.0 / 8192.0;
 /// Radiance that dark is not told from black by its digits.
 pub const DIM: f64 = 0.1;
 
-/// Displaced answers that are farther from the exact one than so many tolerances (5 % of a radiance) are other answers,
-/// not nearly the same.
+/// Answers that lie farther apart than so many tolerances (5 % of a radiance) are different answers.
 const SMOOTH: f64 = 400.0;
-/// So many displaced answers show how sensitive one is.
-const DISPLACED: u64 = 512;
+
+/// How often the reference is asked again before a cause is ruled out.
+fn tries(cause: Cause) -> u64 {
+    if cause == Cause::Several { 512 } else { 24 }
+}
 
 /// An answer to one question: what must be equal, and numbers with how far off they may be.
 #[derive(Clone, Debug)]
@@ -55,27 +57,22 @@ impl<const N: usize> Answer<N> {
     }
 }
 
-/// Whether an answer lies between displaced ones that are nearly the exact one.
-fn sensitive<const N: usize>(
+/// Whether an answer lies between displaced ones that are nearly the same as it.
+fn surrounded<const N: usize>(
     found: &Answer<N>,
     exact: &Answer<N>,
-    reference: impl Fn(&mut Rounding) -> Answer<N>,
+    displaced: impl IntoIterator<Item = Answer<N>>,
 ) -> bool {
-    if found.labels != exact.labels {
-        return false;
-    }
-    let (mut low, mut high) = (exact.values, exact.values);
-    (1..=DISPLACED).map(|seed| reference(&mut Rounding::of(Cause::Several, seed))).any(|other| {
-        if other.distance(exact) <= SMOOTH {
-            for i in 0..N {
-                low[i] = low[i].min(other.values[i]);
-                high[i] = high[i].max(other.values[i]);
-            }
+    let (mut low, mut high) = ([f64::INFINITY; N], [f64::NEG_INFINITY; N]);
+    iter::once(exact.clone()).chain(displaced).any(|other| {
+        if found.distance(&other) > SMOOTH {
+            return false;
         }
-        (0..N).all(|i| {
-            let slack = exact.tolerances[i];
-            (low[i] - slack..=high[i] + slack).contains(&found.values[i])
-        })
+        for i in 0..N {
+            low[i] = low[i].min(other.values[i] - other.tolerances[i]);
+            high[i] = high[i].max(other.values[i] + other.tolerances[i]);
+        }
+        (0..N).all(|i| found.values[i] == other.values[i] || (low[i]..=high[i]).contains(&found.values[i]))
     })
 }
 
@@ -84,9 +81,9 @@ fn sensitive<const N: usize>(
 pub enum Outcome {
     /// Within the tolerance, by this part of it.
     Same(f64),
-    /// It lies between displaced answers that are nearly the exact one.
+    /// It lies between displaced answers, and nearly where the exact one is.
     Sensitive,
-    /// The reference gives this answer too, if rounding displaces it so.
+    /// It lies between displaced answers, and the exact one is another.
     Tie(Cause),
     /// Nothing explains it.
     Wrong(String),
@@ -99,11 +96,12 @@ pub fn judge<const N: usize>(found: &Answer<N>, reference: impl Fn(&mut Rounding
     if distance <= 1.0 {
         return Outcome::Same(distance);
     }
-    if sensitive(found, &exact, &reference) {
-        return Outcome::Sensitive;
-    }
-    if let Some(cause) = Rounding::explain(|r| found.distance(&reference(r)) <= 1.0) {
-        return Outcome::Tie(cause);
+    let explained = |cause: Cause, tries: u64| {
+        let displaced = (1..=tries).map(|seed| reference(&mut Rounding::of(cause, seed)));
+        surrounded(found, &exact, displaced)
+    };
+    if let Some(cause) = Cause::ALL.into_iter().find(|cause| explained(*cause, tries(*cause))) {
+        return if distance <= SMOOTH { Outcome::Sensitive } else { Outcome::Tie(cause) };
     }
     Outcome::Wrong(format!(
         "{:?} {:?}, the reference says {:?} {:?}",
