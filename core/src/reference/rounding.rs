@@ -9,7 +9,7 @@ use crate::stress::Random;
 /// A unit in the last place of an f32 number between 1 and 2.
 const ULP: f64 = 1.0 / 8_388_608.0;
 /// So far may numbers be off: [`ULPS`] units in the last place of the largest number that they are computed from.
-pub const ULPS: f64 = 32.0;
+pub const ULPS: f64 = 16.0;
 /// So far from their surface rays may start, in units in the last place of the coordinates there.
 pub const SPAWN_ULPS: f64 = 64.0;
 /// A decision that hangs on the last digits.
