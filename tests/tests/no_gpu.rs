@@ -6,5 +6,6 @@ mod no_gpu {
     mod golden;
     mod limits;
     mod minray;
+    mod reference;
     mod traversal;
 }

@@ -62,10 +62,11 @@ impl Primitive {
             }
             Shape::Sphere { center, radius } => {
                 let (b, u) = sphere_terms(ray, center, radius);
-                let root = (u >= 0.0).then(|| u.sqrt())?;
+                let root = (u >= 0.0 || left).then(|| u.max(0.0).sqrt())?;
                 let t = match left {
-                    // The start is one of the two places where the distance from the centre is the radius.
-                    true => 2.0 * b,
+                    // Outwards there is nothing more; inwards lies the other side.
+                    true if b <= 0.0 => return None,
+                    true => b + root,
                     false if b - root > 0.0 => b - root,
                     false => b + root,
                 };

@@ -17,9 +17,9 @@
 //! little off it. Lights and materials are the formulas of `scene/material.rs` and of the glTF extensions.
 //!
 //! An f32 answer that differs is judged in one of two ways. [`Tracer::judge`] knows how far off f32 may be, from the
-//! geometry of one ray. For everything that follows from a hit, [`Rounding::explain`] asks the reference again with all
-//! numbers displaced by up to [`ULPS`] units in the last place (and the starts of spawned rays by [`SPAWN_ULPS`]), one
-//! [`Cause`] after the other: an answer that none of these gives is wrong.
+//! geometry of one ray. For everything that follows from a hit, the reference is asked again under [`Rounding`]: numbers
+//! displaced by up to [`ULPS`] units in the last place (and the starts of spawned rays by [`SPAWN_ULPS`]), for one
+//! [`Cause`] after the other. An answer that is not among these is wrong.
 
 mod attributes;
 mod bounce;

@@ -1,6 +1,6 @@
 //! What rounding may do: an f32 tracer decides differently where a decision hangs on its last digits. The reference can
-//! be asked the same question with every number displaced by as much as f32 may be off. Where no displaced answer is
-//! the tracer's, rounding does not explain it.
+//! be asked the same question with numbers displaced at random by as much as f32 may be off. Where that never leads to
+//! the tracer's answer, rounding does not explain it.
 
 use glam::{DVec2, DVec3};
 
@@ -12,9 +12,6 @@ const ULP: f64 = 1.0 / 8_388_608.0;
 pub const ULPS: f64 = 16.0;
 /// So far from their surface rays may start, in units in the last place of the coordinates there.
 pub const SPAWN_ULPS: f64 = 64.0;
-/// How often each cause is tried, and all of them together.
-const TRIES: [u64; 2] = [24, 192];
-
 /// A decision that hangs on the last digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cause {
@@ -35,8 +32,16 @@ pub enum Cause {
 }
 
 impl Cause {
-    const EACH: [Self; 6] =
-        [Self::Silhouette, Self::ShadowEdge, Self::TexelEdge, Self::Branch, Self::Highlight, Self::Storage];
+    /// Every cause, the one of several last.
+    pub const ALL: [Self; 7] = [
+        Self::Silhouette,
+        Self::ShadowEdge,
+        Self::TexelEdge,
+        Self::Branch,
+        Self::Highlight,
+        Self::Storage,
+        Self::Several,
+    ];
 }
 
 /// Displacements of one cause, drawn at random; or none.
@@ -56,13 +61,6 @@ impl Rounding {
     #[must_use]
     pub fn of(cause: Cause, seed: u64) -> Self {
         Self { random: Random(seed), cause: Some(cause) }
-    }
-
-    /// The first cause whose displacements make `agrees` true.
-    pub fn explain(mut agrees: impl FnMut(&mut Self) -> bool) -> Option<Cause> {
-        let mut tried = |cause, tries| (1..=tries).any(|seed| agrees(&mut Self::of(cause, seed)));
-        let single = Cause::EACH.into_iter().find(|cause| tried(*cause, TRIES[0]));
-        single.or_else(|| tried(Cause::Several, TRIES[1]).then_some(Cause::Several))
     }
 
     fn is(&self, cause: Cause) -> bool {

@@ -1,29 +1,20 @@
-//! Every pass against the f64 reference: what differs beyond rounding must be explained, and hardly anything may need it.
+//! Every pass against the f64 reference: what differs beyond rounding must be a tie, and hardly anything may be one.
+
+mod frames;
+mod rays;
+mod wrong;
 
 use std::sync::OnceLock;
 
-use glam::{DVec3, Vec3};
-use glimpse::{
-    Inspection, LinearImage, Method, PixelRecord, Robustness, Scene, Settings, Tolerances,
-    probe::{Probe, ProbeHit, ProbeRay, ProbeSample, ProbeSpawn},
-    reference::{Attributes, Frame, Limits, Ray, Reference, Rounding, SPAWN_ULPS},
-    scene::{LightKind, OCTAHEDRAL_ERROR, builtin},
-    stress::Random,
-};
-use glimpse_tests::{
-    Stage,
-    agreement::{Answer, Outcome, Tally, judge},
-    gallery, gpu, note, turn,
-};
+use glimpse::{Method, Scene, Settings, probe::ProbeRay, reference::Reference, scene::builtin};
+use glimpse_tests::{Stage, gallery, note};
 
-/// Pixels and rays of which so many may need an explanation.
-const SHARE: f64 = 0.005;
+/// Of pixels and rays these shares may be sensitive to rounding, and ties.
+const SHARES: [f64; 2] = [0.05, 0.005];
 /// Random rays a scene.
 const RAYS: usize = 100_000;
 /// Two units in the last place.
 const EPSILON: f64 = 1.0 / 4_194_304.0;
-/// Stored normals are so far off, and computed ones a little more.
-const NORMAL: f64 = 1.5 * OCTAHEDRAL_ERROR as f64;
 
 /// A scene on the device and in f64.
 struct Pair {
@@ -33,118 +24,10 @@ struct Pair {
     settings: Settings,
 }
 
-/// A frame by the device, and the question to the reference what its pixels should be.
-struct Frames<'a> {
-    frame: Frame<'a>,
-    linear: LinearImage,
-    inspection: Inspection,
-}
-
 impl Pair {
     fn new(scene: Scene, size: [u32; 2], settings: Settings) -> Self {
         let reference = Reference::new(&scene).with_srgb(*srgb());
         Self { stage: Stage::new(scene), reference, size, settings }
-    }
-
-    fn frames(&self, method: Method) -> Frames<'_> {
-        let settings = Settings { method, ..self.settings };
-        Frames {
-            frame: Frame { reference: &self.reference, camera: self.stage.camera, size: self.size, settings },
-            linear: self.stage.frame(self.size, &settings).linear,
-            inspection: self.stage.inspect(self.size, &settings),
-        }
-    }
-}
-
-impl Frames<'_> {
-    fn pixels(&self) -> Vec<[u32; 2]> {
-        let [width, height] = self.frame.size;
-        (0..height).flat_map(|y| (0..width).map(move |x| [x, y])).collect()
-    }
-
-    fn tally(&self, judge: impl Fn([u32; 2]) -> Outcome + Sync) -> Tally {
-        Tally::of(&self.pixels(), |pixel| match judge(*pixel) {
-            Outcome::Wrong(line) => Outcome::Wrong(format!("{pixel:?}: {line}")),
-            outcome => outcome,
-        })
-    }
-
-    fn record(&self, [x, y]: [u32; 2]) -> &PixelRecord {
-        &self.inspection.pixels[(y * self.frame.size[0] + x) as usize]
-    }
-
-    fn found_color(&self, [x, y]: [u32; 2]) -> Answer<3> {
-        let pixel = self.linear.get_pixel(x, y).0.map(f64::from);
-        Answer::radiance(DVec3::from_array(pixel))
-    }
-
-    /// Object, depth and normal of the first hit.
-    fn found_hit(&self, pixel: [u32; 2]) -> Answer<4> {
-        let record = self.record(pixel);
-        let normal = Vec3::from(record.normal).as_dvec3();
-        self.hit(pixel, record.object, f64::from(record.depth), normal)
-    }
-
-    fn exact_hit(&self, pixel: [u32; 2], a: &Attributes) -> Answer<4> {
-        self.hit(pixel, a.object, a.depth, a.normal)
-    }
-
-    fn hit(&self, pixel: [u32; 2], object: Option<u32>, depth: f64, normal: DVec3) -> Answer<4> {
-        let (ray, length) = self.frame.ray(pixel);
-        let span = self.reference_span(&ray) / length;
-        Answer {
-            labels: [object.map_or(0, |o| o + 1), 0],
-            values: [depth, normal.x, normal.y, normal.z],
-            tolerances: [8.0 * EPSILON * span, NORMAL, NORMAL, NORMAL],
-        }
-    }
-
-    /// The size of the numbers that a distance along a ray is computed from.
-    fn reference_span(&self, ray: &Ray) -> f64 {
-        ray.origin.abs().max_element() + self.frame.reference.longest_side()
-    }
-
-    fn traced_colors(&self) -> Tally {
-        self.tally(|p| judge(&self.found_color(p), |r| Answer::radiance(self.frame.traced(p, r).color)))
-    }
-
-    fn traced_hits(&self) -> Tally {
-        self.tally(|p| judge(&self.found_hit(p), |r| self.exact_hit(p, &self.frame.traced(p, r).attributes)))
-    }
-
-    /// Which checks fail, given how the pixels of the earlier steps came to be.
-    fn decisions(&self) -> Tally {
-        self.tally(|p| {
-            let bits = |failed| Answer::<0> { labels: [failed, 0], values: [], tolerances: [] };
-            judge(&bits(self.record(p).failed), |r| {
-                bits(self.frame.adaptive(p, Some(&|q| self.record(q).origin), r).failed)
-            })
-        })
-    }
-
-    fn adaptive_hits(&self) -> Tally {
-        self.tally(|p| {
-            judge(&self.found_hit(p), |r| {
-                self.exact_hit(p, &self.frame.adaptive(p, Some(&|q| self.record(q).origin), r).attributes)
-            })
-        })
-    }
-
-    fn adaptive_colors(&self) -> Tally {
-        self.tally(|p| {
-            judge(&self.found_color(p), |r| {
-                Answer::radiance(self.frame.adaptive(p, Some(&|q| self.record(q).origin), r).color)
-            })
-        })
-    }
-
-    /// The adaptive frame that the reference makes on its own: pixels that came to be in another way.
-    fn other_origins(&self) -> usize {
-        let other = self.tally(|p| {
-            let same = self.frame.adaptive(p, None, &mut Rounding::none()).origin == self.record(p).origin;
-            if same { Outcome::Same(0.0) } else { Outcome::Wrong(String::new()) }
-        });
-        other.wrong.len()
     }
 }
 
@@ -161,7 +44,7 @@ fn srgb() -> &'static [f64; 256] {
                 ..ProbeRay::default()
             })
             .collect();
-        let seen = shade(&stage, &rays, &Settings::default());
+        let seen = rays::shade(&stage, &rays, &Settings::default());
         std::array::from_fn(|i| f64::from(seen[i].color[0]))
     })
 }
@@ -183,123 +66,19 @@ fn srgb_is_decoded_within_half_a_byte() {
     note(&format!("sRGB: largest error {worst:.1e}"));
 }
 
-fn shade(stage: &Stage, rays: &[ProbeRay], settings: &Settings) -> Vec<ProbeSample> {
-    let _turn = turn();
-    Probe::new(gpu(), &stage.scene, Robustness::default()).shade(rays, settings).expect("the rays are shaded")
-}
-
-fn spawn(stage: &Stage, rays: &[ProbeRay]) -> Vec<ProbeSpawn> {
-    let _turn = turn();
-    Probe::new(gpu(), &stage.scene, Robustness::default()).spawn(rays).expect("the rays arrive")
-}
-
-fn random_rays(stage: &Stage) -> Vec<ProbeRay> {
-    let (low, high) = stage.scene.bounds();
-    let mut random = Random(5);
-    std::iter::repeat_with(|| {
-        let origin = random.inside(low.as_dvec3(), high.as_dvec3()).as_vec3();
-        let direction = random.direction().as_vec3();
-        ProbeRay {
-            origin: origin.to_array(),
-            t_max: 1e30,
-            direction: direction.to_array(),
-            ..ProbeRay::default()
-        }
-    })
-    .take(RAYS)
-    .collect()
-}
-
-/// The same ray, and the factor from its parameter to a distance.
-fn exact(ray: &ProbeRay) -> (Ray, f64) {
-    let direction = DVec3::from_array(ray.direction.map(f64::from));
-    let origin = DVec3::from_array(ray.origin.map(f64::from));
-    (Ray { origin, direction: direction.normalize(), t_max: f64::INFINITY }, direction.length())
-}
-
-fn vector(v: [f32; 3]) -> DVec3 {
-    DVec3::from_array(v.map(f64::from))
-}
-
-/// What random rays see, with everything that follows from them.
-fn seen(pair: &Pair) -> Tally {
-    let rays = random_rays(&pair.stage);
-    let samples = shade(&pair.stage, &rays, &pair.settings);
-    let items: Vec<_> = rays.iter().zip(&samples).collect();
-    let limits = Limits::of(&pair.settings);
-    Tally::of(&items, |(ray, sample)| {
-        let found =
-            Answer { labels: [sample.object, sample.shadow], ..Answer::radiance(vector(sample.color)) };
-        let outcome = judge(&found, |r| {
-            let exact = pair.reference.sample(&exact(ray).0, &limits, r);
-            let a = exact.attributes;
-            Answer { labels: [a.object.map_or(0, |o| o + 1), a.shadow], ..Answer::radiance(exact.color) }
-        });
-        named(outcome, ray)
-    })
-}
-
-fn named(outcome: Outcome, ray: &ProbeRay) -> Outcome {
-    match outcome {
-        Outcome::Wrong(line) => Outcome::Wrong(format!("{:?} {:?}: {line}", ray.origin, ray.direction)),
-        outcome => outcome,
-    }
-}
-
-/// Where random rays arrive: place, shading normal, normal of the face, side.
-fn arrived(pair: &Pair) -> Tally {
-    let rays = random_rays(&pair.stage);
-    let spawned = spawn(&pair.stage, &rays);
-    let items: Vec<_> = rays.iter().zip(&spawned).collect();
-    let side = pair.reference.longest_side();
-    let answer = |labels, [position, normal, face]: [DVec3; 3]| {
-        let values: Vec<f64> = [position, normal, face].iter().flat_map(|v| v.to_array()).collect();
-        let mut tolerances = [16.0 * EPSILON; 9];
-        tolerances[..3].fill(16.0 * EPSILON * side);
-        Answer::<9> { labels, values: values.try_into().expect("nine numbers"), tolerances }
-    };
-    Tally::of(&items, |(ray, s)| {
-        let met = s.primitive != ProbeHit::MISS;
-        let labels = [if met { s.object + 1 } else { 0 }, s.inside];
-        let found = answer(labels, [s.position, s.normal, s.face].map(vector));
-        let outcome = judge(&found, |r| {
-            let ray = exact(ray).0;
-            match pair.reference.first(&ray, None, false, r) {
-                None => answer([0; 2], [DVec3::ZERO; 3]),
-                Some(crossing) => {
-                    let s = pair.reference.surface(&ray, &crossing, r);
-                    answer([s.object + 1, u32::from(s.inside)], [s.position, s.normal, s.face])
-                }
-            }
-        });
-        match off_its_surface(s, side) {
-            true => named(outcome, ray),
-            false => Outcome::Wrong(format!("{s:?} starts rays in the wrong place")),
-        }
-    })
-}
-
-/// New rays start on their side of the face, and no farther from it than the reference's displacement of them.
-fn off_its_surface(s: &ProbeSpawn, side: f64) -> bool {
-    let (face, position) = (vector(s.face), vector(s.position));
-    let [above, below] = [s.above, s.below].map(|o| (vector(o) - position).dot(face));
-    let most = SPAWN_ULPS / 2.0 * EPSILON * 4.0 * side;
-    s.primitive == ProbeHit::MISS || (0.0 < above && above < most && -most < below && below < 0.0)
-}
-
 fn agree(name: &str, scene: Scene, size: [u32; 2], settings: Settings) {
     let pair = Pair::new(scene, size, settings);
     let full = pair.frames(Method::Full);
-    full.traced_hits().check(&format!("{name}, full, hits"), SHARE);
-    full.traced_colors().check(&format!("{name}, full, radiance"), SHARE);
+    full.traced_hits().check(&format!("{name}, full, hits"), SHARES);
+    full.traced_colors().check(&format!("{name}, full, radiance"), SHARES);
     let adaptive = pair.frames(Method::Adaptive);
-    adaptive.decisions().check(&format!("{name}, adaptive, checks"), SHARE);
-    adaptive.adaptive_hits().check(&format!("{name}, adaptive, attributes"), SHARE);
-    adaptive.adaptive_colors().check(&format!("{name}, adaptive, radiance"), SHARE);
+    adaptive.decisions().check(&format!("{name}, adaptive, checks"), SHARES);
+    adaptive.adaptive_hits().check(&format!("{name}, adaptive, attributes"), SHARES);
+    adaptive.adaptive_colors().check(&format!("{name}, adaptive, radiance"), SHARES);
     let other = adaptive.other_origins();
     note(&format!("{name}, adaptive: {other} pixels come to be in another way in f64 alone"));
-    arrived(&pair).check(&format!("{name}, rays, surfaces"), SHARE);
-    seen(&pair).check(&format!("{name}, rays, radiance"), SHARE);
+    rays::arrived(&pair, &pair.reference, RAYS).check(&format!("{name}, rays, surfaces"), SHARES);
+    rays::seen(&pair, &pair.reference, RAYS).check(&format!("{name}, rays, radiance"), SHARES);
 }
 
 fn built_in(name: &str) -> Scene {
@@ -311,9 +90,10 @@ fn room() {
     agree("room", built_in("room"), [97, 61], Settings::default());
 }
 
+/// Of odd height: else the corners of the box lie on the diagonals that pixels lie on.
 #[test]
 fn cornell() {
-    agree("cornell", built_in("cornell"), [96, 96], Settings::default());
+    agree("cornell", built_in("cornell"), [96, 61], Settings::default());
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::{sync::mpsc, thread, time::Duration};
 use glimpse::{
     Camera, DisplayImage, Error, Gpu, GpuScene, Method, Renderer, SAMPLES_PER_SUBMISSION, Settings,
     Tolerances,
-    probe::{ProbeRay, trace_rays},
+    probe::{Probe, ProbeRay},
     scene::builtin,
 };
 use glimpse_tests::{Stage, turn};
@@ -60,8 +60,8 @@ fn a_lost_device_fails_every_call_and_a_new_one_draws_the_same() {
     }
     assert_lost(new(), "new");
     assert_lost(GpuScene::upload(&gpu, builtin("room").unwrap()), "upload");
-    let ray = ProbeRay { origin: [0.0; 3], t_max: 1.0, direction: [0.0, 0.0, 1.0], any: 0 };
-    assert_lost(trace_rays(&gpu, &scene, &[ray]), "trace_rays");
+    let ray = ProbeRay { origin: [0.0; 3], t_max: 1.0, direction: [0.0, 0.0, 1.0], ..ProbeRay::default() };
+    assert_lost(Probe::new(&gpu, &scene, Robustness::default()).trace(&[ray]), "trace");
     assert!(picture(&device(), "cornell", SIZE) == before, "the picture after the loss is another");
 }
 

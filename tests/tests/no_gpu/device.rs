@@ -1,8 +1,8 @@
 //! Devices that are missing or lost, without a driver.
 
 use glimpse::{
-    Error, Gpu, GpuScene, Renderer, Settings,
-    probe::{ProbeRay, trace_rays},
+    Error, Gpu, GpuScene, Renderer, Robustness, Settings,
+    probe::{Probe, ProbeRay},
     scene::builtin,
 };
 
@@ -46,7 +46,7 @@ fn a_lost_device_fails_every_call_and_a_new_one_works() {
         ("inspect", renderer.inspect(&camera).err()),
         ("new", new(&gpu).err()),
         ("upload", GpuScene::upload(&gpu, load()).err()),
-        ("trace_rays", trace_rays(&gpu, &scene, &[ProbeRay::default()]).err()),
+        ("trace", Probe::new(&gpu, &scene, Robustness::default()).trace(&[ProbeRay::default()]).err()),
     ];
     for (call, error) in errors {
         assert!(matches!(&error, Some(Error::Lost { .. })), "{call}: {error:?}");

@@ -1,0 +1,142 @@
+//! Frames of the renderer, pixel by pixel against those of the reference.
+
+use glam::{DVec3, Vec3};
+use glimpse::{
+    Inspection, LinearImage, Method, PixelRecord, Renderer, Settings,
+    reference::{Attributes, Frame, Ray, Reference, Rounding},
+    scene::OCTAHEDRAL_ERROR,
+};
+use glimpse_tests::{
+    agreement::{Answer, Outcome, Tally, judge},
+    gpu, turn,
+};
+
+use super::{EPSILON, Pair};
+
+/// Stored normals are so far off, and computed ones a little more.
+const NORMAL: f64 = 1.5 * OCTAHEDRAL_ERROR as f64;
+
+/// A frame by the device, and the question to the reference what its pixels should be.
+pub struct Frames<'a> {
+    frame: Frame<'a>,
+    linear: LinearImage,
+    inspection: Inspection,
+}
+
+impl Pair {
+    pub fn frames(&self, method: Method) -> Frames<'_> {
+        let settings = Settings { method, ..self.settings };
+        let (stage, turn) = (&self.stage, turn());
+        let mut renderer =
+            Renderer::new(gpu(), &stage.scene, self.size, &settings).expect("the kernels compile");
+        let linear = renderer.linear_image(&stage.camera).expect("the frame renders");
+        let inspection = renderer.inspect(&stage.camera).expect("the frame is counted");
+        drop(turn);
+        Frames {
+            frame: Frame { reference: &self.reference, camera: self.stage.camera, size: self.size, settings },
+            linear,
+            inspection,
+        }
+    }
+}
+
+impl Frames<'_> {
+    /// The same pixels with another idea of what they should be.
+    pub fn against<'a>(&self, reference: &'a Reference, settings: Settings) -> Frames<'a> {
+        Frames {
+            frame: Frame { reference, settings, camera: self.frame.camera, size: self.frame.size },
+            linear: self.linear.clone(),
+            inspection: self.inspection.clone(),
+        }
+    }
+
+    fn pixels(&self) -> Vec<[u32; 2]> {
+        let [width, height] = self.frame.size;
+        (0..height).flat_map(|y| (0..width).map(move |x| [x, y])).collect()
+    }
+
+    fn tally(&self, judge: impl Fn([u32; 2]) -> Outcome + Sync) -> Tally {
+        Tally::of(&self.pixels(), |pixel| match judge(*pixel) {
+            Outcome::Wrong(line) => Outcome::Wrong(format!("{pixel:?}: {line}")),
+            outcome => outcome,
+        })
+    }
+
+    fn record(&self, [x, y]: [u32; 2]) -> &PixelRecord {
+        &self.inspection.pixels[(y * self.frame.size[0] + x) as usize]
+    }
+
+    fn found_color(&self, [x, y]: [u32; 2]) -> Answer<3> {
+        let pixel = self.linear.get_pixel(x, y).0.map(f64::from);
+        Answer::radiance(DVec3::from_array(pixel))
+    }
+
+    /// Object, depth and normal of the first hit.
+    fn found_hit(&self, pixel: [u32; 2]) -> Answer<4> {
+        let record = self.record(pixel);
+        let normal = Vec3::from(record.normal).as_dvec3();
+        self.hit(pixel, record.object, f64::from(record.depth), normal)
+    }
+
+    fn exact_hit(&self, pixel: [u32; 2], a: &Attributes) -> Answer<4> {
+        self.hit(pixel, a.object, a.depth, a.normal)
+    }
+
+    fn hit(&self, pixel: [u32; 2], object: Option<u32>, depth: f64, normal: DVec3) -> Answer<4> {
+        let (ray, length) = self.frame.ray(pixel);
+        let span = self.span(&ray) / length;
+        Answer {
+            labels: [object.map_or(0, |o| o + 1), 0],
+            values: [depth, normal.x, normal.y, normal.z],
+            tolerances: [8.0 * EPSILON * span, NORMAL, NORMAL, NORMAL],
+        }
+    }
+
+    /// The size of the numbers that a distance along a ray is computed from.
+    fn span(&self, ray: &Ray) -> f64 {
+        ray.origin.abs().max_element() + self.frame.reference.longest_side()
+    }
+
+    pub fn traced_colors(&self) -> Tally {
+        self.tally(|p| judge(&self.found_color(p), |r| Answer::radiance(self.frame.traced(p, r).color)))
+    }
+
+    pub fn traced_hits(&self) -> Tally {
+        self.tally(|p| judge(&self.found_hit(p), |r| self.exact_hit(p, &self.frame.traced(p, r).attributes)))
+    }
+
+    /// Which checks fail, given how the pixels of the earlier steps came to be.
+    pub fn decisions(&self) -> Tally {
+        self.tally(|p| {
+            let bits = |failed| Answer::<0> { labels: [failed, 0], values: [], tolerances: [] };
+            judge(&bits(self.record(p).failed), |r| {
+                bits(self.frame.adaptive(p, Some(&|q| self.record(q).origin), r).failed)
+            })
+        })
+    }
+
+    pub fn adaptive_hits(&self) -> Tally {
+        self.tally(|p| {
+            judge(&self.found_hit(p), |r| {
+                self.exact_hit(p, &self.frame.adaptive(p, Some(&|q| self.record(q).origin), r).attributes)
+            })
+        })
+    }
+
+    pub fn adaptive_colors(&self) -> Tally {
+        self.tally(|p| {
+            judge(&self.found_color(p), |r| {
+                Answer::radiance(self.frame.adaptive(p, Some(&|q| self.record(q).origin), r).color)
+            })
+        })
+    }
+
+    /// The adaptive frame that the reference makes on its own: pixels that came to be in another way.
+    pub fn other_origins(&self) -> usize {
+        let other = self.tally(|p| {
+            let same = self.frame.adaptive(p, None, &mut Rounding::none()).origin == self.record(p).origin;
+            if same { Outcome::Same(0.0) } else { Outcome::Wrong(String::new()) }
+        });
+        other.wrong.len()
+    }
+}

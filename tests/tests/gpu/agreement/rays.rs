@@ -1,0 +1,131 @@
+//! Random rays through the shaders' own functions, against the reference.
+
+use glam::DVec3;
+use glimpse::{
+    Robustness, Settings,
+    probe::{Probe, ProbeHit, ProbeRay, ProbeSample, ProbeSpawn},
+    reference::{Limits, Ray, Reference, SPAWN_ULPS},
+    scene::OCTAHEDRAL_ERROR,
+    stress::Random,
+};
+use glimpse_tests::{
+    Stage,
+    agreement::{Answer, DIM, Outcome, RADIANCE, Tally, judge},
+    gpu, turn,
+};
+
+use super::{EPSILON, Pair};
+
+pub fn shade(stage: &Stage, rays: &[ProbeRay], settings: &Settings) -> Vec<ProbeSample> {
+    let _turn = turn();
+    Probe::new(gpu(), &stage.scene, Robustness::default()).shade(rays, settings).expect("the rays are shaded")
+}
+
+fn spawn(stage: &Stage, rays: &[ProbeRay]) -> Vec<ProbeSpawn> {
+    let _turn = turn();
+    Probe::new(gpu(), &stage.scene, Robustness::default()).spawn(rays).expect("the rays arrive")
+}
+
+fn random_rays(stage: &Stage, count: usize) -> Vec<ProbeRay> {
+    let (low, high) = stage.scene.bounds();
+    let mut random = Random(5);
+    std::iter::repeat_with(|| {
+        let origin = random.inside(low.as_dvec3(), high.as_dvec3()).as_vec3();
+        let direction = random.direction().as_vec3();
+        ProbeRay {
+            origin: origin.to_array(),
+            t_max: 1e30,
+            direction: direction.to_array(),
+            ..ProbeRay::default()
+        }
+    })
+    .take(count)
+    .collect()
+}
+
+/// The same ray, and the factor from its parameter to a distance.
+fn exact(ray: &ProbeRay) -> (Ray, f64) {
+    let direction = DVec3::from_array(ray.direction.map(f64::from));
+    let origin = DVec3::from_array(ray.origin.map(f64::from));
+    (Ray { origin, direction: direction.normalize(), t_max: f64::INFINITY }, direction.length())
+}
+
+fn vector(v: [f32; 3]) -> DVec3 {
+    DVec3::from_array(v.map(f64::from))
+}
+
+/// What random rays see, with everything that follows from them: object and shadow bits, radiance, the part of it that
+/// other rays brought, texture coordinates.
+pub fn seen(pair: &Pair, reference: &Reference, count: usize) -> Tally {
+    let rays = random_rays(&pair.stage, count);
+    let samples = shade(&pair.stage, &rays, &pair.settings);
+    let items: Vec<_> = rays.iter().zip(&samples).collect();
+    let limits = Limits::of(&pair.settings);
+    let answer = |labels, color: DVec3, gcol: DVec3, [s, t]: [f64; 2]| {
+        let bright = RADIANCE * color.max_element().max(DIM);
+        let (c, g) = (color.to_array(), gcol.to_array());
+        let mut tolerances = [bright; 8];
+        tolerances[6..].fill(16.0 * EPSILON);
+        Answer::<8> { labels, values: [c[0], c[1], c[2], g[0], g[1], g[2], s, t], tolerances }
+    };
+    Tally::of(&items, |(ray, sample)| {
+        let labels = [sample.object, sample.shadow];
+        let texcoord = sample.texcoord.map(f64::from);
+        let found = answer(labels, vector(sample.color), vector(sample.gcol), texcoord);
+        let outcome = judge(&found, |r| {
+            let exact = reference.sample(&exact(ray).0, &limits, r);
+            let a = exact.attributes;
+            answer([a.object.map_or(0, |o| o + 1), a.shadow], exact.color, a.gcol, a.texcoord.to_array())
+        });
+        named(outcome, ray)
+    })
+}
+
+fn named(outcome: Outcome, ray: &ProbeRay) -> Outcome {
+    match outcome {
+        Outcome::Wrong(line) => Outcome::Wrong(format!("{:?} {:?}: {line}", ray.origin, ray.direction)),
+        outcome => outcome,
+    }
+}
+
+/// Where random rays arrive: place, shading normal, normal of the face, side.
+pub fn arrived(pair: &Pair, reference: &Reference, count: usize) -> Tally {
+    let rays = random_rays(&pair.stage, count);
+    let spawned = spawn(&pair.stage, &rays);
+    let items: Vec<_> = rays.iter().zip(&spawned).collect();
+    let side = reference.longest_side();
+    let answer = |labels, [position, normal, face]: [DVec3; 3]| {
+        let values: Vec<f64> = [position, normal, face].iter().flat_map(|v| v.to_array()).collect();
+        // A normal is interpolated over its triangle, which may be small: it is as good as it is stored.
+        let mut tolerances = [f64::from(OCTAHEDRAL_ERROR); 9];
+        tolerances[..3].fill(16.0 * EPSILON * side);
+        Answer::<9> { labels, values: values.try_into().expect("nine numbers"), tolerances }
+    };
+    Tally::of(&items, |(ray, s)| {
+        let met = s.primitive != ProbeHit::MISS;
+        let labels = [if met { s.object + 1 } else { 0 }, s.inside];
+        let found = answer(labels, [s.position, s.normal, s.face].map(vector));
+        let outcome = judge(&found, |r| {
+            let ray = exact(ray).0;
+            match reference.first(&ray, None, false, r) {
+                None => answer([0; 2], [DVec3::ZERO; 3]),
+                Some(crossing) => {
+                    let s = reference.surface(&ray, &crossing, r);
+                    answer([s.object + 1, u32::from(s.inside)], [s.position, s.normal, s.face])
+                }
+            }
+        });
+        match off_its_surface(s, side) {
+            true => named(outcome, ray),
+            false => Outcome::Wrong(format!("{s:?} starts rays in the wrong place")),
+        }
+    })
+}
+
+/// New rays start on their side of the face, and no farther from it than the reference's displacement of them.
+fn off_its_surface(s: &ProbeSpawn, side: f64) -> bool {
+    let (face, position) = (vector(s.face), vector(s.position));
+    let [above, below] = [s.above, s.below].map(|o| (vector(o) - position).dot(face));
+    let most = SPAWN_ULPS / 2.0 * EPSILON * 4.0 * side;
+    s.primitive == ProbeHit::MISS || (0.0 < above && above < most && -most < below && below < 0.0)
+}

@@ -1,0 +1,92 @@
+//! The comparisons see what they should: each of them objects to a reference that is wrong by a little.
+
+use glam::Vec2;
+use glimpse::{Method, Scene, Settings, Tolerances, reference::Reference, scene::LightKind};
+use glimpse_tests::{agreement::Tally, gallery};
+
+use super::{Pair, built_in, frames::Frames, rays, srgb};
+
+const SIZE: [u32; 2] = [32, 21];
+
+fn changed(scene: &Scene, change: impl Fn(&mut Scene)) -> Reference {
+    let mut scene = scene.clone();
+    change(&mut scene);
+    Reference::new(&scene).with_srgb(*srgb())
+}
+
+fn objects(tally: &Tally, least: usize, what: &str) {
+    assert!(tally.wrong.len() >= least, "{what}: {} of at least {least} are wrong", tally.wrong.len());
+}
+
+fn move_lights(scene: &mut Scene) {
+    for light in &mut scene.lights {
+        if let LightKind::Point { position, .. } | LightKind::Spot { position, .. } = &mut light.kind {
+            *position *= 1.01;
+        }
+    }
+}
+
+#[test]
+fn a_light_that_moved_by_a_hundredth_is_seen() {
+    let scene = built_in("cornell");
+    let wrong = changed(&scene, move_lights);
+    let pair = Pair::new(scene, SIZE, Settings::default());
+    for method in [Method::Full, Method::Adaptive] {
+        let frames = pair.frames(method).against(&wrong, Settings { method, ..pair.settings });
+        objects(&frames.adaptive_colors(), 300, "adaptive radiance");
+        objects(&frames.traced_colors(), 300, "radiance");
+    }
+    objects(&rays::seen(&pair, &wrong, 1000), 300, "what rays see");
+}
+
+#[test]
+fn another_index_of_refraction_is_seen() {
+    let scene = gallery::glasshouse();
+    let wrong = changed(&scene, |s| s.materials[0].ior = 1.52);
+    let pair = Pair::new(scene, SIZE, Settings { depth: 6, min_weight: 0.01, ..Settings::default() });
+    let frames = pair.frames(Method::Full).against(&wrong, pair.settings);
+    objects(&frames.traced_colors(), 20, "radiance");
+}
+
+#[test]
+fn textures_shifted_by_half_a_texel_are_seen() {
+    let scene = gallery::textures();
+    let wrong = changed(&scene, |s| {
+        s.texcoords.iter_mut().flatten().for_each(|t| *t += Vec2::splat(0.5 / 16.0));
+    });
+    let pair = Pair::new(scene, SIZE, Settings::default());
+    let frames = pair.frames(Method::Full).against(&wrong, pair.settings);
+    objects(&frames.traced_colors(), 50, "radiance");
+}
+
+#[test]
+fn geometry_that_moved_by_a_thousandth_is_seen() {
+    let scene = built_in("cornell");
+    let wrong = changed(&scene, |s| s.positions.iter_mut().flatten().for_each(|p| *p *= 1.001));
+    let pair = Pair::new(scene, SIZE, Settings::default());
+    let full = pair.frames(Method::Full).against(&wrong, pair.settings);
+    objects(&full.traced_hits(), 300, "hits");
+    let adaptive = pair.frames(Method::Adaptive).against(&wrong, pair.settings);
+    objects(&adaptive.adaptive_hits(), 300, "attributes");
+    objects(&rays::arrived(&pair, &wrong, 1000), 300, "where rays arrive");
+}
+
+#[test]
+fn other_tolerances_are_seen() {
+    let scene = gallery::textures();
+    let reference = changed(&scene, |_| ());
+    let pair = Pair::new(scene, SIZE, Settings::default());
+    let frames = pair.frames(Method::Adaptive);
+    let decisions =
+        |tolerances| -> Frames<'_> { frames.against(&reference, Settings { tolerances, ..pair.settings }) };
+    let right = Tolerances::default();
+    assert_eq!(decisions(right).decisions().wrong.len(), 0);
+    for (what, tolerances) in [
+        ("pos", Tolerances { pos: 1.5 * right.pos, ..right }),
+        ("norm", Tolerances { norm: 0.97, ..right }),
+        ("tex", Tolerances { tex: 0.4, ..right }),
+        ("gcol", Tolerances { gcol: 0.02, ..right }),
+    ] {
+        objects(&decisions(tolerances).decisions(), 1, what);
+    }
+}
