@@ -43,6 +43,15 @@ fn hostile() -> Vec<(&'static str, Vec<Aabb>)> {
             "mixed",
             [1e-40, 1e-30, 1e-6, 1.0, 1e6, 1e18].map(|s| random_boxes(500, s, s, Vec3A::ZERO)).concat(),
         ),
+        // The distance from the origin to the second's sides is rounded to a whole number of units.
+        (
+            "a speck in the middle",
+            vec![
+                point(Vec3A::splat(-(2_f32.powi(59)))),
+                Aabb { min: Vec3A::splat(-(2_f32.powi(-20))), max: Vec3A::splat(2_f32.powi(-20)) },
+                point(Vec3A::splat(2_f32.powi(58))),
+            ],
+        ),
         ("planar", (0..3000).map(|_| point(random_point(&mut random, 1.0) * vec3a(1.0, 0.0, 1.0))).collect()),
         ("on a line", (0..3000).map(|i| point(vec3a(1.0, i as f32 * 0.3, -7.0))).collect()),
         ("coincident points", vec![coincident; 3000]),
