@@ -3,8 +3,8 @@
 use std::{sync::mpsc, thread, time::Duration};
 
 use glimpse::{
-    Camera, DisplayImage, Error, Gpu, GpuScene, Method, Renderer, SAMPLES_PER_SUBMISSION, Settings,
-    Tolerances,
+    Camera, DisplayImage, Error, Gpu, GpuScene, Method, Renderer, Robustness, SAMPLES_PER_SUBMISSION,
+    Settings, Tolerances,
     probe::{Probe, ProbeRay},
     scene::builtin,
 };
