@@ -342,7 +342,7 @@ fn options_that_do_not_exist() {
         &["--min-weight", "1.5"],
         &["--min-weight", "nan"],
         &["--frames", "0"],
-        &["--frames", "-1"],
+        &["--frames=-1"],
         &["--frames", "100001"],
         &["--depth", "4294967296"],
     ];
