@@ -29,6 +29,10 @@ pub struct Surface {
     pub extent: f64,
 }
 
+/// Where a triangle's corners have one normal that is the face's up to 1 - cos of this angle, the face's counts: encoding
+/// is all that is between them.
+const FLAT_ERROR: f64 = 2.0e-7;
+
 impl Reference {
     /// The surface where `ray` crosses a primitive.
     #[must_use]
@@ -51,6 +55,9 @@ impl Reference {
                     let face = (b - a).cross(c - a).normalize_or_zero();
                     // The normals say which side is out; the winding may disagree.
                     let face = if face.dot(normal) < 0.0 { -face } else { face };
+                    let [first, others @ ..] = self.scene.normals[crossing.primitive];
+                    let flat = others == [first; 2] && normal.dot(face) > 1.0 - FLAT_ERROR;
+                    let normal = if flat { face } else { normal };
                     let position = w * a + crossing.u * b + crossing.v * c;
                     (position, normal, face, a.min(b).min(c), a.max(b).max(c))
                 }
