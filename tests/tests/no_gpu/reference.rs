@@ -159,6 +159,9 @@ fn the_tree_finds_the_first_of_all_crossings() {
         let Some(first) = all.first() else { continue };
         let on = Ray { origin: ray.origin + first.t * ray.direction, ..ray };
         let rest = tracer.crossings(&on, Some(first.primitive));
+        let triangle = first.primitive < scene.positions.len();
+        let again = rest.iter().any(|c| c.primitive == first.primitive);
+        assert!(!(triangle && again), "a flat triangle is met once: {rest:?}");
         let expected = all.iter().skip(1).filter(|c| c.primitive < scene.positions.len());
         for crossing in expected {
             let found = rest.iter().find(|c| c.primitive == crossing.primitive);
