@@ -5,7 +5,6 @@ use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use glimpse::{CHECK_NAMES, Linking, Method, Settings, Tolerances};
-use serde::Serialize;
 
 /// The largest side of a frame.
 pub const MAX_SIDE: u32 = 16384;
@@ -150,8 +149,7 @@ pub struct StressOptions {
 }
 
 /// What `--without` leaves out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Measure {
     /// Exact decisions at the edges of triangles
     Watertight,

@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use anyhow::bail;
+use clap::ValueEnum;
 use glimpse::stress::{Bench, CASES, Case, Outcome};
 use glimpse::{Gpu, Robustness};
 use serde::Serialize;
@@ -25,13 +26,13 @@ struct Row {
 }
 
 #[derive(Debug, Serialize)]
-struct Report<'a> {
+struct Report {
     glimpse: &'static str,
     adapter: AdapterStatistics,
     seed: u64,
     rays: u64,
     /// The measures that were left out.
-    without: &'a [Measure],
+    without: Vec<String>,
     cases: Vec<Row>,
 }
 
@@ -63,12 +64,16 @@ pub fn run(options: &StressOptions, adapter: Option<&str>) -> anyhow::Result<()>
         adapter: AdapterStatistics::of(&gpu.facts().info),
         seed: options.seed,
         rays: options.rays,
-        without: &options.without,
+        without: options.without.iter().map(name).collect(),
         cases: rows,
     };
     output::print(&if options.json { output::json(&report)? } else { table(&report) })?;
     let failed: Vec<_> = report.cases.iter().filter(|row| !row.passed).map(|row| row.case).collect();
     if failed.is_empty() { Ok(()) } else { bail!("these cases fail: {}", failed.join(", ")) }
+}
+
+fn name(measure: &Measure) -> String {
+    measure.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
 /// The cases of these names, all of them without names.
@@ -98,7 +103,7 @@ fn measure(case: &Case, bench: &Bench<'_>) -> anyhow::Result<Row> {
     })
 }
 
-fn table(report: &Report<'_>) -> String {
+fn table(report: &Report) -> String {
     let AdapterStatistics { name, backend, driver } = &report.adapter;
     let mut text = format!("adapter   {name} ({backend}, {driver}), seed {}\n\n", report.seed);
     text += &format!("{:<12}{:>14}{:>10}{:>12}{:>9}\n", "case", "rays", "failures", "explained", "s");
