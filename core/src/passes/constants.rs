@@ -1,0 +1,142 @@
+//! Numbers that both sides need: each stands here (or where Rust uses it most) and is written into the WGSL.
+
+use std::fmt::Write as _;
+
+use super::Variant;
+use crate::{
+    MAX_RAYS, SAMPLES_PER_SUBMISSION, atlas,
+    gpu::shader::Source,
+    gpu_scene,
+    scene::OCTAHEDRAL_ERROR,
+    stats::{CHECK_NAMES, Origin},
+};
+
+/// Threads of a workgroup that works through a list.
+pub const TRACE_GROUP: u32 = 64;
+/// Workgroups along x; a longer list goes on along y.
+pub const TRACE_ROW: u32 = 32_768;
+
+/// By what share of the distance a box grows on all sides in the traversal, so that it loses no hit of what is inside.
+/// With `e = 2^-24` (half a unit in the last place), WGSL's 5 e for a quotient and `D`, the largest distance from the ray's
+/// origin to a plane of the node along an axis, rounding moves
+///
+/// | what | by at most |
+/// | --- | --- |
+/// | corners from the ray, across it: their difference to the origin and its share of the shear, the shear, its product, the difference | 1 + 1 + 5 + 1 + 2 = 10 e D |
+/// | a plane from the ray: `p - o`, its product, the quotient, `q 2^e / d`, the sum, the margin's own sum | 1 + 1 + 5 + 2 + 1 + 1 = 11 e D |
+/// | the distance of a hit within its box: corner, sum and reciprocal of the weights, products, sum, `1 / d` | 1 + 2 + 5 + 2 + 2 + 6 = 18 e D |
+/// | two hits at the same distance, of which the second must be looked at too | 8 e D |
+///
+/// together 47 e D; it is 48.
+pub const BVH_ROUNDING: f32 = 48.0 / 16_777_216.0;
+/// How far off their face new rays start: `OFFSET_COORDINATES |n| . |corners| + OFFSET_SIZE size`, so that the next test of
+/// the same triangle, or of one beside it in its plane and not much larger, finds it behind the ray. With `e = 2^-24`:
+///
+/// | what moves along the normal | by at most |
+/// | --- | --- |
+/// | the point by its last sum, the origin by its own | 2 e coordinates |
+/// | the point by the sides, their products, their sum | 5 e size |
+/// | the corners in the next test across the ray, both axes ([`BVH_ROUNDING`]) | 1.42 x 10 e size |
+/// | the distance that it finds | 18 e size |
+///
+/// The first is doubled for normals of slivers, which lean; the others together are 37.2 e and 40 e are taken.
+pub const OFFSET_COORDINATES: f32 = 4.0 / 16_777_216.0;
+pub const OFFSET_SIZE: f32 = 40.0 / 16_777_216.0;
+
+/// Two hits at distances that differ by no more than this share count as one, and the lower object has it.
+pub const SAME_DISTANCE: f32 = 4.0 / 16_777_216.0;
+
+/// Counters of an inspected frame: first index and how many.
+pub const COUNTER_RAYS: usize = 0;
+pub const COUNTER_NODE_VISITS: usize = 4;
+pub const COUNTER_PRIMITIVE_TESTS: usize = 5;
+pub const COUNTER_ORIGINS: usize = 6;
+pub const COUNTER_FAILED: usize = 10;
+/// Words of all counters, low and high.
+pub const COUNTER_WORDS: usize = 64;
+
+impl Variant {
+    /// Numbers that both sides need, as WGSL constants.
+    pub(super) fn constants(&self) -> Source {
+        let f = &self.features;
+        let mut text = String::new();
+        let planes = self.planes();
+        for name in ["DEPTH", "OBJECT", "NORMAL", "SHADOW", "FACE", "GCOL", "TEXCOORD", "COLOR"] {
+            let index = planes.iter().position(|p| *p == name).unwrap_or(0);
+            let _ = writeln!(text, "const PLANE_{name}: u32 = {index}u;");
+        }
+        let flags = [
+            ("HAS_LIGHTS", f.lights),
+            ("HAS_SHADOW_WORD", self.shadow_shift().is_none()),
+            ("HAS_FACE", f.smooth_normals),
+            ("HAS_GCOL", f.reflection || f.refraction),
+            ("HAS_TEXTURES", f.textures),
+            ("HAS_METALLIC_ROUGHNESS_TEXTURES", f.metallic_roughness_textures),
+            ("HAS_EMISSIVE_TEXTURES", f.emissive_textures),
+            ("HAS_COLORS", f.vertex_colors),
+            ("VERTEX_HAS_TEXCOORDS", self.has_texcoords),
+            ("VERTEX_HAS_COLORS", self.has_colors),
+            ("HAS_PANES", self.has_panes),
+        ];
+        for (name, value) in flags {
+            let _ = writeln!(text, "const {name}: bool = {value};");
+        }
+        let numbers = [
+            ("BVH_STACK", self.bvh_stack),
+            // Each level leaves at most one branch for later, the last one none; two are put down at a time.
+            ("BOUNCE_STACK", self.depth + 1),
+            ("MAX_RAYS", MAX_RAYS),
+            ("LIGHT_COUNT", self.lights),
+            ("SHADOW_SHIFT", self.shadow_shift().unwrap_or(0)),
+            ("OBJECT_MASK", self.shadow_shift().map_or(u32::MAX, |shift| (1 << shift) - 1)),
+            ("TRACE_GROUP", TRACE_GROUP),
+            ("TRACE_ROW", TRACE_ROW),
+            ("CHUNK_SAMPLES", SAMPLES_PER_SUBMISSION),
+            ("ORIGIN_BASE", Origin::Base as u32),
+            ("ORIGIN_TRACED_A1", Origin::TracedA1 as u32),
+            ("ORIGIN_TRACED_A2", Origin::TracedA2 as u32),
+            ("ORIGIN_INTERPOLATED", Origin::Interpolated as u32),
+            ("TEXTURE_NEAREST", atlas::TEXTURE_NEAREST),
+            ("TEXTURE_PRESENT", atlas::TEXTURE_PRESENT),
+            ("WRAP_REPEAT", atlas::WRAP_REPEAT),
+            ("WRAP_MIRROR", atlas::WRAP_MIRROR),
+            ("SURFACE_OBJECT", gpu_scene::SURFACE_OBJECT),
+            ("SURFACE_NO_SHADOW", gpu_scene::SURFACE_NO_SHADOW),
+            ("SURFACE_ALPHA", gpu_scene::SURFACE_ALPHA),
+            ("OBJECT_UNLIT", gpu_scene::OBJECT_UNLIT),
+            ("OBJECT_THIN", gpu_scene::OBJECT_THIN),
+            ("OBJECT_WEIGHTS", gpu_scene::OBJECT_WEIGHTS),
+            ("OBJECT_MATTE", gpu_scene::OBJECT_MATTE),
+            ("LIGHT_DIRECTIONAL", gpu_scene::LIGHT_DIRECTIONAL),
+            ("LIGHT_CONSTANT", gpu_scene::LIGHT_CONSTANT),
+            ("RAY_PRIMARY", 0),
+            ("RAY_SHADOW", 1),
+            ("RAY_REFLECTION", 2),
+            ("RAY_REFRACTION", 3),
+            ("COUNTER_RAYS", COUNTER_RAYS as u32),
+            ("COUNTER_NODE_VISITS", COUNTER_NODE_VISITS as u32),
+            ("COUNTER_PRIMITIVE_TESTS", COUNTER_PRIMITIVE_TESTS as u32),
+            ("COUNTER_ORIGINS", COUNTER_ORIGINS as u32),
+            ("COUNTER_FAILED", COUNTER_FAILED as u32),
+        ];
+        for (name, value) in numbers {
+            let _ = writeln!(text, "const {name}: u32 = {value}u;");
+        }
+        let reals = [
+            ("BVH_ROUNDING", if self.robustness.boxes { BVH_ROUNDING } else { 0.0 }),
+            ("OFFSET_COORDINATES", if self.robustness.offset { OFFSET_COORDINATES } else { 0.0 }),
+            ("OFFSET_SIZE", if self.robustness.offset { OFFSET_SIZE } else { 0.0 }),
+            // Rays that pass straight on need one order of the surfaces, without a tolerance.
+            ("SAME_DISTANCE", if self.has_panes { 0.0 } else { SAME_DISTANCE }),
+            ("SPHERE_MARK", gpu_scene::SPHERE_MARK),
+            ("NORMAL_ERROR", OCTAHEDRAL_ERROR),
+        ];
+        for (name, value) in reals {
+            let _ = writeln!(text, "const {name}: f32 = {value:e};");
+        }
+        for (bit, name) in CHECK_NAMES.iter().enumerate() {
+            let _ = writeln!(text, "const CHECK_{}: u32 = {}u;", name.to_uppercase(), 1 << bit);
+        }
+        Source { file: "(constants)", text: text.into() }
+    }
+}
