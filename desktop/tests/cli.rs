@@ -59,6 +59,28 @@ fn options_that_do_not_exist_are_wrong_usage() {
 }
 
 #[test]
+fn stress_judges_cases_and_notices_what_is_left_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |line: &str, code| {
+        let output = glimpse(folder.path(), line);
+        assert_eq!(output.status.code(), Some(code), "{line}: {output:?}");
+        output
+    };
+    let output = run("stress slivers critical --rays 2000 --seed 7 --json", 0);
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    for (case, name) in json["cases"].as_array().unwrap().iter().zip(["slivers", "critical"]) {
+        assert_eq!((case["case"].as_str(), case["failures"].as_u64()), (Some(name), Some(0)));
+        assert!(case["rays"].as_u64() >= Some(2000) && case["passed"] == true, "{case}");
+    }
+    assert!(json["adapter"]["name"].is_string() && json["seed"] == 7);
+    let output = run("stress self_hits --rays 2000 --without offset", 1);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("self_hits") && text.contains("worst: scene"), "{text}");
+    let stderr = String::from_utf8(run("stress waterproof", 2).stderr).unwrap();
+    assert!(stderr.contains("waterproof") && stderr.contains("watertight"), "{stderr}");
+}
+
+#[test]
 fn compare_prints_the_errors() {
     let folder = tempfile::tempdir().unwrap();
     grey(&folder.path().join("a.png"), 100);

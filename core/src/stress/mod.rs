@@ -67,6 +67,8 @@ pub struct Outcome {
     pub explained: Vec<Explained>,
     /// The first failure, with all that is needed to repeat it.
     pub worst: Option<String>,
+    /// A hash of the answers, where they are the same on every adapter.
+    pub digest: Option<u64>,
 }
 
 /// Differences with one cause.
