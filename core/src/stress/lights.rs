@@ -11,13 +11,13 @@ use super::{
 };
 use crate::{
     Result, Settings,
-    scene::{Light, LightKind, Material},
+    scene::{Light, LightKind, MIN_RANGE, Material},
 };
 
 pub const CASE: Case = Case {
     name: "lights",
     construction: "point, spot and directional lights at a surface, in a corner, at the eye, inside a sphere, 1e17 away; \
-                   intensities 0, denormal, 1 and 1e30; cones of no width and ranges of no length; matte, glossy and \
+                   intensities 0, denormal, 1 and 1e30; cones of no width and the shortest ranges; matte, glossy and \
                    metallic surfaces, random rays and rays from the light",
     rule: "finite and not negative",
     run,
@@ -73,11 +73,11 @@ fn lights(position: Vec3, intensity: Vec3) -> Vec<Light> {
     };
     let kinds = [
         LightKind::Point { position, range: f32::INFINITY, falloff: true },
-        LightKind::Point { position, range: f32::MIN_POSITIVE, falloff: true },
+        LightKind::Point { position, range: MIN_RANGE, falloff: true },
         LightKind::Point { position, range: f32::INFINITY, falloff: false },
         LightKind::Directional { direction: down },
         spot(f32::INFINITY, 0.0, 0.0),
-        spot(1.0e-10, 0.0, FRAC_PI_2),
+        spot(MIN_RANGE, 0.0, FRAC_PI_2),
         spot(f32::INFINITY, FRAC_PI_2, FRAC_PI_2),
     ];
     kinds.into_iter().map(|kind| Light { kind, intensity, radius: 0.0 }).collect()

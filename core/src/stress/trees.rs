@@ -12,7 +12,7 @@ use crate::{Result, bvh, reference::Tracer};
 pub const CASE: Case = Case {
     name: "trees",
     construction: "triangles that shrink along a spiral, that grow exponentially from a corner, that all lie in one place (up to \
-                   2^21 of them, which few rays are enough for), on a line, in needles along the axes; and scenes of points and lines alone",
+                   2^21 of them, which few rays are enough for), in needles along the axes; points and lines alone",
     rule: "object as the reference, but for ties; the traversal's stack stays below the bound that the builder keeps",
     run,
 };
