@@ -49,11 +49,13 @@ impl Tracer {
         let mut candidates = Vec::new();
         self.visit(ray, &mut |primitive, _| candidates.extend(primitive.candidates(ray, rounding)));
         let claimed = answer.map(|answer| {
-            candidates
-                .iter()
-                .filter(|c| c.hit.object == answer.object)
-                .find(|c| (c.hit.t - answer.t).abs() <= c.tolerance)
-                .map(|c| (answer.t, c.tolerance))
+            let told =
+                |c: &&Candidate| c.hit.object == answer.object && (c.hit.t - answer.t).abs() <= c.tolerance;
+            let near = candidates.iter().find(told).map(|c| (answer.t, c.tolerance));
+            // A needle may be told to be where its box is not.
+            let own = || self.primitives.iter().filter(|p| p.object == answer.object);
+            let far = || own().flat_map(|p| p.candidates(ray, rounding)).find(|c| told(&c));
+            near.or_else(|| far().map(|c| (answer.t, c.tolerance)))
         });
         let reach = match claimed {
             Some(None) => {

@@ -33,7 +33,7 @@ enum Node {
 
 /// A scene to shoot rays at.
 pub struct Tracer {
-    primitives: Vec<Primitive>,
+    pub(super) primitives: Vec<Primitive>,
     nodes: Vec<Node>,
 }
 

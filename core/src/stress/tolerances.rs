@@ -60,7 +60,7 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
     let camera = *scene.camera(None)?;
     let scene = bench.upload(scene)?;
     let frames: usize = WISHES.iter().map(|w| w.granted.len()).sum();
-    let width = ((bench.rays as f64 / frames as f64 * 4.0 / 3.0).sqrt() as u32).clamp(16, 2_048);
+    let width = ((bench.rays as f64 / frames as f64 * 4.0 / 3.0).sqrt() as u32 + 4).clamp(16, 2_048);
     let size = [width, width * 3 / 4];
     let frame = |settings: &Settings| Renderer::new(bench.gpu, &scene, size, settings)?.linear_image(&camera);
     let full = frame(&Settings { method: Method::Full, ..Settings::default() })?;

@@ -21,7 +21,7 @@ fn every_case_passes() {
     for case in &CASES {
         let outcome = run(case.name, Robustness::default());
         note(&format!("{}: {} rays, {} failures", case.name, outcome.rays, outcome.failures));
-        assert!(outcome.rays >= RAYS / 2, "{}: only {} rays were judged", case.name, outcome.rays);
+        assert!(outcome.rays >= RAYS * 9 / 10, "{}: only {} rays were judged", case.name, outcome.rays);
         failed.extend(outcome.worst.map(|worst| format!("{}: {worst}", case.name)));
     }
     assert!(failed.is_empty(), "{}", failed.join("\n"));
@@ -34,7 +34,7 @@ fn a_measure_left_out_is_noticed() {
     let without = [
         ("watertight", Robustness { watertight: false, ..all }, ["watertight", "vertices"].as_slice()),
         ("boxes", Robustness { boxes: false, ..all }, &["watertight", "vertices"]),
-        ("offset", Robustness { offset: false, ..all }, &["self_hits", "recursion"]),
+        ("offset", Robustness { offset: false, ..all }, &["self_hits"]),
     ];
     for (measure, robustness, cases) in without {
         for case in cases {
