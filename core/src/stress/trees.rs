@@ -17,11 +17,11 @@ pub const CASE: Case = Case {
     run,
 };
 
-const COINCIDENT_TESTS: u64 = 200_000_000;
+const COINCIDENT_TESTS: u64 = 20_000_000;
 
 fn run(bench: &Bench<'_>) -> Result<Outcome> {
     let mut outcome = Outcome::default();
-    let count = (bench.rays / 20).clamp(2_000, 50_000) as usize;
+    let count = (bench.rays / 20).clamp(2_000, 10_000) as usize;
     let coincident = (bench.rays / 5).clamp(2_000, 1 << 21) as usize;
     let scenes = [
         ("spiral", spiral(count)),
