@@ -24,6 +24,8 @@ pub const CASE: Case = Case {
 /// Where Embree's tests put their spheres.
 const AWAY: DVec3 = dvec3(148_376.0, 1_234.0, -223_423.0);
 const DECADES: u32 = 8;
+/// How far an eye is from the surface.
+const CLEARANCE: f64 = 0.02;
 /// Rays of one mesh at one distance, at least.
 const SHARE: u64 = 1_000;
 
@@ -70,7 +72,16 @@ fn inside(mesh: &Mesh, center: DVec3, random: &mut Random) -> Option<DVec3> {
     let tube = mesh.triangles.first().map(|[a, b, c]| (*a + *b + *c) / 3.0);
     let tube = tube.into_iter().flat_map(|p| [0.02, 0.1, 0.25].map(|step| p.lerp(center, step)));
     let mut points = [center].into_iter().chain(near).chain(tube).map(|p| p.as_vec3().as_dvec3());
-    points.find(|p| (mesh.winding(*p).abs() - 1.0).abs() < 1e-6)
+    points.find(|p| clearly_inside(mesh, *p))
+}
+
+/// The point and the corners of a small cube around it: far from the origin rounding folds surfaces through points
+/// that they seem to wind around.
+fn clearly_inside(mesh: &Mesh, point: DVec3) -> bool {
+    let corner =
+        |i: u32| CLEARANCE * DVec3::from_array([0, 1, 2].map(|axis| f64::from(i >> axis & 1) * 2.0 - 1.0));
+    let mut around = std::iter::once(point).chain((0..8).map(|i| point + corner(i)));
+    around.all(|p| (mesh.winding(p).abs() - 1.0).abs() < 1e-6)
 }
 
 fn aimed(mesh: &Mesh, eye: DVec3, index: u64, random: &mut Random) -> ProbeRay {
