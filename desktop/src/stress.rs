@@ -120,8 +120,8 @@ fn table(report: &Report) -> String {
         for cause in &row.outcome.explained {
             text += &format!("            {} x {}\n", grouped(cause.count), cause.cause);
         }
-        if let Some(digest) = row.outcome.digest {
-            text += &format!("            digest {digest:016x}\n");
+        if let Some(digest) = &row.outcome.digest {
+            text += &format!("            digest {digest}\n");
         }
         if let Some(worst) = &row.outcome.worst {
             text += &format!("            worst: {worst}\n");

@@ -44,7 +44,7 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
     let id = |hit: &ProbeHit| (hit.primitive != ProbeHit::MISS).then_some(hit.object);
     let mut hasher = DefaultHasher::new();
     answers[0].iter().map(id).for_each(|answer| answer.hash(&mut hasher));
-    let mut outcome = Outcome { digest: Some(hasher.finish()), ..Outcome::default() };
+    let mut outcome = Outcome { digest: Some(format!("{:016x}", hasher.finish())), ..Outcome::default() };
     for (i, ray) in rays.iter().enumerate() {
         let first = id(&answers[0][i]);
         for (which, answer) in answers.iter().enumerate() {

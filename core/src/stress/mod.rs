@@ -68,7 +68,7 @@ pub struct Outcome {
     /// The first failure, with all that is needed to repeat it.
     pub worst: Option<String>,
     /// A hash of the answers, where they are the same on every adapter.
-    pub digest: Option<u64>,
+    pub digest: Option<String>,
 }
 
 /// Differences with one cause.
