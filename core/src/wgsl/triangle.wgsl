@@ -50,39 +50,10 @@ fn triangle_hit(shear: Shear, corners: array<vec3f, 3>, t_max: f32) -> TriangleH
         }
         // The weights have one sign or are zero, so that they add up without cancellation.
         let weights = edges * (1.0 / determinant);
-        var z = weights.x * a.z + weights.y * b.z + weights.z * c.z;
-    let low = min(a, min(b, c));
-    let high = max(a, max(b, c));
-    let longest = max(high.x - low.x, max(high.y - low.y, high.z - low.z));
-    if abs(determinant) < TRIANGLE_NEEDLE * longest * longest {
-        z = triangle_clamp(shear.shear.xy, low, high, z);
-    }
-    let t = shear.shear.z * z;
+        let t = shear.shear.z * (weights.x * a.z + weights.y * b.z + weights.z * c.z);
         found = TriangleHit(t, weights.y, weights.z, t > 0.0 && t < t_max);
     }
     return found;
-}
-
-// Narrower triangles, as the ray sees them, have weights that rounding may move by more than a thousandth of a per cent
-// of their length.
-const TRIANGLE_NEEDLE: f32 = 1.0e-2;
-
-// The place along the ray, moved into the triangle's box, which stands where it is however uncertain the weights are.
-fn triangle_clamp(shear: vec2f, low: vec3f, high: vec3f, z: f32) -> f32 {
-    let far = max(abs(low), abs(high));
-    let margin = BVH_ROUNDING * max(far.x, max(far.y, far.z));
-    var first = low.z;
-    var last = high.z;
-    for (var axis = 0; axis < 2; axis += 1) {
-        // Along other axes the box says nothing.
-        if abs(shear[axis]) > 1.0e-3 {
-            let p = (low[axis] - margin) / shear[axis];
-            let q = (high[axis] + margin) / shear[axis];
-            first = max(first, min(p, q));
-            last = min(last, max(p, q));
-        }
-    }
-    return select(clamp(z, first, last), 0.5 * (first + last), first > last);
 }
 
 // Beyond these a product of weight and coordinate, or the reciprocal, may leave the range of f32.
