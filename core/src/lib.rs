@@ -8,7 +8,11 @@
 //!
 //! [`Scene`] is flat arrays in main memory. [`GpuScene::upload`] consumes it. A [`Renderer`] makes frames of one size by
 //! one [`Method`]; what its kernels are made of follows from the [`Features`] of the scene and the [`Settings`], in
-//! `passes/mod.rs` and nowhere else. `plan.rs` puts the passes in order, in parts of bounded work; `frame.rs` records them.
+//! `passes/variant.rs` and nowhere else. `plan.rs` puts the passes in order, in parts of bounded work; `frame.rs` records
+//! them.
+//!
+//! [`reference`] does every step of the shaders again in f64: it is what right means. [`probe`] runs the shaders' own
+//! functions for rays of the caller's, and [`stress`] has the stiff and extreme cases that compare the two.
 //!
 //! This crate knows no window, no file, no clock and no thread that it was not given, and has no global state.
 //!
@@ -18,6 +22,8 @@
 //!   Computer 32.
 //! - *Ylitie 2017*: Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs".
 //! - *Woop 2013*: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1).
+//! - *Ize 2013*: Ize, "Robust BVH Ray Traversal", JCGT 2(2).
+//! - *Edelsbrunner 1990*: Edelsbrunner, Muecke, "Simulation of Simplicity", ACM Transactions on Graphics 9(1).
 //! - *lecture*: Akenine-Moller, Assarsson, "Ray Tracing I", Chalmers; with Heckbert's minimal ray tracer.
 
 mod atlas;
