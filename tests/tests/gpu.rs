@@ -8,7 +8,6 @@ mod gpu {
     mod device;
     mod golden;
     mod minray;
-    mod numerics;
     mod scenes;
     mod stress;
     mod traversal;
