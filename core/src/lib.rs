@@ -11,7 +11,7 @@
 //! `passes/variant.rs` and nowhere else. `plan.rs` puts the passes in order, in parts of bounded work; `frame.rs` records
 //! them.
 //!
-//! [`reference`] does every step of the shaders again in f64: it is what right means. [`probe`] runs the shaders' own
+//! [`mod@reference`] does every step of the shaders again in f64: it is what right means. [`probe`] runs the shaders' own
 //! functions for rays of the caller's, and [`stress`] has the stiff and extreme cases that compare the two.
 //!
 //! This crate knows no window, no file, no clock and no thread that it was not given, and has no global state.
