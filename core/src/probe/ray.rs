@@ -1,6 +1,8 @@
 //! Rays as callers give them, and as the shaders expect them.
 
-use crate::{gpu::mirror::gpu_struct, scene::MAX_COORDINATE};
+use glam::Vec3;
+
+use crate::{gpu::mirror::gpu_struct, reference, scene::MAX_COORDINATE};
 
 gpu_struct! {
     /// A ray; `direction` may have any length. A ray that is none meets nothing: a direction of zero or with a component
@@ -22,6 +24,18 @@ gpu_struct! {
         padding1: u32,
         /// Nothing.
         padding2: u32,
+    }
+}
+
+impl ProbeRay {
+    /// The same ray for the reference, and the factor from its parameter to a distance.
+    #[must_use]
+    pub fn exact(&self) -> (reference::Ray, f64) {
+        let direction = Vec3::from(self.direction).as_dvec3();
+        let origin = Vec3::from(self.origin).as_dvec3();
+        let length = direction.length();
+        let t_max = f64::from(self.t_max) * length;
+        (reference::Ray { origin, direction: direction / length, t_max }, length)
     }
 }
 

@@ -28,7 +28,7 @@ use glam::{DVec3, Vec3};
 use crate::{
     Gpu, GpuScene, Result, Robustness, Scene,
     probe::{Probe, ProbeHit, ProbeRay},
-    reference::{Hit, Ray, Tracer, Verdict},
+    reference::{Hit, Tracer, Verdict},
     scene::Material,
 };
 
@@ -167,14 +167,6 @@ fn thin_pane() -> Material {
     }
 }
 
-/// The same ray in f64; and the factor from its parameter to a distance.
-fn exact(ray: &ProbeRay) -> (Ray, f64) {
-    let direction = Vec3::from(ray.direction).as_dvec3();
-    let origin = Vec3::from(ray.origin).as_dvec3();
-    let length = direction.length();
-    (Ray { origin, direction: direction / length, t_max: f64::from(ray.t_max) * length }, length)
-}
-
 /// What a hit says, for the judgement.
 fn answer(hit: &ProbeHit, length: f64) -> Option<Hit> {
     (hit.primitive != ProbeHit::MISS).then(|| Hit { object: hit.object, t: f64::from(hit.t) * length })
@@ -204,7 +196,7 @@ fn judge(
     replay: impl Fn() -> String,
 ) {
     for (ray, hit) in rays.iter().zip(hits) {
-        let (along, length) = exact(ray);
+        let (along, length) = ray.exact();
         let said = answer(hit, length);
         if said.is_some_and(|s| s.t.is_infinite()) {
             let first = tracer.nearest(&along);

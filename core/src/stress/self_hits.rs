@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec3};
 
 use super::{
-    Bench, Case, Outcome, Random, answer, exact, matte,
+    Bench, Case, Outcome, Random, answer, matte,
     mesh::{Mesh, Objects},
     ray, ray_through,
 };
@@ -80,7 +80,7 @@ fn judge_copy(
     copy: u32,
     replay: impl Fn(&str) -> String,
 ) {
-    let (along, length) = exact(ray);
+    let (along, length) = ray.exact();
     let expected = tracer.nearest(&along).filter(|h| h.object == copy);
     match (expected, hit.primitive != ProbeHit::MISS && hit.object == copy) {
         (None, _) | (Some(_), true) => outcome.pass(),

@@ -2,11 +2,10 @@
 
 use std::{num::NonZero, thread};
 
-use glam::DVec3;
 use glimpse::{
     GpuScene, Robustness, Scene,
     probe::{Probe, ProbeHit, ProbeRay},
-    reference::{Hit, Ray, Tracer, Verdict},
+    reference::{Hit, Tracer, Verdict},
     stress::Random,
 };
 use glimpse_tests::{gpu, note, shared_scene, turn};
@@ -35,14 +34,6 @@ fn random_rays(scene: &Scene, seed: u64) -> Vec<ProbeRay> {
     .collect()
 }
 
-/// The same ray; and the factor from its parameter to a distance.
-fn exact(ray: &ProbeRay) -> (Ray, f64) {
-    let direction = DVec3::from_array(ray.direction.map(f64::from));
-    let origin = DVec3::from_array(ray.origin.map(f64::from));
-    let length = direction.length();
-    (Ray { origin, direction: direction / length, t_max: f64::from(ray.t_max) * length }, length)
-}
-
 fn agree(name: &str, mut scene: Scene) {
     // Holes cut by alpha are not geometry.
     scene.materials.iter_mut().for_each(|m| m.alpha_cutoff = None);
@@ -56,7 +47,7 @@ fn agree(name: &str, mut scene: Scene) {
     assert_eq!(hits.len(), rays.len(), "{name}");
 
     let judge = &|(ray, hit): (&ProbeRay, &ProbeHit)| {
-        let (ray, length) = exact(ray);
+        let (ray, length) = ray.exact();
         let answer = (hit.primitive != ProbeHit::MISS)
             .then(|| Hit { object: hit.object, t: f64::from(hit.t) * length });
         (answer.is_some(), tracer.judge(&ray, answer))
