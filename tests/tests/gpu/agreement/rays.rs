@@ -4,7 +4,7 @@ use glam::DVec3;
 use glimpse::{
     Robustness, Settings,
     probe::{Probe, ProbeHit, ProbeRay, ProbeSample, ProbeSpawn},
-    reference::{Limits, Ray, Reference, SPAWN_ULPS},
+    reference::{Limits, Reference, SPAWN_ULPS},
     scene::OCTAHEDRAL_ERROR,
     stress::Random,
 };
@@ -43,13 +43,6 @@ fn random_rays(stage: &Stage, count: usize) -> Vec<ProbeRay> {
     .collect()
 }
 
-/// The same ray, and the factor from its parameter to a distance.
-fn exact(ray: &ProbeRay) -> (Ray, f64) {
-    let direction = DVec3::from_array(ray.direction.map(f64::from));
-    let origin = DVec3::from_array(ray.origin.map(f64::from));
-    (Ray { origin, direction: direction.normalize(), t_max: f64::INFINITY }, direction.length())
-}
-
 fn vector(v: [f32; 3]) -> DVec3 {
     DVec3::from_array(v.map(f64::from))
 }
@@ -73,7 +66,7 @@ pub fn seen(pair: &Pair, reference: &Reference, count: usize) -> Tally {
         let texcoord = sample.texcoord.map(f64::from);
         let found = answer(labels, vector(sample.color), vector(sample.gcol), texcoord);
         let outcome = judge(&found, |r| {
-            let exact = reference.sample(&exact(ray).0, &limits, r);
+            let exact = reference.sample(&ray.exact().0, &limits, r);
             let a = exact.attributes;
             answer([a.object.map_or(0, |o| o + 1), a.shadow], exact.color, a.gcol, a.texcoord.to_array())
         });
@@ -106,7 +99,7 @@ pub fn arrived(pair: &Pair, reference: &Reference, count: usize) -> Tally {
         let labels = [if met { s.object + 1 } else { 0 }, s.inside];
         let found = answer(labels, [s.position, s.normal, s.face].map(vector));
         let outcome = judge(&found, |r| {
-            let ray = exact(ray).0;
+            let ray = ray.exact().0;
             match reference.first(&ray, None, false, r) {
                 None => answer([0; 2], [DVec3::ZERO; 3]),
                 Some(crossing) => {
