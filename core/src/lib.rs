@@ -54,7 +54,9 @@ pub use image::{DisplayImage, LinearImage, Picture, encode_display, to_exr, to_p
 pub use plan::SAMPLES_PER_SUBMISSION;
 pub use renderer::Renderer;
 pub use scene::{Features, Scene};
-pub use settings::{Linking, MAX_DEPTH, MAX_RAYS, Method, Robustness, Settings, Tolerances};
+pub use settings::{
+    Linking, MAX_DEPTH, MAX_RAYS, MAX_SAMPLING, Method, Postcorrect, Robustness, Settings, Tolerances,
+};
 pub use stats::{
     CHECK_NAMES, Cost, Counts, FailedChecks, FrameTime, Inspection, Memory, Origin, PassTime, PixelRecord,
     Rays, Samples,

@@ -12,6 +12,23 @@ pub enum Method {
     Adaptive,
 }
 
+/// What is traced again after an adaptive frame, from traced pixels into interpolated neighbours that differ from them
+/// (Kim 2016, section 4).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Postcorrect {
+    /// Objects and shadows, if the scene holds something so thin that it may fall between samples.
+    Auto,
+    /// Nothing.
+    Off,
+    /// Where the object differs.
+    Objects,
+    /// Where the object or the shadow bits differ.
+    On,
+    /// As `On`, by the paper's scans along rows and columns (section 5).
+    Scans,
+}
+
 /// Which pieces of the shaders are linked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -49,6 +66,14 @@ pub struct Settings {
     pub method: Method,
     /// When to trace.
     pub tolerances: Tolerances,
+    /// Side of the square of samples of which one is always traced: 2, 4 or 8. Larger ones trace fewer samples and lose
+    /// more of what is small.
+    pub block: u32,
+    /// Samples along a side of a pixel, 1 to [`MAX_SAMPLING`]: the method works on the finer grid, whose samples are
+    /// averaged (Kim 2016's "Sampling" column).
+    pub sampling: u32,
+    /// What is traced again.
+    pub postcorrect: Postcorrect,
     /// Levels of rays: 1 is primary rays alone. More shows more mirrors in mirrors, 1 to [`MAX_DEPTH`].
     pub depth: u32,
     /// Rays that would contribute less than this share of the pixel are not traced. 0 follows them all.
@@ -60,6 +85,9 @@ pub struct Settings {
 /// The deepest recursion: what the ray stack of the refraction kernels is sized for.
 pub const MAX_DEPTH: u32 = 64;
 
+/// The finest grid: 256 samples a pixel.
+pub const MAX_SAMPLING: u32 = 16;
+
 /// The most rays that a sample follows, shadow rays aside: nested glass would send 2^depth. Branches beyond count as the
 /// environment's truncated radiance, as those that other limits cut off.
 pub const MAX_RAYS: u32 = 1024;
@@ -69,6 +97,9 @@ impl Default for Settings {
         Self {
             method: Method::Adaptive,
             tolerances: Tolerances::default(),
+            block: 2,
+            sampling: 1,
+            postcorrect: Postcorrect::Auto,
             depth: 3,
             min_weight: 0.05,
             features: Linking::Auto,
@@ -100,10 +131,16 @@ impl Settings {
                 return Err(crate::Error::setting(name, format!("expected {range}, found {value}")));
             }
         }
-        if !(1..=MAX_DEPTH).contains(&self.depth) {
+        let counts = [("--depth", self.depth, MAX_DEPTH), ("--sampling", self.sampling, MAX_SAMPLING)];
+        for (name, value, most) in counts {
+            if !(1..=most).contains(&value) {
+                return Err(crate::Error::setting(name, format!("expected 1 to {most}, found {value}")));
+            }
+        }
+        if ![2, 4, 8].contains(&self.block) {
             return Err(crate::Error::setting(
-                "--depth",
-                format!("expected 1 to {MAX_DEPTH}, found {}", self.depth),
+                "--block",
+                format!("expected 2, 4 or 8, found {}", self.block),
             ));
         }
         Ok(())

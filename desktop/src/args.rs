@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use glimpse::{CHECK_NAMES, Linking, Method, Settings, Tolerances};
+use glimpse::{CHECK_NAMES, Linking, Method, Postcorrect, Settings, Tolerances};
 
 /// The largest side of a frame.
 pub const MAX_SIDE: u32 = 16384;
@@ -168,6 +168,15 @@ pub struct FrameOptions {
     /// A camera of the scene, by index or name [default: the first]
     #[arg(long, value_name = "INDEX_OR_NAME")]
     pub camera: Option<String>,
+    /// Samples along a side of a pixel
+    #[arg(long, value_name = "N", default_value_t = Settings::default().sampling)]
+    pub sampling: u32,
+    /// Side of the block of samples of which one is always traced: 2, 4 or 8
+    #[arg(long, value_name = "N", default_value_t = Settings::default().block)]
+    pub block: u32,
+    /// What is traced again around traced pixels that differ from their neighbours
+    #[arg(long, value_enum, default_value = "auto", ignore_case = true)]
+    pub postcorrect: PostcorrectName,
     /// Positions may differ by less than this, in units of the scene's longest box side
     #[arg(long, value_name = "X", default_value_t = Tolerances::default().pos, allow_negative_numbers = true)]
     pub t_pos: f32,
@@ -196,6 +205,9 @@ impl FrameOptions {
     pub fn settings(&self, method: MethodName) -> glimpse::Result<Settings> {
         let settings = Settings {
             method: method.into(),
+            block: self.block,
+            sampling: self.sampling,
+            postcorrect: self.postcorrect.into(),
             tolerances: Tolerances { pos: self.t_pos, norm: self.t_norm, tex: self.t_tex, gcol: self.t_gcol },
             depth: self.depth,
             min_weight: self.min_weight,
@@ -212,6 +224,9 @@ impl Default for FrameOptions {
         Self {
             size: Size([2560, 1440]),
             camera: None,
+            sampling: settings.sampling,
+            block: settings.block,
+            postcorrect: PostcorrectName::Auto,
             t_pos: settings.tolerances.pos,
             t_norm: settings.tolerances.norm,
             t_tex: settings.tolerances.tex,
@@ -226,7 +241,8 @@ impl Default for FrameOptions {
 /// `--method`
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum MethodName {
-    /// One ray through every pixel
+    /// A ray through every sample
+    #[value(alias = "fixed")]
     Full,
     /// Rays where neighbours differ, interpolation elsewhere
     Adaptive,
@@ -237,6 +253,33 @@ impl From<MethodName> for Method {
         match name {
             MethodName::Full => Self::Full,
             MethodName::Adaptive => Self::Adaptive,
+        }
+    }
+}
+
+/// `--postcorrect`
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum PostcorrectName {
+    /// Objects and shadows, where the scene holds thin things
+    Auto,
+    /// Nothing
+    Off,
+    /// Where the object differs
+    Objects,
+    /// Where the object or the shadow differs
+    On,
+    /// As on, by scans along rows and columns
+    Scans,
+}
+
+impl From<PostcorrectName> for Postcorrect {
+    fn from(name: PostcorrectName) -> Self {
+        match name {
+            PostcorrectName::Auto => Self::Auto,
+            PostcorrectName::Off => Self::Off,
+            PostcorrectName::Objects => Self::Objects,
+            PostcorrectName::On => Self::On,
+            PostcorrectName::Scans => Self::Scans,
         }
     }
 }

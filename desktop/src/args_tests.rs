@@ -36,13 +36,22 @@ fn every_option_of_render_arrives() {
     let options = render(
         "render builtin:room -o x.EXR --size 640X480 --camera top --method full --t-pos 0.1 --t-norm -0.5 \
          --t-tex 0.2 --t-gcol 0.3 --depth 5 --min-weight 0 --features all --show check:tex --frames 7 \
-         --reference --stats s.json",
+         --reference --stats s.json --sampling 4 --block 8 --postcorrect scans",
     );
     let settings = options.frame.settings(options.method).unwrap();
     let tolerances = Tolerances { pos: 0.1, norm: -0.5, tex: 0.2, gcol: 0.3 };
     assert_eq!(
         settings,
-        Settings { method: Method::Full, tolerances, depth: 5, min_weight: 0.0, features: Linking::All }
+        Settings {
+            method: Method::Full,
+            tolerances,
+            block: 8,
+            sampling: 4,
+            postcorrect: Postcorrect::Scans,
+            depth: 5,
+            min_weight: 0.0,
+            features: Linking::All
+        }
     );
     assert_eq!(options.frame.size, Size([640, 480]));
     assert_eq!(options.frame.camera.as_deref(), Some("top"));
