@@ -108,7 +108,7 @@ fn wrong_usage_exits_with_two_and_says_what_was_expected() {
         ("render a.glb -o b.png --depth=-1", "--depth"),
         ("render a.glb -o b.png --t-pos wide", "--t-pos"),
         ("render a.glb -o b.png --seed 1", "--seed"),
-        ("render a.glb -o b.png --sampling 2", "--sampling"),
+        ("render a.glb -o b.png --samples 2", "--sampling"),
         ("bench", "SCENE"),
         ("bench a --methods full,slow", "slow"),
         ("compare a.png", "<B>"),
