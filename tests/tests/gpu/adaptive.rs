@@ -9,8 +9,15 @@ const SCENES: [&str; 4] = ["room", "cornell", "minray", "furnace"];
 const ODD_SIZES: [[u32; 2]; 9] =
     [[1, 1], [1, 7], [8, 1], [2, 1], [2, 2], [3, 5], [17, 31], [64, 33], [127, 65]];
 
+/// Every block that there is.
+const BLOCKS: [u32; 3] = [2, 4, 8];
+
 fn strict() -> Settings {
     Settings { tolerances: Tolerances { pos: 0.0, ..Tolerances::default() }, ..Settings::default() }
+}
+
+fn full() -> Settings {
+    Settings { method: Method::Full, ..Settings::default() }
 }
 
 fn bits(image: &LinearImage) -> Vec<u32> {
@@ -30,9 +37,12 @@ fn strictest_tolerances_give_the_full_frame_bit_for_bit() {
     for scene in SCENES {
         let stage = Stage::builtin(scene);
         let size = [127, 65];
-        let full = stage.frame(size, &Settings { method: Method::Full, ..Settings::default() });
-        assert_same(&stage.frame(size, &strict()), &full, scene);
-        assert_eq!(stage.inspect(size, &strict()).counts.samples.interpolated, 0, "{scene}");
+        let full = stage.frame(size, &full());
+        for block in BLOCKS {
+            let strict = Settings { block, ..strict() };
+            assert_same(&stage.frame(size, &strict), &full, &format!("{scene}, blocks of {block}"));
+            assert_eq!(stage.inspect(size, &strict).counts.samples.interpolated, 0, "{scene}");
+        }
     }
 }
 
@@ -74,16 +84,17 @@ fn looking_at_a_frame_does_not_change_it() {
     assert_eq!(renderer.display_image().unwrap(), before, "after linear_image and render");
 }
 
-/// Which step a pixel belongs to (Kim 2016, Figure 2).
-fn expected_step(x: u32, y: u32) -> Origin {
+/// Which step a pixel belongs to (Kim 2016, Figure 2): in the finest level, or else in that of every second pixel.
+fn expected_step(x: u32, y: u32, block: u32) -> Origin {
     match (x % 2, y % 2) {
-        (0, 0) => Origin::Base,
+        _ if block == 1 => Origin::Base,
+        (0, 0) => expected_step(x / 2, y / 2, block / 2),
         (_, 0) => Origin::TracedA1,
         _ => Origin::TracedA2,
     }
 }
 
-fn check_books(inspection: &Inspection, [width, height]: [u32; 2], what: &str) {
+fn check_books(inspection: &Inspection, [width, height]: [u32; 2], block: u32, what: &str) {
     let count = |origin: Origin| inspection.pixels.iter().filter(|p| p.origin == origin).count() as u64;
     let s = &inspection.counts.samples;
     assert_eq!(s.total, u64::from(width * height), "{what}");
@@ -102,7 +113,7 @@ fn check_books(inspection: &Inspection, [width, height]: [u32; 2], what: &str) {
     for y in 0..height {
         for x in 0..width {
             let pixel = &inspection.pixels[(y * width + x) as usize];
-            let step = expected_step(x, y);
+            let step = expected_step(x, y, block);
             let fits = pixel.origin == step || (pixel.origin == Origin::Interpolated && step != Origin::Base);
             assert!(fits, "{what} ({x}, {y}): {:?} where {step:?} belongs", pixel.origin);
             let checked = pixel.failed == 0 || pixel.origin == step;
@@ -116,21 +127,71 @@ fn every_size_is_covered_and_the_counts_add_up() {
     let (room, furnace) = (Stage::builtin("room"), Stage::builtin("furnace"));
     for size in ODD_SIZES {
         let what = format!("{size:?}");
-        check_books(&room.inspect(size, &Settings::default()), size, &what);
+        for block in BLOCKS {
+            let settings = Settings { block, ..Settings::default() };
+            check_books(&room.inspect(size, &settings), size, block, &format!("{what}, blocks of {block}"));
+        }
         let frame = room.frame(size, &Settings::default());
         assert!(frame.display.pixels().all(|p| p[3] == 255), "{what}: opaque");
-        let full = room.frame(size, &Settings { method: Method::Full, ..Settings::default() });
-        assert_same(&room.frame(size, &strict()), &full, &what);
+        let full = room.frame(size, &full());
+        assert_same(&room.frame(size, &Settings { block: 8, ..strict() }), &full, &what);
         // Every pixel of the furnace is known, so a pixel that nobody wrote shows.
-        let known = furnace.frame(size, &Settings::default()).linear;
+        let known = furnace.frame(size, &Settings { block: 4, sampling: 2, ..Settings::default() }).linear;
         assert!(known.as_raw().iter().all(|v| (v - 1.0).abs() <= 1e-5), "{what}: {:?}", known.as_raw());
     }
+}
+
+/// Each pixel the average of the samples around it in a frame that is so many times as large.
+fn averaged(large: &LinearImage, sampling: u32) -> Vec<u32> {
+    let [width, height] = [large.width(), large.height()].map(|side| side / sampling);
+    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [sampling * x, sampling * y]));
+    let average = |[x, y]: [u32; 2]| {
+        let mut sum = [0.0_f32; 3];
+        for sample in (0..sampling * sampling).map(|i| [x + i % sampling, y + i / sampling]) {
+            let radiance = large.get_pixel(sample[0], sample[1]).0;
+            sum = std::array::from_fn(|i| sum[i] + radiance[i]);
+        }
+        sum.map(|channel| (channel / (sampling * sampling) as f32).to_bits())
+    };
+    pixels.flat_map(average).collect()
+}
+
+#[test]
+fn a_sampling_grid_is_a_larger_frame_averaged() {
+    let room = Stage::builtin("room");
+    for (settings, sampling) in [(full(), 2), (full(), 3), (Settings::default(), 2), (Settings::default(), 4)]
+    {
+        let size = [31, 18];
+        let large = room.frame(size.map(|side| sampling * side), &settings).linear;
+        let frame = room.frame(size, &Settings { sampling, ..settings }).linear;
+        assert!(bits(&frame) == averaged(&large, sampling), "{:?}, {sampling}", settings.method);
+    }
+}
+
+/// So many samples that they do not fit the device's buffers at once.
+#[test]
+fn frames_in_bands_have_no_seams() {
+    let (size, sampling) = ([160, 144], 16);
+    let stage = Stage::builtin("minray");
+    let full = stage.frame(size, &Settings { sampling, ..full() });
+    for block in BLOCKS {
+        let strict = stage.frame(size, &Settings { sampling, block, ..strict() });
+        assert_same(&strict, &full, &format!("blocks of {block}"));
+    }
+    let known = Stage::builtin("furnace").frame(size, &Settings { sampling, ..Settings::default() }).linear;
+    assert!(known.as_raw().iter().all(|v| (v - 1.0).abs() <= 1e-5));
+    let counts =
+        |settings: &Settings| stage.inspect(size, &Settings { sampling, ..*settings }).counts.samples;
+    let samples = counts(&Settings::default());
+    assert_eq!(samples.total, u64::from(size[0] * size[1] * sampling * sampling));
+    assert_eq!(samples.base + samples.traced_a1 + samples.traced_a2 + samples.interpolated, samples.total);
+    assert!(samples.interpolated > samples.total / 2, "{samples:?}");
 }
 
 #[test]
 fn full_tracing_traces_every_sample() {
     let size = [33, 17];
-    let settings = Settings { method: Method::Full, ..Settings::default() };
+    let settings = full();
     let counts = Stage::builtin("room").inspect(size, &settings).counts;
     assert_eq!((counts.rays.primary, counts.samples.interpolated), (33 * 17, 0));
     assert_eq!(counts.rt_ratio(), 1.0);

@@ -68,17 +68,21 @@ fn srgb_is_decoded_within_half_a_byte() {
 
 fn agree(name: &str, scene: Scene, size: [u32; 2], settings: Settings) {
     let pair = Pair::new(scene, size, settings);
+    agree_in_adaptive_frames(name, &pair);
     let full = pair.frames(Method::Full);
     full.traced_hits().check(&format!("{name}, full, hits"), SHARES);
     full.traced_colors().check(&format!("{name}, full, radiance"), SHARES);
+    rays::arrived(&pair, &pair.reference, RAYS).check(&format!("{name}, rays, surfaces"), SHARES);
+    rays::seen(&pair, &pair.reference, RAYS).check(&format!("{name}, rays, radiance"), SHARES);
+}
+
+fn agree_in_adaptive_frames(name: &str, pair: &Pair) {
     let adaptive = pair.frames(Method::Adaptive);
     adaptive.decisions().check(&format!("{name}, adaptive, checks"), SHARES);
     adaptive.adaptive_hits().check(&format!("{name}, adaptive, attributes"), SHARES);
     adaptive.adaptive_colors().check(&format!("{name}, adaptive, radiance"), SHARES);
     let other = adaptive.other_origins();
     note(&format!("{name}, adaptive: {other} pixels come to be in another way in f64 alone"));
-    rays::arrived(&pair, &pair.reference, RAYS).check(&format!("{name}, rays, surfaces"), SHARES);
-    rays::seen(&pair, &pair.reference, RAYS).check(&format!("{name}, rays, radiance"), SHARES);
 }
 
 fn built_in(name: &str) -> Scene {
@@ -115,6 +119,15 @@ fn textures() {
 fn glasshouse() {
     let settings = Settings { depth: 6, min_weight: 0.01, ..Settings::default() };
     agree("glasshouse", gallery::glasshouse(), [101, 67], settings);
+}
+
+#[test]
+fn blocks() {
+    for (name, block) in [("room", 4), ("room", 8), ("minray", 8)] {
+        let settings = Settings { block, ..Settings::default() };
+        let pair = Pair::new(built_in(name), [101, 61], settings);
+        agree_in_adaptive_frames(&format!("{name}, blocks of {block}"), &pair);
+    }
 }
 
 #[test]
