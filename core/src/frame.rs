@@ -4,8 +4,8 @@ use crate::{
     Camera, Gpu, GpuScene, Result, Settings,
     gpu::{Bound, Kernel, Timer, mirror::gpu_struct, shader::Source},
     passes::{Output, Stage, Variant},
-    plan::{Extent, Part},
-    targets::{DISPATCH_BYTES, Targets},
+    plan::{Extent, Part, Rows},
+    targets::{DISPATCH_BYTES, LIST_HEADER, Targets},
 };
 
 gpu_struct! {
@@ -19,6 +19,7 @@ gpu_struct! {
         ambient: [f32; 3], gcol_tolerance: f32,
         truncated: [f32; 3], depth: u32,
         size: [u32; 2], inverse_height: f32, first: u32,
+        stride: u32, row: u32, end: u32, turn: u32,
     }
 }
 
@@ -33,7 +34,7 @@ gpu_struct! {
 pub const FRAME_STRIDE: u64 = 256;
 
 impl Frame {
-    /// The constants of one frame of a scene.
+    /// The constants of one frame of a scene, of so many samples; those of a part are still to come.
     pub fn new(scene: &GpuScene, settings: &Settings, size: [u32; 2], camera: &Camera) -> Self {
         let environment = &scene.environment;
         Self {
@@ -54,6 +55,10 @@ impl Frame {
             size,
             inverse_height: 1.0 / size[1] as f32,
             first: 0,
+            stride: 0,
+            row: 0,
+            end: 0,
+            turn: 0,
         }
     }
 }
@@ -75,11 +80,11 @@ impl Passes {
         color: &wgpu::Texture,
         inspection: Option<&wgpu::Buffer>,
     ) -> Result<Self> {
-        let stages = targets.plan.stages();
-        // Two stages may be one kernel.
+        let passes = targets.plan.passes();
+        // Several passes may be one kernel.
         let mut kernels: Vec<(Vec<Source>, Kernel)> = Vec::new();
         let mut kernel_of = Vec::new();
-        for stage in &stages {
+        for stage in &passes {
             let sources = variant.sources(*stage);
             let known = kernels.iter().position(|(known, _)| *known == sources);
             kernel_of.push(known.unwrap_or(kernels.len()));
@@ -94,11 +99,14 @@ impl Passes {
             ("attributes", targets.attributes.as_entire_binding()),
             ("list", targets.list.as_entire_binding()),
             ("dispatch", targets.dispatch.as_entire_binding()),
-            match variant.output {
-                Output::Display => ("display", wgpu::BindingResource::TextureView(&color)),
-                Output::Linear => ("linear", wgpu::BindingResource::TextureView(&color)),
-            },
+            ("samples", targets.samples.as_entire_binding()),
         ]);
+        let name = match variant.output {
+            Output::Display => Some("display"),
+            Output::Linear => Some("linear"),
+            Output::Nowhere => None,
+        };
+        resources.extend(name.map(|name| (name, wgpu::BindingResource::TextureView(&color))));
         resources.extend(inspection.map(|buffer| ("inspection", buffer.as_entire_binding())));
         let mut bound = Vec::with_capacity(targets.plan.parts.len());
         for (index, part) in targets.plan.parts.iter().enumerate() {
@@ -106,7 +114,7 @@ impl Passes {
             bound.push(kernels[kernel_of[part.pass]].1.bind(&gpu.device, &resources)?);
             resources.pop();
         }
-        let names: Vec<_> = stages.iter().map(|stage| stage.name()).collect();
+        let names: Vec<_> = passes.iter().map(|stage| stage.name()).collect();
         Ok(Self { bound, timer: Timer::new(gpu, &names)? })
     }
 
@@ -146,9 +154,9 @@ impl Passes {
 
     fn record(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets, index: usize, part: &Part) {
         let [first, _] = part.bounds;
-        if first && matches!(part.stage, Stage::SimilarityA1 | Stage::SimilarityA2) {
-            // The list is empty.
-            encoder.clear_buffer(&targets.list, 0, Some(4));
+        if first && part.stage == Stage::Base {
+            // The queue is empty.
+            encoder.clear_buffer(&targets.list, 0, Some(LIST_HEADER));
         }
         let mut pass = self.timer.part(encoder, part.pass, part.bounds);
         match part.extent {
@@ -165,7 +173,9 @@ impl Passes {
 fn in_strides(parts: &[Part], constants: &Frame) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(parts.len() * FRAME_STRIDE as usize);
     for part in parts {
-        bytes.extend_from_slice(bytemuck::bytes_of(&Frame { first: part.first, ..*constants }));
+        let Rows { stride, row, end, turn } = part.rows;
+        let of_part = Frame { first: part.first, stride, row, end, turn, ..*constants };
+        bytes.extend_from_slice(bytemuck::bytes_of(&of_part));
         bytes.resize(bytes.len().next_multiple_of(FRAME_STRIDE as usize), 0);
     }
     bytes

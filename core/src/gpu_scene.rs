@@ -7,7 +7,7 @@ use crate::{
     atlas::Atlas,
     bvh::Bvh,
     gpu::mirror::gpu_struct,
-    scene::{self, Environment, LightKind, MAX_LIGHTS, Material, Scene},
+    scene::{self, Environment, LightKind, MAX_LIGHTS, Material, Scene, Thinness},
 };
 
 /// Marks a sphere among the primitives; triangles are bounded by [`crate::scene::MAX_COORDINATE`].
@@ -76,6 +76,7 @@ pub struct GpuScene {
     /// Light passes straight through some surfaces.
     pub(crate) has_panes: bool,
     features: Features,
+    thinness: Thinness,
     bounds: (Vec3, Vec3),
 }
 
@@ -101,6 +102,7 @@ impl GpuScene {
         let primitive_count = scene.positions.len() + scene.spheres.len();
         gpu.check_binding("primitives", (primitive_count * size_of::<[f32; 9]>()) as u64)?;
         let features = Features::of(&scene);
+        let thinness = Thinness::of(&scene);
         let bvh = Bvh::build(&scene);
         let atlas = Atlas::upload(gpu, &mut scene)?;
         let nodes = gpu.storage("nodes", &bvh.nodes)?;
@@ -137,6 +139,7 @@ impl GpuScene {
             has_colors,
             has_panes,
             features,
+            thinness,
             bounds,
         })
     }
@@ -145,6 +148,13 @@ impl GpuScene {
     #[must_use]
     pub fn features(&self) -> Features {
         self.features
+    }
+
+    /// Whether things may fall between the samples of a frame of that many rows of samples, in blocks of that side:
+    /// [`Thinness::is_thin`].
+    #[must_use]
+    pub fn is_thin(&self, rows: u32, block: u32) -> bool {
+        self.thinness.is_thin(rows, block)
     }
 
     /// The box around everything.

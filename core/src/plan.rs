@@ -7,6 +7,13 @@
 
 use crate::{Method, passes::Stage};
 
+mod bands;
+#[cfg(test)]
+mod tests;
+
+pub use bands::band_rows;
+use bands::{Band, bands};
+
 /// The most samples that one submission traces. More means fewer gaps between submissions and longer ones.
 ///
 /// A frame of fewer samples (450x450 by either method) is one submission. A row of workgroups is not divided, which
@@ -21,18 +28,40 @@ const INTERPOLATED_PER_TRACED: u32 = 16;
 const TRACED_TILE: u32 = 8;
 const INTERPOLATED_TILE: u32 = 16;
 
+/// The samples that a stage treats: every `stride`-th row from `row` until before `end`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Rows {
+    /// Samples from one reference to the next, in both directions.
+    pub stride: u32,
+    /// The first row.
+    pub row: u32,
+    /// Behind the last row.
+    pub end: u32,
+    /// The row that the band's storage is folded at ([`Band::turn`]).
+    pub turn: u32,
+}
+
+impl Rows {
+    /// How many.
+    pub fn count(&self) -> u32 {
+        self.end.saturating_sub(self.row).div_ceil(self.stride)
+    }
+}
+
 /// One dispatch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
     /// Its kernel.
     pub stage: Stage,
-    /// The position of its stage in the frame.
+    /// What it treats.
+    pub rows: Rows,
+    /// The position of its pass in the frame.
     pub pass: usize,
-    /// Where its stage goes on: a row of workgroups, or a place in the list.
+    /// Where its pass goes on: a row of workgroups, or a place in the list.
     pub first: u32,
-    /// How much of the stage it does.
+    /// How much of the pass it does.
     pub extent: Extent,
-    /// Whether its stage begins and whether it ends with it.
+    /// Whether its pass begins and whether it ends with it.
     pub bounds: [bool; 2],
     /// The most samples that it traces, or as many as take its time.
     pub samples: u32,
@@ -51,44 +80,75 @@ pub enum Extent {
 pub struct Plan {
     /// One by one.
     pub parts: Vec<Part>,
-    /// Entries of the longest list.
-    pub longest_list: u32,
+    /// Rows of samples that are stored at once.
+    pub stored_rows: u32,
+    /// The most samples that one pass may list.
+    longest_list: u32,
+}
+
+/// What a frame is made of besides its method.
+#[derive(Clone, Copy, Debug)]
+pub struct Shape {
+    /// Samples of the frame.
+    pub grid: [u32; 2],
+    /// Samples along a side of a pixel.
+    pub sampling: u32,
+    /// Side of the base block.
+    pub block: u32,
+    /// Rows of samples of a band, see [`band_rows`].
+    pub band: u32,
 }
 
 impl Plan {
-    /// The plan of a frame of that size.
-    pub fn new(method: Method, [width, height]: [u32; 2]) -> Self {
-        if method == Method::Full {
-            return Self::of(vec![tiles(Stage::Full, [width, height])], 0);
+    /// The plan of a frame.
+    pub fn new(method: Method, shape: &Shape) -> Self {
+        let mut plan = Self { parts: Vec::new(), stored_rows: 0, longest_list: 0 };
+        for band in bands(shape.grid[1], shape.band) {
+            plan.stored_rows = plan.stored_rows.max(band.end - band.first);
+            match method {
+                Method::Full => plan.push(tiles(Stage::Full, shape.grid[0], band.rows(1, band.own))),
+                Method::Adaptive => plan.adaptive(shape, &band),
+            }
+            if shape.sampling > 1 {
+                plan.push(tiles(Stage::Resolve, shape.grid[0] / shape.sampling, band.pixels(shape.sampling)));
+            }
         }
-        let (columns, rows) = (width.div_ceil(2), height.div_ceil(2));
-        let (a1, a2) = (width / 2 * rows, width * (height / 2));
-        let stages = vec![
-            // A ray through every second pixel of every second row.
-            tiles(Stage::Base, [columns, rows]),
-            // The pixels between them in their rows: interpolate or list, then trace the listed.
-            tiles(Stage::SimilarityA1, [columns, rows]),
-            once(Stage::CompactA1),
-            chunks(Stage::TraceA1, a1),
-            // The rows between: the same, from the pixels above and below.
-            tiles(Stage::SimilarityA2, [width, rows]),
-            once(Stage::CompactA2),
-            chunks(Stage::TraceA2, a2),
-        ];
-        Self::of(stages, a1.max(a2))
+        plan
     }
 
-    fn of(stages: Vec<Vec<Part>>, longest_list: u32) -> Self {
-        let numbered =
-            |(pass, parts): (usize, Vec<Part>)| parts.into_iter().map(move |part| Part { pass, ..part });
-        Self { parts: stages.into_iter().enumerate().flat_map(numbered).collect(), longest_list }
+    /// Kim 2016, Table 2, for base blocks of any size: each level halves the distance of the references.
+    fn adaptive(&mut self, shape: &Shape, band: &Band) {
+        let [width, _] = shape.grid;
+        // A ray through one sample of each block.
+        self.push(tiles(Stage::Base, width.div_ceil(shape.block), band.base(shape.block)));
+        let levels = std::iter::successors(Some(shape.block), |stride| Some(stride / 2));
+        for stride in levels.take_while(|stride| *stride >= 2) {
+            // The samples between them in their rows: interpolate or list, then trace the listed.
+            let (rows, columns) = (band.base(stride), width.div_ceil(stride));
+            self.push(tiles(Stage::SimilarityA1, columns, rows));
+            self.traces([Stage::CompactA1, Stage::TraceA1], columns, rows);
+            // The rows between: the same, from the samples above and below.
+            let (rows, columns) = (band.between(stride), width.div_ceil(stride / 2));
+            self.push(tiles(Stage::SimilarityA2, columns, rows));
+            self.traces([Stage::CompactA2, Stage::TraceA2], columns, rows);
+        }
     }
 
-    /// The stages, in order.
-    pub fn stages(&self) -> Vec<Stage> {
-        let mut stages: Vec<_> = self.parts.iter().map(|part| part.stage).collect();
-        stages.dedup();
-        stages
+    fn traces(&mut self, [compact, trace]: [Stage; 2], columns: u32, rows: Rows) {
+        let longest = columns * rows.count();
+        self.longest_list = self.longest_list.max(longest);
+        self.push(once(compact, rows));
+        self.push(chunks(trace, longest, rows));
+    }
+
+    fn push(&mut self, parts: Vec<Part>) {
+        let pass = self.parts.last().map_or(0, |part| part.pass + 1);
+        self.parts.extend(parts.into_iter().map(|part| Part { pass, ..part }));
+    }
+
+    /// The stage of each pass, in order.
+    pub fn passes(&self) -> Vec<Stage> {
+        self.parts.chunk_by(|a, b| a.pass == b.pass).map(|parts| parts[0].stage).collect()
     }
 
     /// Chunks of the longest list.
@@ -115,22 +175,24 @@ impl Plan {
 }
 
 /// A stage of one workgroup.
-fn once(stage: Stage) -> Vec<Part> {
-    vec![Part { stage, pass: 0, first: 0, extent: Extent::Groups([1, 1]), bounds: [true, true], samples: 0 }]
+fn once(stage: Stage, rows: Rows) -> Vec<Part> {
+    let extent = Extent::Groups([1, 1]);
+    vec![Part { stage, rows, pass: 0, first: 0, extent, bounds: [true, true], samples: 0 }]
 }
 
-/// A stage that treats a grid of pixels, in bands of rows of workgroups.
-fn tiles(stage: Stage, [columns, rows]: [u32; 2]) -> Vec<Part> {
+/// A stage that treats a grid of samples, in groups of rows of workgroups; a stage without rows is no part.
+fn tiles(stage: Stage, columns: u32, rows: Rows) -> Vec<Part> {
     let traces = matches!(stage, Stage::Full | Stage::Base);
     let (side, per_sample) =
         if traces { (TRACED_TILE, 1) } else { (INTERPOLATED_TILE, INTERPOLATED_PER_TRACED) };
-    let [across, down] = [columns, rows].map(|n| n.div_ceil(side));
+    let [across, down] = [columns, rows.count()].map(|n| n.div_ceil(side));
     let row_samples = across * side * side / per_sample;
-    let band = (SAMPLES_PER_SUBMISSION / row_samples).max(1);
+    let height = (SAMPLES_PER_SUBMISSION / row_samples).max(1);
     let part = |first: u32| {
-        let count = band.min(down - first);
+        let count = height.min(down - first);
         Part {
             stage,
+            rows,
             pass: 0,
             first,
             extent: Extent::Groups([across, count]),
@@ -138,16 +200,17 @@ fn tiles(stage: Stage, [columns, rows]: [u32; 2]) -> Vec<Part> {
             samples: count * row_samples,
         }
     };
-    (0..down).step_by(band as usize).map(part).collect()
+    (0..down).step_by(height as usize).map(part).collect()
 }
 
 /// A stage that works through a list of at most that many samples.
-fn chunks(stage: Stage, longest: u32) -> Vec<Part> {
+fn chunks(stage: Stage, longest: u32, rows: Rows) -> Vec<Part> {
     let count = longest.div_ceil(SAMPLES_PER_SUBMISSION).max(1);
     let part = |chunk: u32| {
         let first = chunk * SAMPLES_PER_SUBMISSION;
         Part {
             stage,
+            rows,
             pass: 0,
             first,
             extent: Extent::Chunk(chunk),
@@ -156,76 +219,4 @@ fn chunks(stage: Stage, longest: u32) -> Vec<Part> {
         }
     };
     (0..count).map(part).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const SIZES: [[u32; 2]; 10] = [
-        [1, 1],
-        [1, 7],
-        [450, 450],
-        [512, 513],
-        [1025, 4097],
-        [2560, 1440],
-        [16_384, 1],
-        [1, 16_384],
-        [16_384, 16_384],
-        [32_768, 8],
-    ];
-
-    #[test]
-    fn no_submission_exceeds_the_bound_and_no_part_is_lost() {
-        for (size, method) in SIZES.iter().flat_map(|s| [(s, Method::Full), (s, Method::Adaptive)]) {
-            let plan = Plan::new(method, *size);
-            let submissions = plan.submissions();
-            let parts: Vec<_> = submissions.iter().flatten().copied().collect();
-            assert!(parts.iter().map(|(index, _)| *index).eq(0..plan.parts.len()), "{size:?}: order");
-            for parts in &submissions {
-                let samples: u32 = parts.iter().map(|(_, part)| part.samples).sum();
-                assert!(samples <= SAMPLES_PER_SUBMISSION, "{size:?}, {method:?}: {samples} in {parts:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn every_stage_is_covered_once() {
-        for (size, method) in SIZES.iter().flat_map(|s| [(s, Method::Full), (s, Method::Adaptive)]) {
-            let parts = Plan::new(method, *size).parts;
-            for of_stage in parts.chunk_by(|a, b| a.stage == b.stage) {
-                let stage = of_stage[0].stage;
-                let mut next = 0;
-                for (i, part) in of_stage.iter().enumerate() {
-                    assert_eq!(part.first, next, "{size:?} {stage:?}");
-                    assert_eq!(part.bounds, [i == 0, i + 1 == of_stage.len()], "{size:?} {stage:?}");
-                    next += match part.extent {
-                        Extent::Groups([_, rows]) => rows,
-                        Extent::Chunk(chunk) => {
-                            assert_eq!(chunk as usize, i, "{size:?} {stage:?}");
-                            part.samples
-                        }
-                    };
-                }
-                let [columns, rows] = [size[0].div_ceil(2), size[1].div_ceil(2)];
-                let expected = match stage {
-                    Stage::Full => size[1].div_ceil(8),
-                    Stage::Base => rows.div_ceil(8),
-                    Stage::SimilarityA1 | Stage::SimilarityA2 => rows.div_ceil(16),
-                    Stage::CompactA1 | Stage::CompactA2 => 1,
-                    Stage::TraceA1 => (size[0] - columns) * rows,
-                    Stage::TraceA2 => size[0] * (size[1] - rows),
-                };
-                assert_eq!(next, expected, "{size:?} {stage:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn small_frames_are_one_submission_of_one_dispatch_a_stage() {
-        for (method, stages) in [(Method::Full, 1), (Method::Adaptive, 7)] {
-            let submissions = Plan::new(method, [450, 450]).submissions();
-            assert_eq!(submissions.iter().map(Vec::len).collect::<Vec<_>>(), [stages], "{method:?}");
-        }
-    }
 }

@@ -32,8 +32,8 @@ impl<'a> Renderer<'a> {
     /// Invalid settings or size, or a device that cannot.
     pub fn new(gpu: &'a Gpu, scene: &'a GpuScene, size: [u32; 2], settings: &Settings) -> Result<Self> {
         settings.validate()?;
-        let variant = variant(scene, settings);
-        let targets = Targets::new(gpu, &variant, settings.method, size)?;
+        let variant = Variant::new(scene, settings);
+        let targets = Targets::new(gpu, &variant, settings, size)?;
         let passes = Passes::new(gpu, scene, &targets, &variant, &targets.display, None)?;
         Ok(Self { gpu, scene, settings: *settings, targets, passes, inspecting: None, linear: None })
     }
@@ -55,15 +55,18 @@ impl<'a> Renderer<'a> {
         let (passes, buffer) = match self.inspecting.take() {
             Some(linked) => linked,
             None => {
-                let buffer = inspection_buffer(self.gpu, self.targets.size)?;
-                let variant = Variant { inspect: true, ..variant(self.scene, &self.settings) };
+                let buffer = inspection_buffer(self.gpu, self.records())?;
+                let mut variant = Variant { inspect: true, ..Variant::new(self.scene, &self.settings) };
+                if self.settings.sampling > 1 {
+                    variant.output = Output::Nowhere;
+                }
                 (self.link(&variant, &self.targets.display, Some(&buffer))?, buffer)
             }
         };
         self.submit(&passes, camera, Some(&buffer))?;
         let bytes = self.gpu.read_buffer(&buffer)?;
         self.inspecting = Some((passes, buffer));
-        inspection(&bytes, self.targets.size)
+        inspection(&bytes, self.targets.grid, self.records())
     }
 
     /// The last frame as shown.
@@ -87,7 +90,7 @@ impl<'a> Renderer<'a> {
             None => {
                 let format = wgpu::TextureFormat::Rgba32Float;
                 let target = texture(self.gpu, "linear", self.targets.size, format)?;
-                let variant = Variant { output: Output::Linear, ..variant(self.scene, &self.settings) };
+                let variant = Variant { output: Output::Linear, ..Variant::new(self.scene, &self.settings) };
                 (self.link(&variant, &target, None)?, target)
             }
         };
@@ -105,6 +108,12 @@ impl<'a> Renderer<'a> {
         self.targets.memory(self.scene)
     }
 
+    /// Pixels have a record each if they are one sample.
+    fn records(&self) -> u64 {
+        let [width, height] = self.targets.size.map(u64::from);
+        if self.settings.sampling == 1 { width * height } else { 0 }
+    }
+
     fn link(
         &self,
         variant: &Variant,
@@ -115,23 +124,18 @@ impl<'a> Renderer<'a> {
     }
 
     fn submit(&self, passes: &Passes, camera: &Camera, cleared: Option<&wgpu::Buffer>) -> Result<()> {
-        let constants = Frame::new(self.scene, &self.settings, self.targets.size, camera);
+        let constants = Frame::new(self.scene, &self.settings, self.targets.grid, camera);
         passes.run(self.gpu, &self.targets, &constants, cleared)
     }
 }
 
-fn variant(scene: &GpuScene, settings: &Settings) -> Variant {
-    Variant::new(scene, settings.features, settings.depth)
-}
-
-fn inspection(bytes: &[u8], size: [u32; 2]) -> Result<Inspection> {
+fn inspection(bytes: &[u8], grid: [u32; 2], recorded: u64) -> Result<Inspection> {
     let (counters, records) = bytes.split_at(4 * COUNTER_WORDS);
     let words: Vec<u32> = bytemuck::pod_collect_to_vec(counters);
     let counter = |i: usize| u64::from(words[2 * i]) | u64::from(words[2 * i + 1]) << 32;
     let rays: [u64; 4] = std::array::from_fn(|i| counter(COUNTER_RAYS + i));
     let origins: [u64; 4] = std::array::from_fn(|i| counter(COUNTER_ORIGINS + i));
     let failed: [u64; 7] = std::array::from_fn(|i| counter(COUNTER_FAILED + i));
-    let pixels = u64::from(size[0]) * u64::from(size[1]);
     let records = records.chunks_exact(size_of::<frame::PixelRecord>()).map(bytemuck::pod_read_unaligned);
     Ok(Inspection {
         counts: Counts {
@@ -143,7 +147,7 @@ fn inspection(bytes: &[u8], size: [u32; 2]) -> Result<Inspection> {
                 total: rays.iter().sum(),
             },
             samples: Samples {
-                total: pixels,
+                total: u64::from(grid[0]) * u64::from(grid[1]),
                 base: origins[Origin::Base as usize],
                 traced_a1: origins[Origin::TracedA1 as usize],
                 traced_a2: origins[Origin::TracedA2 as usize],
@@ -165,7 +169,7 @@ fn inspection(bytes: &[u8], size: [u32; 2]) -> Result<Inspection> {
                 gcol: failed[6],
             },
         },
-        pixels: records.take(pixels as usize).map(|record| pixel_record(&record)).collect(),
+        pixels: records.take(recorded as usize).map(|record| pixel_record(&record)).collect(),
     })
 }
 

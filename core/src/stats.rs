@@ -156,6 +156,6 @@ pub struct PixelRecord {
 pub struct Inspection {
     /// The frame's counters.
     pub counts: Counts,
-    /// Row by row from the top left, `width * height`.
+    /// Row by row from the top left, `width * height`; empty where pixels have several samples.
     pub pixels: Vec<PixelRecord>,
 }

@@ -1,10 +1,10 @@
 //! The buffers and images of a frame.
 
 use crate::{
-    Error, Gpu, GpuScene, Memory, Method, Result,
+    Error, Gpu, GpuScene, Memory, Method, Result, Settings,
     frame::{FRAME_STRIDE, Frame, PixelRecord},
     passes::{COUNTER_WORDS, Variant},
-    plan::Plan,
+    plan::{self, Plan, Shape},
 };
 
 /// A listed pixel is one word: 16 bits a coordinate.
@@ -13,13 +13,26 @@ const MAX_SIDE: u32 = 1 << 16;
 /// Bytes of the arguments of an indirect dispatch.
 pub const DISPATCH_BYTES: u64 = 12;
 
+/// Bytes of the list before its first pixel.
+pub const LIST_HEADER: u64 = 16;
+
+/// Bytes of a sample's radiance.
+const SAMPLE_BYTES: u64 = 12;
+
+/// No buffer of a band is larger: half of what WebGPU lets a storage binding be.
+const BAND_BYTES: u64 = 64 << 20;
+
 /// The buffers and images of one frame size.
 pub struct Targets {
+    /// Pixels.
     pub size: [u32; 2],
+    /// Samples.
+    pub grid: [u32; 2],
     pub plan: Plan,
     pub frame: wgpu::Buffer,
     pub attributes: wgpu::Buffer,
     pub list: wgpu::Buffer,
+    pub samples: wgpu::Buffer,
     pub dispatch: wgpu::Buffer,
     pub display: wgpu::Texture,
 }
@@ -29,31 +42,36 @@ impl Targets {
     ///
     /// # Errors
     /// A size that is not a frame's, or a device that cannot hold it.
-    pub fn new(gpu: &Gpu, variant: &Variant, method: Method, size: [u32; 2]) -> Result<Self> {
-        let [width, height] = size.map(u64::from);
-        let limit = gpu.limits().max_texture_dimension_2d.min(MAX_SIDE);
-        if size.iter().any(|side| !(1..=limit).contains(side)) {
-            return Err(Error::setting(
-                format!("--size {width}x{height}"),
-                format!("expected 1 to {limit} pixels a side"),
-            ));
-        }
-        let adaptive = method == Method::Adaptive;
-        let planes = variant.planes().len() as u64;
-        let attributes = if adaptive { 4 * planes * width * height.div_ceil(2) } else { 0 };
-        let plan = Plan::new(method, size);
-        let list = if adaptive { 4 * (2 + u64::from(plan.longest_list)) } else { 0 };
-        let frames = FRAME_STRIDE * plan.parts.len() as u64;
-        let dispatches = DISPATCH_BYTES * u64::from(plan.chunks());
+    pub fn new(gpu: &Gpu, variant: &Variant, settings: &Settings, size: [u32; 2]) -> Result<Self> {
+        let grid = grid(gpu, size, settings.sampling)?;
+        let adaptive = settings.method == Method::Adaptive;
+        // Of every second row.
+        let attribute_bytes = if adaptive { 4 * variant.planes().len() as u64 } else { 0 };
+        let sample_bytes = if settings.sampling > 1 { SAMPLE_BYTES } else { 0 };
+        // A sample is listed once at most.
+        let list_bytes = if adaptive { 4 } else { 0 };
+        let row_bytes = u64::from(grid[0]) * sample_bytes.max(attribute_bytes.div_ceil(2)).max(list_bytes);
+        let band = plan::band_rows(settings.sampling, BAND_BYTES / row_bytes.max(1));
+        let shape = Shape { grid, sampling: settings.sampling, block: settings.block, band };
+        let plan = Plan::new(settings.method, &shape);
+        let rows = u64::from(plan.stored_rows);
+        let width = u64::from(grid[0]);
         let storage = wgpu::BufferUsages::STORAGE;
+        let dispatches = DISPATCH_BYTES * u64::from(plan.chunks());
         Ok(Self {
             size,
-            plan,
-            frame: gpu.buffer("frame", frames, wgpu::BufferUsages::UNIFORM)?,
-            attributes: gpu.buffer("attributes", attributes, storage)?,
-            list: gpu.buffer("list", list, storage)?,
+            grid,
+            frame: gpu.buffer(
+                "frame",
+                FRAME_STRIDE * plan.parts.len() as u64,
+                wgpu::BufferUsages::UNIFORM,
+            )?,
+            attributes: gpu.buffer("attributes", attribute_bytes * width * rows.div_ceil(2), storage)?,
+            list: gpu.buffer("list", LIST_HEADER + list_bytes * width * rows, storage)?,
+            samples: gpu.buffer("samples", sample_bytes * width * rows, storage)?,
             dispatch: gpu.buffer("dispatch", dispatches, storage | wgpu::BufferUsages::INDIRECT)?,
             display: texture(gpu, "display", size, wgpu::TextureFormat::Rgba8Unorm)?,
+            plan,
         })
     }
 
@@ -68,7 +86,7 @@ impl Targets {
 
     /// Bytes on the device.
     pub fn bytes(&self) -> u64 {
-        let buffers = [&self.frame, &self.attributes, &self.list, &self.dispatch];
+        let buffers = [&self.frame, &self.attributes, &self.list, &self.samples, &self.dispatch];
         let pixels = u64::from(self.size[0]) * u64::from(self.size[1]);
         buffers.iter().map(|b| b.size()).sum::<u64>() + 4 * pixels
     }
@@ -79,6 +97,22 @@ impl Targets {
         let targets = self.bytes();
         Memory { scene, bvh, targets, total: scene + bvh + targets }
     }
+}
+
+/// The samples of a frame of that size.
+fn grid(gpu: &Gpu, size: [u32; 2], sampling: u32) -> Result<[u32; 2]> {
+    let [width, height] = size;
+    let limit = gpu.limits().max_texture_dimension_2d;
+    let grid = size.map(|side| side.saturating_mul(sampling));
+    if size.iter().any(|side| !(1..=limit).contains(side)) {
+        let expected = format!("expected 1 to {limit} pixels a side");
+        return Err(Error::setting(format!("--size {width}x{height}"), expected));
+    }
+    if grid.iter().any(|side| *side > MAX_SIDE) {
+        let expected = format!("expected at most {MAX_SIDE} samples a side of {width}x{height} pixels");
+        return Err(Error::setting(format!("--sampling {sampling}"), expected));
+    }
+    Ok(grid)
 }
 
 /// A storage texture that can be read back.
@@ -103,9 +137,9 @@ pub fn texture(gpu: &Gpu, label: &str, size: [u32; 2], format: wgpu::TextureForm
     })
 }
 
-/// What the counting kernels write into: counters, then a record a pixel.
-pub fn inspection_buffer(gpu: &Gpu, size: [u32; 2]) -> Result<wgpu::Buffer> {
-    let records = u64::from(size[0]) * u64::from(size[1]) * size_of::<PixelRecord>() as u64;
+/// What the counting kernels write into: counters, then that many records.
+pub fn inspection_buffer(gpu: &Gpu, records: u64) -> Result<wgpu::Buffer> {
+    let records = records.max(1) * size_of::<PixelRecord>() as u64;
     let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
     gpu.buffer("inspection", 4 * COUNTER_WORDS as u64 + records, usage)
 }

@@ -1,10 +1,7 @@
 //! The statistics JSON: what was rendered, with what, how long it took and what it cost.
 
 use glimpse::metrics::ErrorReport;
-use glimpse::{
-    Cost, FailedChecks, Features, FrameTime, Inspection, Linking, Memory, Origin, Rays, Samples, Scene,
-    Settings,
-};
+use glimpse::{Cost, FailedChecks, Features, FrameTime, Linking, Memory, Rays, Samples, Scene, Settings};
 use serde::Serialize;
 
 use crate::measure::{Run, Stage};
@@ -157,7 +154,7 @@ impl Statistics {
         let counts = run.inspection.counts;
         let frame = Spread::of(run.frames.iter().map(|f| f.ms));
         let passes = pass_medians(&run.frames);
-        let share = full.and_then(|full| traced_share(&run.inspection, &full.inspection));
+        let share = full.and_then(|full| traced_share(&counts.cost, &full.inspection.counts.cost));
         let gain = full.map(|full| {
             let speedup = Spread::of(full.frames.iter().map(|f| f.ms)).median / frame.median;
             Gain {
@@ -262,17 +259,10 @@ pub fn non_tracing_share(passes: &[PassMedian], frame_ms: f64) -> Option<f64> {
     (!passes.is_empty() && frame_ms > 0.0).then(|| other.map(|p| p.median).sum::<f64>() / frame_ms)
 }
 
-/// The part of the full frame's work that lies in the samples which `method` traced.
-pub fn traced_share(method: &Inspection, full: &Inspection) -> Option<f64> {
-    let mut sums = [0_u64; 2];
-    for (pixel, reference) in method.pixels.iter().zip(&full.pixels) {
-        let cost = u64::from(reference.cost);
-        sums[1] += cost;
-        if pixel.origin != Origin::Interpolated {
-            sums[0] += cost;
-        }
-    }
-    (sums[1] > 0 && method.pixels.len() == full.pixels.len()).then(|| sums[0] as f64 / sums[1] as f64)
+/// The part of the full frame's work that `method` did: what lies in the samples that it traced.
+pub fn traced_share(method: &Cost, full: &Cost) -> Option<f64> {
+    let work = |cost: &Cost| (cost.node_visits + cost.primitive_tests) as f64;
+    (work(full) > 0.0).then(|| work(method) / work(full))
 }
 
 #[cfg(test)]

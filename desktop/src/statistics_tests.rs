@@ -1,6 +1,6 @@
 //! The JSON has the contract's names; medians and shares are what they are called.
 
-use glimpse::{Counts, PassTime, PixelRecord};
+use glimpse::PassTime;
 use serde_json::{Value, json};
 
 use super::*;
@@ -155,30 +155,10 @@ fn medians_are_per_pass_and_keep_the_order() {
     assert!(pass_medians(&[]).is_empty());
 }
 
-/// An inspection of pixels with the given origins and costs.
-pub fn inspection(pixels: &[(Origin, u32)]) -> Inspection {
-    let record = |&(origin, cost): &(Origin, u32)| PixelRecord {
-        origin,
-        failed: 0,
-        cost,
-        object: None,
-        depth: f32::INFINITY,
-        normal: [0.0; 3],
-    };
-    Inspection { counts: Counts::default(), pixels: pixels.iter().map(record).collect() }
-}
-
 #[test]
-fn the_traced_share_weighs_the_full_frames_cost() {
-    let full = inspection(&[10, 20, 30, 40].map(|cost| (Origin::Base, cost)));
-    let adaptive = inspection(&[
-        (Origin::Base, 99),
-        (Origin::Interpolated, 0),
-        (Origin::Interpolated, 0),
-        (Origin::TracedA2, 1),
-    ]);
-    assert_eq!(traced_share(&adaptive, &full), Some(0.5));
-    assert_eq!(traced_share(&full, &full), Some(1.0));
-    assert_eq!(traced_share(&inspection(&[]), &full), None);
-    assert_eq!(traced_share(&inspection(&[]), &inspection(&[])), None);
+fn the_traced_share_is_of_the_full_frames_work() {
+    let work = |node_visits, primitive_tests| Cost { node_visits, primitive_tests, traced_share: None };
+    assert_eq!(traced_share(&work(30, 20), &work(60, 40)), Some(0.5));
+    assert_eq!(traced_share(&work(60, 40), &work(60, 40)), Some(1.0));
+    assert_eq!(traced_share(&work(0, 0), &work(0, 0)), None);
 }

@@ -3,7 +3,7 @@
 use super::Gpu;
 use crate::{FrameTime, PassTime, Result};
 
-/// Queries for a fixed list of passes; does nothing where the adapter has no timestamps.
+/// Queries for a fixed list of passes; does nothing where the adapter has no timestamps, or not enough for so many.
 pub struct Timer {
     names: Vec<&'static str>,
     queries: Option<Queries>,
@@ -23,7 +23,8 @@ impl Timer {
     /// A device that is out of memory.
     pub fn new(gpu: &Gpu, names: &[&'static str]) -> Result<Self> {
         let count = 2 * names.len() as u32;
-        let queries = if gpu.device.features().contains(wgpu::Features::TIMESTAMP_QUERY) {
+        let timed = gpu.device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
+        let queries = if timed && count <= wgpu::QUERY_SET_MAX_QUERIES {
             Some(gpu.checked("the timer", Some(8 * u64::from(count)), |device| Queries {
                 set: device.create_query_set(&wgpu::QuerySetDescriptor {
                     label: Some("timer"),
@@ -76,7 +77,7 @@ impl Timer {
         }
     }
 
-    /// The times of the frame that has just been waited for; empty without timestamps.
+    /// The times of the frame that has just been waited for, passes of one name added up; empty without timestamps.
     ///
     /// # Errors
     /// A device that failed.
@@ -85,10 +86,17 @@ impl Timer {
         let bytes = gpu.read_buffer(&queries.resolved)?;
         let ticks: Vec<u64> = bytemuck::pod_collect_to_vec(&bytes);
         let ms = |from: u64, to: u64| to.saturating_sub(from) as f64 * f64::from(queries.period) * 1e-6;
-        let passes = self.names.iter().zip(ticks.chunks_exact(2));
+        let mut passes: Vec<PassTime> = Vec::new();
+        for (name, t) in self.names.iter().zip(ticks.chunks_exact(2)) {
+            let ms = ms(t[0], t[1]);
+            match passes.iter_mut().find(|pass| pass.name == *name) {
+                Some(pass) => pass.ms += ms,
+                None => passes.push(PassTime { name, ms }),
+            }
+        }
         Ok(FrameTime {
             ms: ms(ticks.first().copied().unwrap_or(0), ticks.last().copied().unwrap_or(0)),
-            passes: passes.map(|(name, t)| PassTime { name, ms: ms(t[0], t[1]) }).collect(),
+            passes,
         })
     }
 }

@@ -2,8 +2,9 @@
 
 @compute @workgroup_size(64)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let pixel = 2u * (8u * (group.xy + vec2u(0u, frame.first)) + frame_tile(local));
-    if any(pixel >= frame.size) {
+    let at = 8u * (group.xy + vec2u(0u, frame.first)) + frame_tile(local);
+    let pixel = frame.stride * at + vec2u(0u, frame.row);
+    if pixel.x >= frame.size.x || pixel.y >= frame.end {
         return;
     }
     let traced = sample_trace(pixel);

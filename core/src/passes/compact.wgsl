@@ -6,15 +6,22 @@ struct Dispatch {
     z: u32,
 }
 
-var<storage, read> list: List;
+var<storage, read_write> list: List;
 // One for each chunk of the longest list that may be.
 var<storage, read_write> dispatch: array<Dispatch>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(local_invocation_index) local: u32) {
+    let begin = list.end;
+    let count = list.count - begin;
+    workgroupBarrier();
     for (var chunk = local; chunk < arrayLength(&dispatch); chunk += 64u) {
-        let first = min(chunk * CHUNK_SAMPLES, list.count);
-        let samples = min(list.count - first, CHUNK_SAMPLES);
+        let first = min(chunk * CHUNK_SAMPLES, count);
+        let samples = min(count - first, CHUNK_SAMPLES);
         dispatch[chunk] = Dispatch((samples + TRACE_GROUP - 1u) / TRACE_GROUP, 1u, 1u);
+    }
+    if local == 0u {
+        list.begin = begin;
+        list.end = begin + count;
     }
 }

@@ -77,11 +77,14 @@ impl Variant {
             ("VERTEX_HAS_TEXCOORDS", self.has_texcoords),
             ("VERTEX_HAS_COLORS", self.has_colors),
             ("HAS_PANES", self.has_panes),
+            ("HAS_RECORDS", self.sampling == 1),
         ];
         for (name, value) in flags {
             let _ = writeln!(text, "const {name}: bool = {value};");
         }
         let numbers = [
+            ("PLANES", planes.len() as u32),
+            ("SAMPLING", self.sampling),
             ("BVH_STACK", self.bvh_stack),
             // Each level leaves at most one branch for later, the last one none; two are put down at a time.
             ("BOUNCE_STACK", self.depth + 1),

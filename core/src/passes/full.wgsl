@@ -1,9 +1,10 @@
-// Full ray tracing: every pixel.
+// Full ray tracing: every sample.
 
 @compute @workgroup_size(64)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let pixel = 8u * (group.xy + vec2u(0u, frame.first)) + frame_tile(local);
-    if any(pixel >= frame.size) {
+    let at = 8u * (group.xy + vec2u(0u, frame.first)) + frame_tile(local);
+    let pixel = at + vec2u(0u, frame.row);
+    if pixel.x >= frame.size.x || pixel.y >= frame.end {
         return;
     }
     let traced = sample_trace(pixel);

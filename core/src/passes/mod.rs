@@ -10,6 +10,7 @@
 //! | similarity_a2 | Kim 2016, Step-III-a | `passes/similarity_a2.wgsl` |
 //! | compact_a2 | Kim 2016, Step-III-b | `passes/compact.wgsl` |
 //! | trace_a2 | Kim 2016, Step-III-c | `passes/trace.wgsl` |
+//! | resolve | Kim 2016, 6.1 ("Sampling") | `passes/resolve.wgsl` |
 
 mod constants;
 #[cfg(test)]
@@ -54,12 +55,14 @@ pub enum Stage {
     CompactA2,
     /// Step-III-c.
     TraceA2,
+    /// Pixels from their samples.
+    Resolve,
 }
 
 impl Stage {
     /// Every stage.
     #[cfg(test)]
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -68,6 +71,7 @@ impl Stage {
         Self::SimilarityA2,
         Self::CompactA2,
         Self::TraceA2,
+        Self::Resolve,
     ];
 
     /// Its name everywhere: GPU label, timing row.
@@ -82,6 +86,7 @@ impl Stage {
             Self::SimilarityA2 => "similarity_a2",
             Self::CompactA2 => "compact_a2",
             Self::TraceA2 => "trace_a2",
+            Self::Resolve => "resolve",
         }
     }
 
@@ -93,6 +98,7 @@ impl Stage {
             Self::CompactA1 | Self::CompactA2 => wgsl!("passes/compact.wgsl"),
             Self::SimilarityA2 => wgsl!("passes/similarity_a2.wgsl"),
             Self::TraceA1 | Self::TraceA2 => wgsl!("passes/trace.wgsl"),
+            Self::Resolve => wgsl!("passes/resolve.wgsl"),
         }
     }
 }

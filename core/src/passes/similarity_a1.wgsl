@@ -1,14 +1,12 @@
-// Step-II-a: the pixels between two base pixels of a row.
+// Step-II-a: the samples half way between two references of a row.
 
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
     let at = 16u * (group.xy + vec2u(0u, frame.first)) + frame_tile(local);
-    let pixel = vec2u(2u, 2u) * at + vec2u(1u, 0u);
-    if any(pixel >= frame.size) {
+    let reach = vec2u(frame.stride / 2u, 0u);
+    let pixel = frame.stride * at + vec2u(0u, frame.row) + reach;
+    if pixel.x >= frame.size.x || pixel.y >= frame.end {
         return;
     }
-    let step = similarity_step(pixel, pixel - vec2u(1u, 0u), pixel + vec2u(1u, 0u));
-    if step.interpolated {
-        attributes_store(pixel, step.attributes);
-    }
+    similarity_step(pixel, pixel - reach, pixel + reach);
 }

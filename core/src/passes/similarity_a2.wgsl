@@ -1,11 +1,12 @@
-// Step-III-a: the rows between those of the base pixels; their attributes are not needed any more.
+// Step-III-a: the rows half way between those of the references.
 
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
     let at = 16u * (group.xy + vec2u(0u, frame.first)) + frame_tile(local);
-    let pixel = vec2u(1u, 2u) * at + vec2u(0u, 1u);
-    if any(pixel >= frame.size) {
+    let reach = vec2u(0u, frame.stride / 2u);
+    let pixel = vec2u(reach.y, frame.stride) * at + vec2u(0u, frame.row);
+    if pixel.x >= frame.size.x || pixel.y >= frame.end {
         return;
     }
-    similarity_step(pixel, pixel - vec2u(0u, 1u), pixel + vec2u(0u, 1u));
+    similarity_step(pixel, pixel - reach, pixel + reach);
 }

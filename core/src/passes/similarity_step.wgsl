@@ -2,6 +2,8 @@
 
 struct ListOut {
     count: atomic<u32>,
+    begin: u32,
+    end: u32,
     padding: u32,
     pixels: array<u32>,
 }
@@ -15,18 +17,12 @@ fn similarity_list(pixel: vec2u) {
     list.pixels[place] = pixel.x | (pixel.y << 16u);
 }
 
-struct Step {
-    attributes: Attributes,
-    interpolated: bool,
-}
-
-fn similarity_step(pixel: vec2u, a_pixel: vec2u, b_pixel: vec2u) -> Step {
-    var step: Step;
+fn similarity_step(pixel: vec2u, a_pixel: vec2u, b_pixel: vec2u) {
     if any(b_pixel >= frame.size) {
         // The border of a frame whose size is not a multiple of the block has one reference only.
         similarity_list(pixel);
         inspect_failed(pixel, 0u);
-        return step;
+        return;
     }
     let a = attributes_load(a_pixel);
     let b = attributes_load(b_pixel);
@@ -34,10 +30,12 @@ fn similarity_step(pixel: vec2u, a_pixel: vec2u, b_pixel: vec2u) -> Step {
     if failed != 0u {
         similarity_list(pixel);
         inspect_failed(pixel, failed);
-        return step;
+        return;
     }
     let middle = similarity_interpolate(a, b);
     output(pixel, similarity_shade(pixel, middle));
+    if attributes_stored(pixel) {
+        attributes_store(pixel, middle);
+    }
     inspect_pixel(pixel, ORIGIN_INTERPOLATED, middle);
-    return Step(middle, true);
 }

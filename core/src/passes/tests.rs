@@ -26,7 +26,8 @@ fn features(bits: u32) -> Features {
     }
 }
 
-/// All combinations of features for timed frames; counting and linear ones for the extremes and each feature alone.
+/// All combinations of features for timed frames; counting and linear ones, and those of several samples a
+/// pixel, for the extremes and each feature alone.
 fn variants() -> impl Iterator<Item = Variant> {
     let make = |bits, inspect, output| Variant {
         features: features(bits),
@@ -35,6 +36,7 @@ fn variants() -> impl Iterator<Item = Variant> {
         has_panes: bits & 64 != 0,
         inspect,
         output,
+        sampling: 1,
         bvh_stack: 12,
         depth: 3,
         lights: 2,
@@ -45,7 +47,12 @@ fn variants() -> impl Iterator<Item = Variant> {
     let few = || (0..8).map(|i| 1 << i).chain([0, 255]);
     let timed = (0..256).map(move |bits| make(bits, false, Output::Display));
     let counting = few().map(move |bits| make(bits, true, Output::Display));
-    timed.chain(counting).chain(few().map(move |bits| make(bits, false, Output::Linear)))
+    let linear = few().map(move |bits| make(bits, false, Output::Linear));
+    let several =
+        [(false, Output::Display), (true, Output::Nowhere)].into_iter().flat_map(move |(inspect, output)| {
+            few().map(move |bits| Variant { sampling: 2, ..make(bits, inspect, output) })
+        });
+    timed.chain(counting).chain(linear).chain(several)
 }
 
 #[test]
@@ -78,7 +85,7 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
             }
         }
     }
-    assert_eq!(kernels, (256 + 10 + 10) * Stage::ALL.len());
+    assert_eq!(kernels, (256 + 4 * 10) * Stage::ALL.len());
     assert_eq!(mirrored.len(), 4, "every mirrored struct was compared: {mirrored:?}");
 }
 

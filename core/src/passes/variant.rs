@@ -1,7 +1,7 @@
 //! What a kernel is made of: the only place that chooses WGSL files.
 
 use super::{Stage, wgsl};
-use crate::{Features, GpuScene, Linking, Robustness, gpu::shader::Source};
+use crate::{Features, GpuScene, Linking, Robustness, Settings, gpu::shader::Source};
 
 /// Where colours go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,6 +10,8 @@ pub enum Output {
     Display,
     /// Linear radiance, 32-bit floating point.
     Linear,
+    /// Nowhere: counting kernels of frames with several samples a pixel.
+    Nowhere,
 }
 
 /// What decides which pieces a kernel is made of.
@@ -27,6 +29,8 @@ pub struct Variant {
     pub inspect: bool,
     /// Where colours go.
     pub output: Output,
+    /// Samples along a side of a pixel.
+    pub sampling: u32,
     /// Groups on the traversal stack.
     pub bvh_stack: u32,
     /// Levels of rays.
@@ -42,9 +46,9 @@ pub struct Variant {
 impl Variant {
     /// Timed frames of a scene.
     #[must_use]
-    pub fn new(scene: &GpuScene, linking: Linking, depth: u32) -> Self {
+    pub fn new(scene: &GpuScene, settings: &Settings) -> Self {
         Self {
-            features: match linking {
+            features: match settings.features {
                 Linking::Auto => scene.features(),
                 Linking::All => Features::all(),
             },
@@ -53,8 +57,9 @@ impl Variant {
             has_panes: scene.has_panes,
             inspect: false,
             output: Output::Display,
+            sampling: settings.sampling,
             bvh_stack: scene.bvh_stack,
-            depth,
+            depth: settings.depth,
             lights: scene.light_count,
             objects: scene.object_count,
             robustness: Robustness::default(),
@@ -95,6 +100,13 @@ impl Variant {
                 stage.entry(),
             ]),
             Stage::Full | Stage::Base => self.tracing_sources([stage.entry()]),
+            Stage::Resolve => vec![
+                self.constants(),
+                wgsl!("wgsl/frame.wgsl"),
+                wgsl!("wgsl/samples.wgsl"),
+                self.output(),
+                stage.entry(),
+            ],
             Stage::TraceA1 | Stage::TraceA2 => self.tracing_sources([wgsl!("wgsl/list.wgsl"), stage.entry()]),
         }
     }
@@ -149,17 +161,26 @@ impl Variant {
             wgsl!("wgsl/octahedral.wgsl"),
             wgsl!("wgsl/attributes.wgsl"),
             if self.inspect { wgsl!("wgsl/inspect_counters.wgsl") } else { wgsl!("wgsl/inspect_none.wgsl") },
-            match self.output {
-                Output::Display => wgsl!("wgsl/output_display.wgsl"),
-                Output::Linear => wgsl!("wgsl/output_linear.wgsl"),
-            },
             wgsl!("wgsl/object.wgsl"),
             if f.textures { wgsl!("wgsl/texture_atlas.wgsl") } else { wgsl!("wgsl/texture_none.wgsl") },
             wgsl!("wgsl/fresnel.wgsl"),
             wgsl!("wgsl/material.wgsl"),
             if f.lights { wgsl!("wgsl/lights_punctual.wgsl") } else { wgsl!("wgsl/lights_none.wgsl") },
         ];
+        if self.sampling == 1 || self.output == Output::Nowhere {
+            sources.push(self.output());
+        } else {
+            sources.extend([wgsl!("wgsl/samples.wgsl"), wgsl!("wgsl/output_samples.wgsl")]);
+        }
         sources.extend(rest);
         sources
+    }
+
+    fn output(&self) -> Source {
+        match self.output {
+            Output::Display => wgsl!("wgsl/output_display.wgsl"),
+            Output::Linear => wgsl!("wgsl/output_linear.wgsl"),
+            Output::Nowhere => wgsl!("wgsl/output_nowhere.wgsl"),
+        }
     }
 }

@@ -9,7 +9,7 @@ pub use fresnel::{ProbeBoundary, ProbeFresnel, fresnel};
 pub use ray::ProbeRay;
 
 use crate::{
-    Camera, Gpu, GpuScene, Linking, Result, Robustness, SAMPLES_PER_SUBMISSION, Settings,
+    Camera, Gpu, GpuScene, Result, Robustness, SAMPLES_PER_SUBMISSION, Settings,
     frame::Frame,
     gpu::{Kernel, Timer, mirror::gpu_struct, shader::Source},
     passes::{TRACE_GROUP, TRACE_ROW, Variant, wgsl},
@@ -97,7 +97,8 @@ impl<'a> Probe<'a> {
     /// A probe with these measures against rounding.
     #[must_use]
     pub fn new(gpu: &'a Gpu, scene: &'a GpuScene, robustness: Robustness) -> Self {
-        let variant = Variant { robustness, ..Variant::new(scene, Linking::Auto, 1) };
+        let variant =
+            Variant { robustness, ..Variant::new(scene, &Settings { depth: 1, ..Settings::default() }) };
         Self { gpu, scene, variant }
     }
 

@@ -11,7 +11,7 @@ pub struct Frame<'a> {
     pub reference: &'a Reference,
     /// From where.
     pub camera: Camera,
-    /// Width and height in pixels.
+    /// Width and height in pixels; where pixels have several samples these take their place.
     pub size: [u32; 2],
     /// How.
     pub settings: Settings,
@@ -75,12 +75,12 @@ impl Frame<'_> {
             .references(pixel)
             .map(|[a, b]| [self.reached(a, decided, rounding), self.reached(b, decided, rounding)]);
         let failed = references.map_or(0, |[a, b]| self.failed(&a, &b));
-        let origin = match (decided, pixel.map(|x| x % 2)) {
+        let origin = match (decided, self.step(pixel)) {
             (Some(decided), _) => decided(pixel),
-            (None, [0, 0]) => Origin::Base,
-            (None, _) if references.is_some() && failed == 0 => Origin::Interpolated,
-            (None, [_, 0]) => Origin::TracedA1,
-            (None, _) => Origin::TracedA2,
+            (None, Some(_)) if references.is_some() && failed == 0 => Origin::Interpolated,
+            (None, None) => Origin::Base,
+            (None, Some([_, 0])) => Origin::TracedA1,
+            (None, Some(_)) => Origin::TracedA2,
         };
         match references {
             Some([a, b]) if origin == Origin::Interpolated => {
@@ -106,14 +106,28 @@ impl Frame<'_> {
         Reached { attributes, position: self.position(pixel, attributes.depth) }
     }
 
-    /// The pixels that a pixel is interpolated from: left and right in the base rows (Step-II), above and below in the
-    /// others (Step-III); none for base pixels and along the border of a frame of even size.
-    fn references(&self, [x, y]: [u32; 2]) -> Option<[[u32; 2]; 2]> {
-        let [width, height] = self.size;
-        match (x % 2, y % 2) {
-            (0, 0) => None,
-            (_, 0) => (x + 1 < width).then(|| [[x - 1, y], [x + 1, y]]),
-            _ => (y + 1 < height).then(|| [[x, y - 1], [x, y + 1]]),
+    /// How far right and down of a pixel its second reference is: along the row in Step-II, across in Step-III, half as
+    /// far in each level of the hierarchy as in the one before; none for base pixels.
+    fn step(&self, [x, y]: [u32; 2]) -> Option<[u32; 2]> {
+        let mut reach = self.settings.block / 2;
+        while reach > 0 {
+            let stride = 2 * reach;
+            match (x % stride, y % stride) {
+                (0, 0) => return None,
+                (x, 0) if x == reach => return Some([reach, 0]),
+                (x, y) if y == reach && x % reach == 0 => return Some([0, reach]),
+                _ => reach /= 2,
+            }
         }
+        None
+    }
+
+    /// The pixels that a pixel is interpolated from: left and right, or above and below; none for base pixels and where
+    /// the second is beyond the border.
+    fn references(&self, pixel: [u32; 2]) -> Option<[[u32; 2]; 2]> {
+        let step = self.step(pixel)?;
+        let second = [0, 1].map(|i| pixel[i] + step[i]);
+        let inside = [0, 1].iter().all(|&i| second[i] < self.size[i]);
+        inside.then(|| [[0, 1].map(|i| pixel[i] - step[i]), second])
     }
 }

@@ -8,6 +8,7 @@ mod features;
 mod gltf;
 mod material;
 mod octahedral;
+mod thinness;
 mod validate;
 
 use std::ops::Range;
@@ -21,6 +22,7 @@ pub use octahedral::{
     MAX_ERROR as OCTAHEDRAL_ERROR, decode as octahedral_decode, decode_exact as octahedral_decode_exact,
     encode as octahedral_encode,
 };
+pub use thinness::Thinness;
 
 use crate::camera::Camera;
 

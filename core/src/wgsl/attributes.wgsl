@@ -1,6 +1,6 @@
 // The ray-attribute vector of a pixel (Kim 2016, section 3.2): OID, POS, NORM, SHDBIT, TCOORD, GCOL; and beside them
 // the normal of the face, where shading normals differ from it.
-// Stored as planes of 32 bits, for the rows of the base pixels alone; POS as the depth along the pixel's own ray,
+// Stored as planes of 32 bits, for every second row of the band alone, which are all that others refer to; POS as the depth along the pixel's own ray,
 // SHDBIT above OID where both fit into one word.
 
 struct Attributes {
@@ -19,8 +19,12 @@ struct Attributes {
 var<storage, read_write> attributes: array<u32>;
 
 fn attributes_plane(plane: u32, pixel: vec2u) -> u32 {
-    let rows = (frame.size.y + 1u) / 2u;
-    return (plane * rows + pixel.y / 2u) * frame.size.x + pixel.x;
+    return (frame_folded(pixel.y) / 2u * PLANES + plane) * frame.size.x + pixel.x;
+}
+
+// Does a later step refer to the pixel?
+fn attributes_stored(pixel: vec2u) -> bool {
+    return pixel.y % 2u == 0u;
 }
 
 fn attributes_store(pixel: vec2u, a: Attributes) {

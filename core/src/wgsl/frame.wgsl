@@ -16,10 +16,16 @@ struct Frame {
     truncated: vec3f,
     depth: u32,
     size: vec2u,
-    // 1 / size.y
+    // 1 / size.y, of samples
     inverse_height: f32,
-    // Where this part of the stage begins: a row of workgroups, or a place in the list.
+    // Where this part of the pass begins: a row of workgroups, or a place in the list.
     first: u32,
+    // The samples that the pass treats: each stride-th row from `row` until before `end`.
+    stride: u32,
+    row: u32,
+    end: u32,
+    // What is stored of row y is in row |y - turn|.
+    turn: u32,
 }
 
 var<uniform> frame: Frame;
@@ -39,7 +45,7 @@ struct Ray {
     after: f32,
 }
 
-// Through the pixel's centre; a perspective ray's parameter is the view depth along `forward`.
+// Through the centre of a sample (a pixel, unless pixels have several); a perspective ray's parameter is the view depth along `forward`.
 fn frame_ray(pixel: vec2u) -> Ray {
     let size = vec2f(frame.size);
     let at = vec2f(pixel) + 0.5;
@@ -53,6 +59,11 @@ fn frame_ray(pixel: vec2u) -> Ray {
         MISS,
         0.0,
     );
+}
+
+// Where a row of the frame is stored in the band.
+fn frame_folded(y: u32) -> u32 {
+    return u32(abs(i32(y) - i32(frame.turn)));
 }
 
 // The place of a thread in a square tile, along a Z-order curve: threads that run together see neighbouring pixels.

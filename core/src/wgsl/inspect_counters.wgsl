@@ -1,4 +1,4 @@
-// Counts the work where it is done, and keeps a record of every pixel.
+// Counts the work where it is done, and keeps a record of every pixel, unless pixels have several samples.
 
 struct PixelRecord {
     origin: u32,
@@ -48,7 +48,9 @@ fn inspect_failed(pixel: vec2u, failed: u32) {
     for (var check = 0u; check < 7u; check += 1u) {
         inspect_count(COUNTER_FAILED + check, (failed >> check) & 1u);
     }
-    inspection.pixels[pixel.y * frame.size.x + pixel.x].failed = failed;
+    if HAS_RECORDS {
+        inspection.pixels[pixel.y * frame.size.x + pixel.x].failed = failed;
+    }
 }
 
 fn inspect_pixel(pixel: vec2u, origin: u32, attributes: Attributes) {
@@ -59,12 +61,14 @@ fn inspect_pixel(pixel: vec2u, origin: u32, attributes: Attributes) {
     inspect_count(COUNTER_NODE_VISITS, inspect_nodes);
     inspect_count(COUNTER_PRIMITIVE_TESTS, inspect_primitives);
     inspect_count(COUNTER_ORIGINS + origin, 1u);
-    let index = pixel.y * frame.size.x + pixel.x;
-    inspection.pixels[index].origin = origin;
-    inspection.pixels[index].cost = inspect_nodes + inspect_primitives;
-    inspection.pixels[index].object = attributes.object;
-    inspection.pixels[index].depth = attributes.depth;
-    inspection.pixels[index].normal = octahedral_encode(attributes.normal);
+    if HAS_RECORDS {
+        let index = pixel.y * frame.size.x + pixel.x;
+        inspection.pixels[index].origin = origin;
+        inspection.pixels[index].cost = inspect_nodes + inspect_primitives;
+        inspection.pixels[index].object = attributes.object;
+        inspection.pixels[index].depth = attributes.depth;
+        inspection.pixels[index].normal = octahedral_encode(attributes.normal);
+    }
     inspect_nodes = 0u;
     inspect_primitives = 0u;
 }

@@ -1,11 +1,21 @@
-// Pixels to be traced, x | y << 16, packed densely.
+// Pixels to be traced, x | y << 16, packed densely: one queue for all steps of a band.
 
 struct List {
     count: u32,
+    // What the step listed that is to be traced now.
+    begin: u32,
+    end: u32,
     padding: u32,
     pixels: array<u32>,
 }
 
 fn list_pixel(entry: u32) -> vec2u {
     return vec2u(entry & 0xffffu, entry >> 16u);
+}
+
+// Does the pixel lie between the rows of its references (A2), or in their row (A1)? It is as far from them as the
+// lowest bit of its coordinates says.
+fn list_between_rows(pixel: vec2u) -> bool {
+    let bits = pixel.x | pixel.y;
+    return (pixel.y & bits & (~bits + 1u)) != 0u;
 }

@@ -47,4 +47,6 @@ goldens! {
     minray_adaptive: "minray", Adaptive;
     furnace_full: "furnace", Full;
     furnace_adaptive: "furnace", Adaptive;
+    wires_full: "wires", Full;
+    wires_adaptive: "wires", Adaptive;
 }

@@ -9,11 +9,12 @@ mod shapes;
 #[cfg(test)]
 mod tests;
 mod textures;
+mod wires;
 
 use super::Scene;
 
 /// The names that [`builtin`] knows.
-pub const BUILTIN_NAMES: [&str; 4] = ["room", "cornell", "minray", "furnace"];
+pub const BUILTIN_NAMES: [&str; 5] = ["room", "cornell", "minray", "furnace", "wires"];
 
 /// A built-in scene by name; `None` where there is no such name. The first camera is called `main`.
 #[must_use]
@@ -23,6 +24,7 @@ pub fn builtin(name: &str) -> Option<Scene> {
         "cornell" => cornell::scene(),
         "minray" => Some(minray::scene()),
         "furnace" => furnace::scene(),
+        "wires" => wires::scene(),
         _ => None,
     }
 }

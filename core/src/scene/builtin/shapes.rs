@@ -83,6 +83,26 @@ impl Builder {
         self.quad(low, x, z, vec2(d.x, d.z));
     }
 
+    /// A ball of `8 n^2` flat triangles: each face of an octahedron in `n^2` parts, their corners on the sphere.
+    pub fn ball(&mut self, center: Vec3, radius: f32, n: u32) {
+        for octant in 0..8_u32 {
+            let signs = Vec3::from_array([1, 2, 4].map(|bit| if octant & bit == 0 { 1.0 } else { -1.0 }));
+            let mirrored = octant.count_ones() % 2 == 1;
+            let at = |i: u32, j: u32| {
+                let direction = signs * Vec3::from_array([i, j, n - i - j].map(|k| k as f32));
+                center + radius * direction.normalize()
+            };
+            for (i, j) in (0..n).flat_map(|i| (0..n - i).map(move |j| (i, j))) {
+                let outer = [at(i, j), at(i + 1, j), at(i, j + 1)];
+                let inner = (i + j + 2 <= n).then(|| [at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]);
+                for [a, b, c] in std::iter::once(outer).chain(inner) {
+                    let corners = if mirrored { [a, c, b] } else { [a, b, c] };
+                    self.triangle(corners, None, [Vec2::ZERO; 3]);
+                }
+            }
+        }
+    }
+
     /// Points (i, j) of a grid joined to a smooth surface that faces the side from which i runs to the right
     /// and j upwards; `point` gives position and normal.
     pub fn surface(&mut self, size: [u32; 2], repeats: Vec2, point: impl Fn(f32, f32) -> (Vec3, Vec3)) {

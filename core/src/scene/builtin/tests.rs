@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use glam::{Vec3, vec3};
+use glam::{Vec2, Vec3, vec2, vec3};
 
 use super::*;
 use crate::scene::{Features, LightKind, octahedral_decode};
@@ -81,4 +81,40 @@ fn the_furnace_is_uniform() {
     let e = scene.environment;
     assert_eq!([e.background, e.ambient, e.truncated], [Vec3::ONE; 3]);
     assert!(scene.lights.is_empty());
+}
+
+/// Every thing is an object of its own, is in the frame, and nothing is thinner than a pixel.
+#[test]
+fn wires_are_two_thousand_plain_things() {
+    let scene = builtin("wires").expect("wires");
+    let nothing_but_a_light = Features::of(&scene).list().into_iter().filter(|(_, needed)| *needed);
+    assert_eq!(nothing_but_a_light.map(|(name, _)| name).collect::<Vec<_>>(), ["lights"]);
+    assert_eq!(scene.lights.len(), 1);
+    assert_eq!(scene.objects.len(), 2 + 2000);
+    let camera = scene.cameras[0].1;
+    let (height, right) = (camera.up.length(), camera.right.normalize());
+    let project = |p: Vec3| {
+        let offset = p - camera.origin;
+        let depth = offset.dot(camera.forward);
+        // Pixels of 1440 rows from the middle.
+        vec2(offset.dot(right), offset.dot(camera.up / height)) / depth / height * 720.0
+    };
+    let mut points = vec![Vec::new(); scene.objects.len()];
+    for (corners, object) in scene.positions.iter().zip(&scene.triangle_objects) {
+        points[*object as usize].extend(corners.map(project));
+    }
+    let mut narrow = 0;
+    for (object, points) in scene.objects.iter().zip(&points).skip(2) {
+        let inside = points.iter().any(|p| p.x.abs() < 1280.0 && p.y.abs() < 720.0);
+        assert!(inside, "{} is out of the frame", object.name);
+        // The width across the narrowest of many directions.
+        let width = (0..180).map(|i| Vec2::from_angle(i as f32 / 180.0 * PI as f32)).map(|across| {
+            let along = points.iter().map(|p| p.dot(across));
+            along.clone().fold(f32::MIN, f32::max) - along.fold(f32::MAX, f32::min)
+        });
+        let width = width.fold(f32::MAX, f32::min);
+        assert!((0.99..60.0).contains(&width), "{} is {width} pixels wide", object.name);
+        narrow += usize::from(width < 2.0);
+    }
+    assert!((300..1000).contains(&narrow), "{narrow} are narrower than two pixels");
 }

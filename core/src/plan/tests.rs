@@ -1,0 +1,144 @@
+use super::*;
+
+const SIZES: [[u32; 2]; 10] = [
+    [1, 1],
+    [1, 7],
+    [450, 450],
+    [512, 513],
+    [1025, 4097],
+    [2560, 1440],
+    [16_384, 1],
+    [1, 16_384],
+    [16_384, 16_384],
+    [32_768, 8],
+];
+
+/// Frames of all sizes and blocks, in one band and in as many as there can be.
+fn shapes() -> impl Iterator<Item = Shape> {
+    let of_size = |grid| {
+        [(2, 1, u32::MAX), (2, 1, 16), (4, 1, 48), (8, 1, 16), (8, 2, 1024), (2, 4, 64), (4, 3, 48)]
+            .map(|(block, sampling, band)| Shape { grid: grid_of(grid, sampling), sampling, block, band })
+    };
+    SIZES.into_iter().flat_map(of_size)
+}
+
+fn grid_of(size: [u32; 2], sampling: u32) -> [u32; 2] {
+    size.map(|side| side * sampling)
+}
+
+fn plans() -> impl Iterator<Item = (Shape, Plan)> {
+    shapes().flat_map(|s| [(s, Plan::new(Method::Full, &s)), (s, Plan::new(Method::Adaptive, &s))])
+}
+
+#[test]
+fn no_submission_exceeds_the_bound_and_no_part_is_lost() {
+    for (shape, plan) in plans() {
+        let submissions = plan.submissions();
+        let parts: Vec<_> = submissions.iter().flatten().copied().collect();
+        assert!(parts.iter().map(|(index, _)| *index).eq(0..plan.parts.len()), "{shape:?}: order");
+        for parts in &submissions {
+            let samples: u32 = parts.iter().map(|(_, part)| part.samples).sum();
+            // A row of workgroups is not divided.
+            let bound = SAMPLES_PER_SUBMISSION.max(8 * shape.grid[0].next_multiple_of(8));
+            assert!(samples <= bound, "{shape:?}: {samples} in {parts:?}");
+        }
+    }
+}
+
+#[test]
+fn every_pass_is_covered_once() {
+    for (shape, plan) in plans() {
+        for (pass, parts) in plan.parts.chunk_by(|a, b| a.pass == b.pass).enumerate() {
+            let mut next = 0;
+            for (i, part) in parts.iter().enumerate() {
+                assert_eq!((part.pass, part.stage), (pass, parts[0].stage), "{shape:?}");
+                assert_eq!(part.first, next, "{shape:?} {part:?}");
+                assert_eq!(part.bounds, [i == 0, i + 1 == parts.len()], "{shape:?} {part:?}");
+                next += match part.extent {
+                    Extent::Groups([_, rows]) => rows,
+                    Extent::Chunk(chunk) => {
+                        assert_eq!(chunk as usize, i, "{shape:?} {part:?}");
+                        part.samples
+                    }
+                };
+            }
+        }
+        assert_eq!(plan.passes().len(), plan.parts.last().map_or(0, |part| part.pass + 1), "{shape:?}");
+    }
+}
+
+/// The rows that a stage of a plan treats, in order; for the adaptive steps those of references at one distance.
+fn rows_of(plan: &Plan, stage: Stage, stride: u32) -> Vec<u32> {
+    let parts = plan.parts.iter().filter(|part| part.stage == stage && part.bounds[0]);
+    let rows = parts.map(|part| part.rows).filter(|rows| rows.stride == stride);
+    rows.flat_map(|rows| (rows.row..rows.end).step_by(rows.stride as usize)).collect()
+}
+
+#[test]
+fn every_row_is_made_once_and_stored_once_at_a_time() {
+    for shape in shapes() {
+        let [_, height] = shape.grid;
+        let every = |from: u32, stride: u32| (from..height).step_by(stride as usize).collect::<Vec<_>>();
+        let full = Plan::new(Method::Full, &shape);
+        assert_eq!(rows_of(&full, Stage::Full, 1), every(0, 1), "{shape:?}");
+        let adaptive = Plan::new(Method::Adaptive, &shape);
+        assert_eq!(rows_of(&adaptive, Stage::Base, shape.block), every(0, shape.block), "{shape:?}");
+        for stride in [8, 4, 2].into_iter().filter(|stride| *stride <= shape.block) {
+            assert_eq!(rows_of(&adaptive, Stage::SimilarityA1, stride), every(0, stride), "{shape:?}");
+            assert_eq!(
+                rows_of(&adaptive, Stage::SimilarityA2, stride),
+                every(stride / 2, stride),
+                "{shape:?}"
+            );
+        }
+        for plan in [full, adaptive] {
+            let pixels: Vec<_> = (0..height / shape.sampling).collect();
+            let resolved = if shape.sampling > 1 { pixels } else { vec![] };
+            assert_eq!(rows_of(&plan, Stage::Resolve, 1), resolved, "{shape:?}");
+            for part in plan.parts.iter().filter(|part| part.stage != Stage::Resolve) {
+                let (Rows { row, end, turn, .. }, rows) = (part.rows, plan.stored_rows);
+                let folded = |y: u32| y.abs_diff(turn);
+                assert!(row >= end || folded(row).max(folded(end - 1)) < rows, "{shape:?} {part:?}");
+            }
+        }
+    }
+}
+
+/// The row that two bands share has one place in both.
+#[test]
+fn bands_fold_where_they_meet() {
+    for (height, rows) in [(1, 16), (16, 16), (17, 16), (18, 16), (100, 16), (1440, 512), (5760, 512)] {
+        let all: Vec<_> = bands(height, rows).collect();
+        for pair in all.windows(2) {
+            let shared = pair[1].first;
+            assert_eq!(pair[0].end, shared + 1);
+            assert_eq!(shared.abs_diff(pair[0].turn), shared.abs_diff(pair[1].turn), "{height} {rows}");
+            assert!(pair[1].end > shared + 1, "{height} {rows}: a band of nothing");
+        }
+        assert_eq!(all.last().map(|band| band.end), Some(height));
+    }
+}
+
+#[test]
+fn bands_hold_whole_blocks_and_whole_pixels() {
+    for sampling in 1..=16 {
+        for most in [0, 1, 17, 100, 545, 4096] {
+            let rows = band_rows(sampling, most);
+            assert!(
+                rows.is_multiple_of(16) && rows.is_multiple_of(sampling) && rows > 0,
+                "{sampling} {most}: {rows}"
+            );
+            let least = rows == band_rows(sampling, 0);
+            assert!(least || u64::from(rows) < most, "{sampling} {most}: {rows}");
+        }
+    }
+}
+
+#[test]
+fn small_frames_are_one_submission_of_one_dispatch_a_stage() {
+    for (method, stages) in [(Method::Full, 1), (Method::Adaptive, 7)] {
+        let shape = Shape { grid: [450, 450], sampling: 1, block: 2, band: 1024 };
+        let submissions = Plan::new(method, &shape).submissions();
+        assert_eq!(submissions.iter().map(Vec::len).collect::<Vec<_>>(), [stages], "{method:?}");
+    }
+}

@@ -1,0 +1,231 @@
+//! How thin the things of a scene are: what `--postcorrect auto` goes by (Kim 2016, section 4, corrects what is so thin
+//! that it falls between samples, and section 6.2 turns that off by hand where there is nothing thin).
+//!
+//! A *thing* is a connected component of an object's triangles, welded where positions are equal bit by bit, or a
+//! sphere. Along the principal axes of its surface it is `a >= b >= c` long:
+//!
+//! - a rod, a wire or a plate is `b` thick: it looks narrower only from where it is seen on edge;
+//! - what fills little of its `a x b` is a frame, a grid or a bent wire: as thick as its surface, rolled out along the
+//!   outline of the box: `area / (4 (a + b))`, right within a factor of two for a single ring of strips or bars.
+//!
+//! The measure is the length `a` of all things that are thinner than a width, added up: a few small things between the
+//! samples are no reason to look for them in every frame, and a hundred short ones count as a long one does. The camera
+//! is not known when a scene is loaded; what a sample is wide is taken at a distance of the scene's longest side.
+
+#[cfg(test)]
+mod tests;
+
+use glam::{DMat3, DVec3, Vec3};
+
+use super::Scene;
+
+/// Widths are told apart by half octaves, the last one from 2^-15.5 of the longest side down.
+const BINS: usize = 32;
+
+/// A thing whose surface covers less of its box than this is a frame or a bent wire.
+const SPARSE: f64 = 0.25;
+
+/// A frame is as high as the scene is long, from where things count: its vertical field of view is 53 degrees.
+const FRAME_HEIGHT: f32 = 1.0;
+
+/// How long all thin things must be together, in units of the scene's longest side.
+const LEAST_LENGTH: f32 = 1.0;
+
+/// How much of what thickness there is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Thinness {
+    /// The length of all things by thickness, in units of the longest side: bin i has those from `2^(-i/2)` of it down.
+    lengths: [f32; BINS],
+}
+
+impl Thinness {
+    /// Looks at every triangle and sphere once.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Self {
+        let mut thinness = Self::default();
+        let Some((low, high)) = scene.bounds() else { return thinness };
+        let longest = f64::from((high - low).max_element());
+        if longest > 0.0 {
+            let spheres = scene.spheres.iter().map(|s| [2.0 * f64::from(s.radius); 2]);
+            for [thickness, length] in spheres {
+                thinness.add(thickness / longest, length / longest);
+            }
+            each_component(scene, |triangles| {
+                let [thickness, length] = measure(triangles.iter().map(|t| &scene.positions[*t as usize]));
+                thinness.add(thickness / longest, length / longest);
+            });
+        }
+        thinness
+    }
+
+    fn add(&mut self, thickness: f64, length: f64) {
+        // Zero goes to the last bin.
+        let bin = (-2.0 * thickness.log2()).clamp(0.0, (BINS - 1) as f64);
+        self.lengths[bin as usize] += length as f32;
+    }
+
+    /// The length of all things thinner than `width`, both in units of the scene's longest side; `width` is rounded up
+    /// to half an octave.
+    #[must_use]
+    pub fn length_below(&self, width: f32) -> f32 {
+        let first = (-2.0 * width.log2()).floor().clamp(0.0, BINS as f32);
+        self.lengths[first as usize..].iter().sum()
+    }
+
+    /// Whether things may fall between the base samples of a frame of that many rows of samples, of which one in every
+    /// `block` is traced: whether those that are narrower than a block, where a frame is as high as the scene is long,
+    /// are together longer than the scene.
+    #[must_use]
+    pub fn is_thin(&self, rows: u32, block: u32) -> bool {
+        self.length_below(FRAME_HEIGHT * block as f32 / rows.max(1) as f32) >= LEAST_LENGTH
+    }
+}
+
+/// Thickness and length of the thing with these triangles.
+fn measure<'a>(triangles: impl Iterator<Item = &'a [Vec3; 3]> + Clone) -> [f64; 2] {
+    let corners = || triangles.clone().flatten().map(|p| p.as_dvec3());
+    let origin = corners().next().unwrap_or_default();
+    // Of the surface, so that it does not matter how it is divided: the second moment of a triangle is
+    // area / 12 (the sum of its corners' and nine times its middle's).
+    let (mut area, mut first, mut second) = (0.0, DVec3::ZERO, DMat3::ZERO);
+    for [a, b, c] in triangles.clone().map(|t| t.map(|p| p.as_dvec3() - origin)) {
+        let part = 0.5 * (b - a).cross(c - a).length();
+        let middle = (a + b + c) / 3.0;
+        area += part;
+        first += part * middle;
+        second += part / 12.0 * (square(a) + square(b) + square(c) + 9.0 * square(middle));
+    }
+    let axes =
+        if area > 0.0 { principal_axes(second - square(first) * (1.0 / area)) } else { DMat3::IDENTITY };
+    let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for p in corners() {
+        let along = axes.transpose() * (p - origin);
+        (low, high) = (low.min(along), high.max(along));
+    }
+    let mut extents = (high - low).to_array();
+    extents.sort_by(f64::total_cmp);
+    let [_, b, a] = extents;
+    let sparse = area < SPARSE * a * b;
+    [if sparse { (area / (4.0 * (a + b))).min(b) } else { b }, a]
+}
+
+fn square(v: DVec3) -> DMat3 {
+    DMat3::from_cols(v * v.x, v * v.y, v * v.z)
+}
+
+/// The eigenvectors of a symmetric matrix, by Jacobi's rotations.
+fn principal_axes(mut m: DMat3) -> DMat3 {
+    let mut axes = DMat3::IDENTITY;
+    for _ in 0..6 {
+        for [p, q] in [[0, 1], [0, 2], [1, 2]] {
+            let off = m.col(p)[q];
+            if off == 0.0 {
+                continue;
+            }
+            let theta = (m.col(q)[q] - m.col(p)[p]) / (2.0 * off);
+            let tangent = theta.signum() / (theta.abs() + (theta * theta + 1.0).sqrt());
+            let cosine = 1.0 / (tangent * tangent + 1.0).sqrt();
+            let sine = tangent * cosine;
+            let mut turn = DMat3::IDENTITY;
+            (turn.col_mut(p)[p], turn.col_mut(q)[q]) = (cosine, cosine);
+            (turn.col_mut(p)[q], turn.col_mut(q)[p]) = (-sine, sine);
+            m = turn.transpose() * m * turn;
+            axes *= turn;
+        }
+    }
+    axes
+}
+
+/// Calls `visit` with the indices of the triangles of each connected component.
+fn each_component(scene: &Scene, mut visit: impl FnMut(&[u32])) {
+    let mut sets = joined(scene);
+    // Triangles sorted by the root of their set: counts, then places.
+    let roots: Vec<u32> = (0..scene.positions.len() as u32).map(|t| sets.root(t)).collect();
+    let mut starts = vec![0_u32; roots.len() + 1];
+    for root in &roots {
+        starts[*root as usize + 1] += 1;
+    }
+    for i in 1..starts.len() {
+        starts[i] += starts[i - 1];
+    }
+    let mut order = vec![0_u32; roots.len()];
+    for (triangle, root) in roots.iter().enumerate() {
+        // A root's set ends where the next one began, once all of it is placed.
+        order[starts[*root as usize] as usize] = triangle as u32;
+        starts[*root as usize] += 1;
+    }
+    for component in order.chunk_by(|a, b| roots[*a as usize] == roots[*b as usize]) {
+        visit(component);
+    }
+}
+
+/// Triangles of one object that share a corner, in one set.
+fn joined(scene: &Scene) -> Sets {
+    let mut sets = Sets((0..scene.positions.len() as u32).collect());
+    let mut corners = Corners::new(3 * scene.positions.len());
+    for (triangle, positions) in scene.positions.iter().enumerate() {
+        let object = scene.triangle_objects[triangle];
+        for (i, position) in positions.iter().enumerate() {
+            let same = |other: u32| {
+                let (other, j) = ((other / 3) as usize, (other % 3) as usize);
+                scene.triangle_objects[other] == object && scene.positions[other][j] == *position
+            };
+            if let Some(other) =
+                corners.find_or_insert(hash(*position, object), (3 * triangle + i) as u32, same)
+            {
+                sets.join(triangle as u32, other / 3);
+            }
+        }
+    }
+    sets
+}
+
+fn hash(position: Vec3, object: u32) -> u64 {
+    // Adding zero makes both zeros one.
+    let [x, y, z] = (position + 0.0).to_array().map(|x| u64::from(x.to_bits()));
+    let mut h = (x | y << 32).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    h ^= h >> 29;
+    h = (h ^ z ^ u64::from(object) << 32).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    h ^ h >> 32
+}
+
+/// A hash table of corners, by linear probing; entries are one more than the corner's number.
+struct Corners(Vec<u32>);
+
+impl Corners {
+    fn new(most: usize) -> Self {
+        Self(vec![0; (most + most / 2 + 1).next_power_of_two()])
+    }
+
+    /// The corner that is the `same`, or `None` after inserting this one.
+    fn find_or_insert(&mut self, hash: u64, corner: u32, same: impl Fn(u32) -> bool) -> Option<u32> {
+        let mask = self.0.len() - 1;
+        let mut at = hash as usize & mask;
+        while self.0[at] != 0 {
+            if same(self.0[at] - 1) {
+                return Some(self.0[at] - 1);
+            }
+            at = (at + 1) & mask;
+        }
+        self.0[at] = corner + 1;
+        None
+    }
+}
+
+/// Disjoint sets, by path halving (Tarjan, van Leeuwen 1984).
+struct Sets(Vec<u32>);
+
+impl Sets {
+    fn root(&mut self, mut i: u32) -> u32 {
+        while self.0[i as usize] != i {
+            self.0[i as usize] = self.0[self.0[i as usize] as usize];
+            i = self.0[i as usize];
+        }
+        i
+    }
+
+    fn join(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.0[a.max(b) as usize] = a.min(b);
+    }
+}

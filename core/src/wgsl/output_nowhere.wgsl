@@ -1,0 +1,3 @@
+// Colours that nobody looks at.
+
+fn output(pixel: vec2u, radiance: vec3f) {}

@@ -1,0 +1,7 @@
+// Linear radiances of a band's samples, row by row.
+
+var<storage, read_write> samples: array<f32>;
+
+fn samples_place(sample: vec2u) -> u32 {
+    return 3u * (frame_folded(sample.y) * frame.size.x + sample.x);
+}
