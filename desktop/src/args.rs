@@ -311,6 +311,8 @@ pub enum MethodName {
     Full,
     /// Rays where neighbours differ, interpolation elsewhere
     Adaptive,
+    /// A ray through every second sample, averages elsewhere
+    Checkerboard,
 }
 
 impl From<MethodName> for Method {
@@ -318,6 +320,7 @@ impl From<MethodName> for Method {
         match name {
             MethodName::Full => Self::Full,
             MethodName::Adaptive => Self::Adaptive,
+            MethodName::Checkerboard => Self::Checkerboard,
         }
     }
 }

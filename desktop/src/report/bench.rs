@@ -6,10 +6,11 @@ use glimpse::{DisplayImage, Gpu, Renderer, Settings, metrics};
 use super::complete::complete;
 use super::job::Job;
 use super::ladder::Rung;
-use super::record::Record;
+use super::record::{Frame, Record};
 use super::store::Store;
 use super::subject::{Prepared, Subject, Subjects};
 use super::upscale::bilinear;
+use crate::measure::timed;
 use crate::progress::Progress;
 
 /// What counting the rays costs, in warm frames.
@@ -125,9 +126,10 @@ impl Bench<'_> {
                 Ok(Record::new(identity, job.shown, &inspection, &subject.reflects, error))
             },
             |index, renderer| {
-                let frame = renderer.render(&camera)?;
+                let (frame, ms) = timed(|| renderer.render(&camera))?;
                 progress.steps(job.rungs[index].samples());
-                Ok(frame.into())
+                // Adapters without timestamps measure nothing.
+                Ok(if frame.passes.is_empty() { Frame { ms, passes: vec![] } } else { frame.into() })
             },
         )?;
         Ok(Measured { job, identities, converged: converged_identity, records })

@@ -157,11 +157,11 @@ fn pair(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
 }
 
 impl Rung {
-    /// Samples that take the time of one frame: about half of the adaptive method's are traced, or cost as much.
+    /// Samples that take the time of one frame: the other methods trace half of them, or what costs as much.
     pub fn samples(&self) -> u64 {
         let [width, height] = self.rendered.map(u64::from);
         let samples = width * height * u64::from(self.settings.sampling).pow(2);
-        if self.settings.method == Method::Adaptive { samples.div_ceil(2) } else { samples }
+        if self.settings.method == Method::Full { samples } else { samples.div_ceil(2) }
     }
 }
 

@@ -221,6 +221,7 @@ fn color(family: Family) -> &'static str {
     // Okabe and Ito's colours, which colour-blind readers tell apart.
     match family {
         Family::Reduced => "#999999",
+        Family::Checkerboard => "#a6761d",
         Family::Fixed => "#333333",
         Family::Tolerances => "#0072b2",
         Family::Blocks => "#009e73",

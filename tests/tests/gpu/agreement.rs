@@ -75,6 +75,8 @@ fn agree(name: &str, scene: Scene, size: [u32; 2], settings: Settings) {
     adaptive.decisions().check(&format!("{name}, adaptive, checks"), SHARES);
     adaptive.adaptive_hits().check(&format!("{name}, adaptive, attributes"), SHARES);
     adaptive.adaptive_colors().check(&format!("{name}, adaptive, radiance"), SHARES);
+    let checkerboard = pair.frames(Method::Checkerboard);
+    checkerboard.checkerboard_colors().check(&format!("{name}, checkerboard, radiance"), SHARES);
     let other = adaptive.other_origins();
     note(&format!("{name}, adaptive: {other} pixels come to be in another way in f64 alone"));
     rays::arrived(&pair, &pair.reference, RAYS).check(&format!("{name}, rays, surfaces"), SHARES);
