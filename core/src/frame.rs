@@ -104,7 +104,7 @@ impl Passes {
         let name = match variant.output {
             Output::Display => Some("display"),
             Output::Linear => Some("linear"),
-            Output::Nowhere => None,
+            Output::Samples | Output::Nowhere => None,
         };
         resources.extend(name.map(|name| (name, wgpu::BindingResource::TextureView(&color))));
         resources.extend(inspection.map(|buffer| ("inspection", buffer.as_entire_binding())));

@@ -108,6 +108,11 @@ impl Plan {
             match method {
                 Method::Full => plan.push(tiles(Stage::Full, shape.grid[0], band.rows(1, band.own))),
                 Method::Adaptive => plan.adaptive(shape, &band),
+                Method::Checkerboard => {
+                    let (width, rows) = (shape.grid[0], band.rows(1, band.own));
+                    plan.push(tiles(Stage::Checkerboard, width.div_ceil(2), rows));
+                    plan.push(tiles(Stage::Fill, width, rows));
+                }
             }
             if shape.sampling > 1 {
                 plan.push(tiles(Stage::Resolve, shape.grid[0] / shape.sampling, band.pixels(shape.sampling)));
@@ -182,7 +187,7 @@ fn once(stage: Stage, rows: Rows) -> Vec<Part> {
 
 /// A stage that treats a grid of samples, in groups of rows of workgroups; a stage without rows is no part.
 fn tiles(stage: Stage, columns: u32, rows: Rows) -> Vec<Part> {
-    let traces = matches!(stage, Stage::Full | Stage::Base);
+    let traces = matches!(stage, Stage::Full | Stage::Base | Stage::Checkerboard);
     let (side, per_sample) =
         if traces { (TRACED_TILE, 1) } else { (INTERPOLATED_TILE, INTERPOLATED_PER_TRACED) };
     let [across, down] = [columns, rows.count()].map(|n| n.div_ceil(side));

@@ -10,6 +10,9 @@ pub enum Method {
     Full,
     /// Kim 2016, section 3: rays where the seven similarity checks ask for them, interpolation elsewhere.
     Adaptive,
+    /// A baseline: a ray through every second pixel in the order of a checkerboard, the average of their neighbours in the
+    /// others. One sample a pixel.
+    Checkerboard,
 }
 
 /// What is traced again after an adaptive frame, from traced pixels into interpolated neighbours that differ from them
@@ -136,6 +139,12 @@ impl Settings {
             if !(1..=most).contains(&value) {
                 return Err(crate::Error::setting(name, format!("expected 1 to {most}, found {value}")));
             }
+        }
+        if self.method == Method::Checkerboard && self.sampling > 1 {
+            return Err(crate::Error::setting(
+                "--sampling",
+                format!("expected 1 with --method checkerboard, found {}", self.sampling),
+            ));
         }
         if ![2, 4, 8].contains(&self.block) {
             return Err(crate::Error::setting(

@@ -47,11 +47,14 @@ impl Targets {
         let adaptive = settings.method == Method::Adaptive;
         // Of every second row.
         let attribute_bytes = if adaptive { 4 * variant.planes().len() as u64 } else { 0 };
-        let sample_bytes = if settings.sampling > 1 { SAMPLE_BYTES } else { 0 };
+        let checkerboard = settings.method == Method::Checkerboard;
+        let sample_bytes = if settings.sampling > 1 || checkerboard { SAMPLE_BYTES } else { 0 };
         // A sample is listed once at most.
         let list_bytes = if adaptive { 4 } else { 0 };
         let row_bytes = u64::from(grid[0]) * sample_bytes.max(attribute_bytes.div_ceil(2)).max(list_bytes);
         let band = plan::band_rows(settings.sampling, BAND_BYTES / row_bytes.max(1));
+        // Its second pass looks across the borders of bands.
+        let band = if checkerboard { u32::MAX } else { band };
         let shape = Shape { grid, sampling: settings.sampling, block: settings.block, band };
         let plan = Plan::new(settings.method, &shape);
         let rows = u64::from(plan.stored_rows);

@@ -41,6 +41,8 @@ pub enum Command {
     Devices(DevicesOptions),
     /// Compare the methods' times, interleaved in one run
     Bench(BenchOptions),
+    /// Plot error against run time, and print the tables of Kim 2016
+    Report(ReportOptions),
     /// Try stiff and extreme cases against the f64 reference
     Stress(StressOptions),
 }
@@ -126,6 +128,69 @@ pub struct BenchOptions {
     /// Print JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// `glimpse report`
+#[derive(Debug, Args)]
+pub struct ReportOptions {
+    /// .glb or .gltf files, or builtin:NAME
+    #[arg(required = true, value_name = "SCENE")]
+    pub scenes: Vec<String>,
+    /// The folder for report.html, report.csv, the plots, and what was measured, from which an interrupted run goes on
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+    /// Frame size of the plots and of table 4, in pixels
+    #[arg(long, value_name = "WxH", default_value = "960x540")]
+    pub size: Size,
+    /// A camera of each scene, by index or name [default: the first]
+    #[arg(long, value_name = "INDEX_OR_NAME")]
+    pub camera: Option<String>,
+    /// Levels of rays; 1 is primary rays alone
+    #[arg(long, value_name = "N", default_value_t = Settings::default().depth)]
+    pub depth: u32,
+    /// Rays that would contribute less than this share of a pixel are not traced
+    #[arg(long, value_name = "W", default_value_t = Settings::default().min_weight, allow_negative_numbers = true)]
+    pub min_weight: f32,
+    /// Warm frames of each setting
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub frames: u32,
+    /// The tables of Kim 2016 to measure, for each scene
+    #[arg(
+        long,
+        value_enum,
+        value_name = "TABLE",
+        value_delimiter = ',',
+        default_value = "5,3a",
+        ignore_case = true
+    )]
+    pub tables: Vec<TableName>,
+    /// Sides of the square frames of table 5
+    #[arg(long, value_name = "N", value_delimiter = ',', default_value = "512,1024",
+        value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SIDE)))]
+    pub table5_sizes: Vec<u32>,
+}
+
+/// `--tables`
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum TableName {
+    /// None of them
+    #[value(name = "none")]
+    None,
+    /// Time by kernel, 1024x1024
+    #[value(name = "3a")]
+    Kernels,
+    /// Share of reflective pixels varied, 1024x1024
+    #[value(name = "3b")]
+    Reflective,
+    /// RT ratio varied, 1024x1024
+    #[value(name = "3c")]
+    Views,
+    /// Sampling of scenes named hairball
+    #[value(name = "4")]
+    Hairball,
+    /// Resolution and sampling
+    #[value(name = "5")]
+    Resolutions,
 }
 
 /// `glimpse stress`
@@ -246,6 +311,8 @@ pub enum MethodName {
     Full,
     /// Rays where neighbours differ, interpolation elsewhere
     Adaptive,
+    /// A ray through every second sample, averages elsewhere
+    Checkerboard,
 }
 
 impl From<MethodName> for Method {
@@ -253,6 +320,7 @@ impl From<MethodName> for Method {
         match name {
             MethodName::Full => Self::Full,
             MethodName::Adaptive => Self::Adaptive,
+            MethodName::Checkerboard => Self::Checkerboard,
         }
     }
 }

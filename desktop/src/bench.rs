@@ -6,9 +6,9 @@ use crate::args::{BenchOptions, Size};
 use crate::measure::{Plan, Stage};
 use crate::output;
 use crate::progress::Progress;
-use crate::report;
 use crate::scene_file;
 use crate::statistics::Statistics;
+use crate::summary;
 
 /// `glimpse bench`
 pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> {
@@ -52,10 +52,10 @@ fn methods(options: &BenchOptions) -> glimpse::Result<Vec<Settings>> {
 /// One scene: a line for each method, then a line for each of its passes.
 fn table(methods: &[Statistics]) -> String {
     let Some(first) = methods.first() else { return String::new() };
-    let mut text = report::scene(&first.scene);
-    text += &report::row("adapter", &report::adapter(first));
+    let mut text = summary::scene(&first.scene);
+    text += &summary::row("adapter", &summary::adapter(first));
     let [width, height] = first.size;
-    text += &report::row(
+    text += &summary::row(
         "frame",
         &format!(
             "{width}x{height}, camera {}, medians of {} after warm-up, {} clock",
@@ -68,12 +68,12 @@ fn table(methods: &[Statistics]) -> String {
         ["ms", "p95", "RT ratio", "work", "speedup", "eff.", "cost eff.", "overhead", "PSNR/dB", "Mrays/s"];
     text += &line("method", &heads.map(str::to_owned));
     for statistics in methods {
-        text += &line(&report::method(statistics), &cells(statistics));
+        text += &line(&summary::method(statistics), &cells(statistics));
     }
     for statistics in methods {
         for pass in &statistics.time_ms.passes {
             let share = 100.0 * pass.median / statistics.time_ms.frame.median;
-            let name = format!("{} {}", report::method(statistics), pass.name);
+            let name = format!("{} {}", summary::method(statistics), pass.name);
             text += &format!("{name:<24}{:>10.3} ms {share:>5.1} %\n", pass.median);
         }
     }

@@ -7,7 +7,7 @@ use glimpse::metrics::{self, ErrorReport};
 use glimpse::{Error, Picture};
 
 use crate::args::CompareOptions;
-use crate::{files, output, report};
+use crate::{files, output, summary};
 
 /// `glimpse compare`
 pub fn run(options: &CompareOptions) -> anyhow::Result<()> {
@@ -15,7 +15,7 @@ pub fn run(options: &CompareOptions) -> anyhow::Result<()> {
     if options.json {
         output::print(&output::json(&report)?)
     } else {
-        output::print(&(report::error(&report) + "\n"))
+        output::print(&(summary::error(&report) + "\n"))
     }
 }
 

@@ -6,8 +6,8 @@ use serde::Serialize;
 
 use crate::args::DevicesOptions;
 use crate::output::{self, bytes, grouped};
-use crate::report::row;
 use crate::statistics::AdapterStatistics;
+use crate::summary::row;
 
 /// An adapter as `--json` lists it.
 #[derive(Serialize)]

@@ -6,9 +6,9 @@ use serde::Serialize;
 
 use crate::args::InfoOptions;
 use crate::output::{self, bytes, counted, listed};
-use crate::report::{self, row};
 use crate::scene_file;
 use crate::statistics::SceneStatistics;
+use crate::summary::{self, row};
 
 /// A scene as `--json` tells it.
 #[derive(Serialize)]
@@ -107,7 +107,7 @@ impl Info {
     }
 
     fn text(&self) -> String {
-        let mut text = report::scene(&self.scene);
+        let mut text = summary::scene(&self.scene);
         text += &row("linked", &listed(&self.scene.features));
         text += &row("bounds", &self.bounds.as_ref().map_or_else(|| "empty".to_owned(), Bounds::text));
         for camera in &self.cameras {

@@ -15,6 +15,7 @@ mod scene_file;
 mod show;
 mod statistics;
 mod stress;
+mod summary;
 
 use std::cell::RefCell;
 use std::io::Write;
@@ -51,6 +52,7 @@ fn run(arguments: Arguments) -> anyhow::Result<()> {
         Some(Command::Info(options)) => info::run(&options),
         Some(Command::Devices(options)) => devices::run(&options, adapter),
         Some(Command::Bench(options)) => bench::run(&options, adapter),
+        Some(Command::Report(options)) => report::run(&options, adapter),
         Some(Command::Stress(options)) => stress::run(&options, adapter),
     }
 }

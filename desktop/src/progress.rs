@@ -10,10 +10,19 @@ pub struct Progress(ProgressBar);
 impl Progress {
     /// Starts the bar.
     pub fn new(steps: u64) -> Self {
+        Self::start(steps, "{bar:24} {pos}/{len} {msg} ({elapsed})")
+    }
+
+    /// A bar of long work that is counted in units of equal time: it says how much is left of both.
+    pub fn of_work(units: u64) -> Self {
+        Self::start(units, "{bar:24} {percent} % {msg} ({elapsed}, {eta} to go)")
+    }
+
+    fn start(steps: u64, template: &str) -> Self {
         if !std::io::stderr().is_terminal() {
             return Self(ProgressBar::hidden());
         }
-        let style = ProgressStyle::with_template("{bar:24} {pos}/{len} {msg} ({elapsed})");
+        let style = ProgressStyle::with_template(template);
         Self(ProgressBar::new(steps).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())))
     }
 
@@ -25,7 +34,12 @@ impl Progress {
 
     /// One step is done.
     pub fn step(&self) {
-        self.0.inc(1);
+        self.steps(1);
+    }
+
+    /// So many are done.
+    pub fn steps(&self, count: u64) {
+        self.0.inc(count);
     }
 }
 

@@ -9,7 +9,7 @@ use crate::measure::{Plan, Run, Stage};
 use crate::output;
 use crate::progress::Progress;
 use crate::statistics::Statistics;
-use crate::{files, report, scene_file, show};
+use crate::{files, scene_file, show, summary};
 
 const DEFAULT_SCENE: &str = "builtin:room";
 const VIEW_PICTURE: &str = "glimpse.png";
@@ -60,9 +60,9 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
         files::write(path, output::json(&statistics)?.as_bytes())?;
     }
     drop(progress);
-    let mut text = report::frame(&statistics, &stage.warnings);
+    let mut text = summary::frame(&statistics, &stage.warnings);
     text += &legend;
-    text += &report::row("wrote", &options.output.path.display().to_string());
+    text += &summary::row("wrote", &options.output.path.display().to_string());
     output::print(&text)
 }
 
@@ -78,5 +78,5 @@ fn write_picture(options: &RenderOptions, run: &Run) -> anyhow::Result<String> {
     }
     let (picture, legend) = show::picture(options.show, &run.picture, &run.inspection.pixels);
     files::write(&options.output.path, &to_png(&picture)?)?;
-    Ok(report::row("shown", &legend))
+    Ok(summary::row("shown", &legend))
 }

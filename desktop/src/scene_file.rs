@@ -23,14 +23,22 @@ pub fn check(name: &str) -> anyhow::Result<()> {
 
 /// Loads `builtin:NAME`, a `.glb`, or a `.gltf` with the files that it names beside it.
 pub fn load(name: &str) -> anyhow::Result<Scene> {
+    load_seen(name, &mut |_| ())
+}
+
+/// As [`load`]; `seen` is shown the bytes of every file that was read, or the name where there is none.
+pub fn load_seen(name: &str, seen: &mut dyn FnMut(&[u8])) -> anyhow::Result<Scene> {
     check(name)?;
     if let Some(scene) = name.strip_prefix("builtin:").and_then(builtin) {
+        seen(name.as_bytes());
         return Ok(scene);
     }
     let path = Path::new(name);
     let bytes = files::read(path)?;
+    seen(&bytes);
     let folder = path.parent().unwrap_or(Path::new(""));
-    Scene::from_gltf(&bytes, &mut |uri| read_beside(folder, uri)).with_context(|| name.to_owned())
+    let mut resolve = |uri: &str| read_beside(folder, uri).inspect(|bytes| seen(bytes));
+    Scene::from_gltf(&bytes, &mut resolve).with_context(|| name.to_owned())
 }
 
 fn check_builtin(name: &str) -> anyhow::Result<()> {

@@ -35,6 +35,10 @@ fn failures_are_one_line_and_a_code() {
         ("render builtin:room -o a.png --t-tex NaN", 2, "--t-tex"),
         ("render builtin:room -o a.exr --show depth", 2, "--show"),
         ("bench builtin:room gone.glb", 1, "cannot read gone.glb"),
+        ("report builtin:minray gone.glb -o out", 1, "cannot read gone.glb"),
+        ("report builtin:minray -o empty.png", 1, "empty.png: expected a folder, found a file"),
+        ("report builtin:minray -o out --camera 7", 2, "--camera 7"),
+        ("report builtin:minray -o out --depth 0", 2, "--depth"),
         ("info model.stl", 2, "model.stl: expected a .glb or .gltf"),
         ("rendr", 2, "rendr: expected"),
     ] {
@@ -51,7 +55,9 @@ fn failures_are_one_line_and_a_code() {
 #[test]
 fn options_that_do_not_exist_are_wrong_usage() {
     let folder = tempfile::tempdir().unwrap();
-    for line in ["render builtin:room", "render builtin:room -o a.jpg", "devices --sampling 2"] {
+    for line in
+        ["report builtin:room", "render builtin:room", "render builtin:room -o a.jpg", "devices --sampling 2"]
+    {
         let output = glimpse(folder.path(), line);
         assert_eq!(output.status.code(), Some(2), "{line}");
         assert!(output.stdout.is_empty() && !output.stderr.is_empty(), "{line}");
@@ -101,4 +107,35 @@ fn compare_prints_the_errors() {
     }
     let equal: serde_json::Value = serde_json::from_str(&text("compare a.png a.png --json")).unwrap();
     assert!(equal["psnr_db"].is_null(), "infinite");
+}
+
+#[test]
+fn a_report_is_complete_and_is_not_measured_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let line = "report builtin:minray -o out/new --size 32x24 --frames 1 --tables 5 --table5-sizes 16";
+    let run = || {
+        let output = glimpse(folder.path(), line);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        assert!(output.stderr.is_empty(), "{output:?}");
+        let read = |name: &str| std::fs::read_to_string(folder.path().join("out/new").join(name)).unwrap();
+        let files = ["report.csv", "report.html", "minray-time.svg", "minray-rays.svg"].map(read);
+        (String::from_utf8(output.stdout).unwrap(), files)
+    };
+    let (said, first) = run();
+    assert!(!said.contains("already") && said.contains("builtin:minray: "), "{said}");
+    let rows = first[0].lines().count() - 1;
+    assert!(rows > 20 && first[0].lines().filter(|l| l.contains(",tables,")).count() == 6, "{}", first[0]);
+    assert!(first[1].contains("Table 5: resolution and sampling") && first[1].contains(">16x16<"));
+    let (said, again) = run();
+    assert!(said.starts_with(&format!("{rows} of {rows} measurements are in out/new already")), "{said}");
+    assert!(again == first, "times that are measured again differ");
+    // What is broken is made again, and nothing else.
+    let measured = folder.path().join("out/new/measured");
+    let record = std::fs::read_dir(measured).unwrap().map(|e| e.unwrap().path());
+    let record = record.filter(|path| path.extension().is_some_and(|e| e == "json")).min().unwrap();
+    std::fs::write(&record, "{").unwrap();
+    let output = glimpse(folder.path(), line);
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(said.starts_with(&format!("{} of {rows} measurements", rows - 1)), "{said}");
+    assert!(String::from_utf8(output.stderr).unwrap().contains("is made again"));
 }

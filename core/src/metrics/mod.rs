@@ -10,7 +10,7 @@ mod ssim;
 #[cfg(test)]
 mod tests;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 pub use pixelwise::{TILE, Tile, linear_rmse, psnr_db, rmse, worst_tile};
 pub use ssim::ssim;
@@ -21,7 +21,7 @@ pub use flip::{Flip, PIXELS_PER_DEGREE, flip};
 use crate::{DisplayImage, Error, Result};
 
 /// Every measure of image A against image B.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 pub struct ErrorReport {
     /// Root of the mean squared difference over all channels, in levels of 0 to 255.
     pub rmse: f64,

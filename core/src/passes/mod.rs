@@ -11,6 +11,8 @@
 //! | compact_a2 | Kim 2016, Step-III-b | `passes/compact.wgsl` |
 //! | trace_a2 | Kim 2016, Step-III-c | `passes/trace.wgsl` |
 //! | resolve | Kim 2016, 6.1 ("Sampling") | `passes/resolve.wgsl` |
+//! | checkerboard | a baseline | `passes/checkerboard.wgsl` |
+//! | fill | a baseline | `passes/fill.wgsl` |
 
 mod constants;
 #[cfg(test)]
@@ -57,12 +59,16 @@ pub enum Stage {
     TraceA2,
     /// Pixels from their samples.
     Resolve,
+    /// Every second pixel.
+    Checkerboard,
+    /// The other pixels.
+    Fill,
 }
 
 impl Stage {
     /// Every stage.
     #[cfg(test)]
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 11] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -72,6 +78,8 @@ impl Stage {
         Self::CompactA2,
         Self::TraceA2,
         Self::Resolve,
+        Self::Checkerboard,
+        Self::Fill,
     ];
 
     /// Its name everywhere: GPU label, timing row.
@@ -87,6 +95,8 @@ impl Stage {
             Self::CompactA2 => "compact_a2",
             Self::TraceA2 => "trace_a2",
             Self::Resolve => "resolve",
+            Self::Checkerboard => "checkerboard",
+            Self::Fill => "fill",
         }
     }
 
@@ -99,6 +109,8 @@ impl Stage {
             Self::SimilarityA2 => wgsl!("passes/similarity_a2.wgsl"),
             Self::TraceA1 | Self::TraceA2 => wgsl!("passes/trace.wgsl"),
             Self::Resolve => wgsl!("passes/resolve.wgsl"),
+            Self::Checkerboard => wgsl!("passes/checkerboard.wgsl"),
+            Self::Fill => wgsl!("passes/fill.wgsl"),
         }
     }
 }

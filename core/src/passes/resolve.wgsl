@@ -10,8 +10,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     var sum = vec3f(0.0);
     for (var y = 0u; y < SAMPLING; y += 1u) {
         for (var x = 0u; x < SAMPLING; x += 1u) {
-            let place = samples_place(SAMPLING * pixel + vec2u(x, y));
-            sum += vec3f(samples[place], samples[place + 1u], samples[place + 2u]);
+            sum += samples_load(SAMPLING * pixel + vec2u(x, y));
         }
     }
     output(pixel, sum / f32(SAMPLING * SAMPLING));

@@ -10,8 +10,21 @@ pub enum Output {
     Display,
     /// Linear radiance, 32-bit floating point.
     Linear,
+    /// Linear radiance of samples that pixels are made of later.
+    Samples,
     /// Nowhere: counting kernels of frames with several samples a pixel.
     Nowhere,
+}
+
+impl Output {
+    fn sources(self) -> Vec<Source> {
+        match self {
+            Self::Display => vec![wgsl!("wgsl/output_display.wgsl")],
+            Self::Linear => vec![wgsl!("wgsl/output_linear.wgsl")],
+            Self::Samples => vec![wgsl!("wgsl/samples.wgsl"), wgsl!("wgsl/output_samples.wgsl")],
+            Self::Nowhere => vec![wgsl!("wgsl/output_nowhere.wgsl")],
+        }
+    }
 }
 
 /// What decides which pieces a kernel is made of.
@@ -100,13 +113,14 @@ impl Variant {
                 stage.entry(),
             ]),
             Stage::Full | Stage::Base => self.tracing_sources([stage.entry()]),
-            Stage::Resolve => vec![
-                self.constants(),
-                wgsl!("wgsl/frame.wgsl"),
-                wgsl!("wgsl/samples.wgsl"),
-                self.output(),
-                stage.entry(),
-            ],
+            Stage::Checkerboard => Self { output: Output::Samples, ..*self }.tracing_sources([stage.entry()]),
+            Stage::Resolve | Stage::Fill => {
+                let mut sources = self.pixel_sources();
+                sources.push(wgsl!("wgsl/samples.wgsl"));
+                sources.extend(self.output.sources());
+                sources.push(stage.entry());
+                sources
+            }
             Stage::TraceA1 | Stage::TraceA2 => self.tracing_sources([wgsl!("wgsl/list.wgsl"), stage.entry()]),
         }
     }
@@ -155,32 +169,28 @@ impl Variant {
 
     fn shading_sources<const N: usize>(&self, rest: [Source; N]) -> Vec<Source> {
         let f = &self.features;
-        let mut sources = vec![
-            self.constants(),
-            wgsl!("wgsl/frame.wgsl"),
-            wgsl!("wgsl/octahedral.wgsl"),
-            wgsl!("wgsl/attributes.wgsl"),
-            if self.inspect { wgsl!("wgsl/inspect_counters.wgsl") } else { wgsl!("wgsl/inspect_none.wgsl") },
+        let mut sources = self.pixel_sources();
+        sources.extend([
             wgsl!("wgsl/object.wgsl"),
             if f.textures { wgsl!("wgsl/texture_atlas.wgsl") } else { wgsl!("wgsl/texture_none.wgsl") },
             wgsl!("wgsl/fresnel.wgsl"),
             wgsl!("wgsl/material.wgsl"),
             if f.lights { wgsl!("wgsl/lights_punctual.wgsl") } else { wgsl!("wgsl/lights_none.wgsl") },
-        ];
-        if self.sampling == 1 || self.output == Output::Nowhere {
-            sources.push(self.output());
-        } else {
-            sources.extend([wgsl!("wgsl/samples.wgsl"), wgsl!("wgsl/output_samples.wgsl")]);
-        }
+        ]);
+        let pixels = self.sampling == 1 || self.output == Output::Nowhere;
+        sources.extend(if pixels { self.output } else { Output::Samples }.sources());
         sources.extend(rest);
         sources
     }
 
-    fn output(&self) -> Source {
-        match self.output {
-            Output::Display => wgsl!("wgsl/output_display.wgsl"),
-            Output::Linear => wgsl!("wgsl/output_linear.wgsl"),
-            Output::Nowhere => wgsl!("wgsl/output_nowhere.wgsl"),
-        }
+    /// What every kernel of pixels begins with.
+    fn pixel_sources(&self) -> Vec<Source> {
+        vec![
+            self.constants(),
+            wgsl!("wgsl/frame.wgsl"),
+            wgsl!("wgsl/octahedral.wgsl"),
+            wgsl!("wgsl/attributes.wgsl"),
+            if self.inspect { wgsl!("wgsl/inspect_counters.wgsl") } else { wgsl!("wgsl/inspect_none.wgsl") },
+        ]
     }
 }

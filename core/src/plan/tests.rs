@@ -27,7 +27,11 @@ fn grid_of(size: [u32; 2], sampling: u32) -> [u32; 2] {
 }
 
 fn plans() -> impl Iterator<Item = (Shape, Plan)> {
-    shapes().flat_map(|s| [(s, Plan::new(Method::Full, &s)), (s, Plan::new(Method::Adaptive, &s))])
+    let whole = |s: &Shape| Shape { sampling: 1, band: u32::MAX, ..*s };
+    shapes().flat_map(move |s| {
+        let checkerboard = (whole(&s), Plan::new(Method::Checkerboard, &whole(&s)));
+        [(s, Plan::new(Method::Full, &s)), (s, Plan::new(Method::Adaptive, &s)), checkerboard]
+    })
 }
 
 #[test]
@@ -136,7 +140,7 @@ fn bands_hold_whole_blocks_and_whole_pixels() {
 
 #[test]
 fn small_frames_are_one_submission_of_one_dispatch_a_stage() {
-    for (method, stages) in [(Method::Full, 1), (Method::Adaptive, 7)] {
+    for (method, stages) in [(Method::Full, 1), (Method::Adaptive, 7), (Method::Checkerboard, 2)] {
         let shape = Shape { grid: [450, 450], sampling: 1, block: 2, band: 1024 };
         let submissions = Plan::new(method, &shape).submissions();
         assert_eq!(submissions.iter().map(Vec::len).collect::<Vec<_>>(), [stages], "{method:?}");

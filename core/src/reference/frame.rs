@@ -1,4 +1,4 @@
-//! A frame: its primary rays, `full` and `adaptive`. Every pixel is worked out by itself, with all that it depends on.
+//! A frame: its primary rays, `full`, `adaptive` and `checkerboard`. Every pixel is worked out by itself, with all that it depends on.
 
 use glam::DVec3;
 
@@ -60,6 +60,19 @@ impl Frame<'_> {
         let mut sample = self.reference.sample(&ray, &Limits::of(&self.settings), rounding);
         sample.attributes.depth /= length;
         sample
+    }
+
+    /// Linear radiance of a pixel of a checkerboard frame: the dark squares are traced, a light one is the average of its
+    /// traced neighbours.
+    #[must_use]
+    pub fn checkerboard(&self, [x, y]: [u32; 2], rounding: &mut Rounding) -> DVec3 {
+        if (x + y).is_multiple_of(2) {
+            return self.traced([x, y], rounding).color;
+        }
+        let around = [(x.wrapping_sub(1), y), (x + 1, y), (x, y.wrapping_sub(1)), (x, y + 1)];
+        let inside = around.into_iter().filter(|(x, y)| *x < self.size[0] && *y < self.size[1]);
+        let colors: Vec<DVec3> = inside.map(|(x, y)| self.traced([x, y], rounding).color).collect();
+        colors.iter().sum::<DVec3>() / colors.len() as f64
     }
 
     /// A pixel of an adaptive frame. `decided` says how pixels came to be, where that is not the reference's to decide:

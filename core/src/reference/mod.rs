@@ -6,7 +6,7 @@
 //! | [`Reference::first`], [`Reference::occluded`], [`Reference::shadow_bits`] | `hit_*.wgsl`, `shadow_rays.wgsl` |
 //! | [`Reference::surface`], [`Reference::texture`], [`Reference::material`], [`Reference::arrival`] | `surface.wgsl`, `texture_atlas.wgsl`, `material.wgsl`, `lights_punctual.wgsl` |
 //! | [`Reference::sample`] | `sample.wgsl`, `bounce_*.wgsl` |
-//! | [`Frame::ray`], [`Frame::traced`], [`Frame::adaptive`] | `frame.wgsl`, the passes |
+//! | [`Frame::ray`], [`Frame::traced`], [`Frame::adaptive`], [`Frame::checkerboard`] | `frame.wgsl`, the passes |
 //! | [`Frame::failed`], [`Frame::interpolated`], [`Frame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes.wgsl` |
 //!
 //! Shared with what it judges: the [`Scene`] in main memory (with its normals in octahedral words, for that is what the

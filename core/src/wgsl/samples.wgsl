@@ -5,3 +5,8 @@ var<storage, read_write> samples: array<f32>;
 fn samples_place(sample: vec2u) -> u32 {
     return 3u * (frame_folded(sample.y) * frame.size.x + sample.x);
 }
+
+fn samples_load(sample: vec2u) -> vec3f {
+    let place = samples_place(sample);
+    return vec3f(samples[place], samples[place + 1u], samples[place + 2u]);
+}

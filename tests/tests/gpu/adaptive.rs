@@ -50,7 +50,7 @@ fn strictest_tolerances_give_the_full_frame_bit_for_bit() {
 fn leaving_out_changes_nothing() {
     for scene in SCENES {
         let stage = Stage::builtin(scene);
-        for method in [Method::Full, Method::Adaptive] {
+        for method in [Method::Full, Method::Adaptive, Method::Checkerboard] {
             let settings = Settings { method, ..Settings::default() };
             let all = Settings { features: Linking::All, ..settings };
             let what = format!("{scene}, {method:?}");

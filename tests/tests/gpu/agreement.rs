@@ -81,6 +81,8 @@ fn agree_in_adaptive_frames(name: &str, pair: &Pair) {
     adaptive.decisions().check(&format!("{name}, adaptive, checks"), SHARES);
     adaptive.adaptive_hits().check(&format!("{name}, adaptive, attributes"), SHARES);
     adaptive.adaptive_colors().check(&format!("{name}, adaptive, radiance"), SHARES);
+    let checkerboard = pair.frames(Method::Checkerboard);
+    checkerboard.checkerboard_colors().check(&format!("{name}, checkerboard, radiance"), SHARES);
     let other = adaptive.other_origins();
     note(&format!("{name}, adaptive: {other} pixels come to be in another way in f64 alone"));
 }

@@ -31,7 +31,7 @@ fn a_phone_takes_every_pass_at_qhd() {
         let scene = builtin(name).unwrap();
         let camera = *scene.camera(None).unwrap();
         let scene = GpuScene::upload(&gpu, scene).unwrap();
-        for method in [Method::Full, Method::Adaptive] {
+        for method in [Method::Full, Method::Adaptive, Method::Checkerboard] {
             for features in [Linking::Auto, Linking::All] {
                 let settings = Settings { method, features, ..Settings::default() };
                 let mut renderer = Renderer::new(&gpu, &scene, [2560, 1440], &settings).unwrap();

@@ -131,6 +131,10 @@ impl Frames<'_> {
         })
     }
 
+    pub fn checkerboard_colors(&self) -> Tally {
+        self.tally(|p| judge(&self.found_color(p), |r| Answer::radiance(self.frame.checkerboard(p, r))))
+    }
+
     /// The adaptive frame that the reference makes on its own: pixels that came to be in another way.
     pub fn other_origins(&self) -> usize {
         let other = self.tally(|p| {

@@ -1,0 +1,190 @@
+//! The measuring itself: what is not kept yet is rendered.
+
+use anyhow::Context;
+use glimpse::{DisplayImage, Gpu, Renderer, Settings, metrics};
+
+use super::complete::complete;
+use super::job::Job;
+use super::ladder::Rung;
+use super::record::{Frame, Record};
+use super::store::Store;
+use super::subject::{Prepared, Subject, Subjects};
+use super::upscale::bilinear;
+use crate::measure::timed;
+use crate::progress::Progress;
+
+/// What counting the rays costs, in warm frames.
+const LOOK: u64 = 2;
+
+/// Everything that measurements need besides a scene.
+pub struct Bench<'b> {
+    /// The device.
+    pub gpu: &'b Gpu,
+    /// Its name with the driver.
+    pub adapter: String,
+    /// Fingerprint of the program.
+    pub program: String,
+    /// Where results are kept.
+    pub store: &'b Store,
+    /// Warm frames of each setting.
+    pub frames: usize,
+    /// Recursion and features.
+    pub base: Settings,
+}
+
+/// A job with what is kept of it.
+pub struct Known {
+    /// What is to be measured.
+    pub job: Job,
+    /// Of each setting.
+    pub identities: Vec<String>,
+    /// The converged frame, where errors are measured against one.
+    pub converged: Option<(Rung, String)>,
+    recalled: Vec<Option<Record>>,
+    has_converged: bool,
+}
+
+/// A job with its results.
+pub struct Measured {
+    /// What was measured.
+    pub job: Job,
+    /// Of each setting.
+    pub identities: Vec<String>,
+    /// The name under which the converged frame is kept.
+    pub converged: Option<String>,
+    /// Of each setting.
+    pub records: Vec<Record>,
+}
+
+impl Bench<'_> {
+    /// What is kept of a job.
+    pub fn recall(&self, scene: &Prepared, job: Job) -> anyhow::Result<Known> {
+        let identities = job.identities(&self.program, &self.adapter, scene)?;
+        let converged =
+            job.is_ladder().then(|| job.converged(&self.program, scene, &self.base)).transpose()?;
+        let picture = |identity: &str| self.store.picture(identity, job.shown).is_some();
+        let recalled = identities.iter().zip(&job.rungs).map(|(identity, rung)| {
+            self.store.record(identity).filter(|_| !rung.keeps_picture || picture(identity))
+        });
+        let recalled = recalled.collect();
+        let has_converged = converged.as_ref().is_none_or(|(_, identity)| picture(identity));
+        Ok(Known { job, identities, converged, recalled, has_converged })
+    }
+
+    /// Renders what is missing.
+    pub fn measure(
+        &self,
+        subjects: &mut Subjects<'_>,
+        scene: &Prepared,
+        known: Known,
+        progress: &Progress,
+    ) -> anyhow::Result<Measured> {
+        let Known { job, identities, converged, recalled, has_converged } = known;
+        let done = has_converged && recalled.iter().all(|r| lacking(r.as_ref(), self.frames) == 0);
+        let converged_identity = converged.as_ref().map(|(_, identity)| identity.clone());
+        if done {
+            let records = recalled.into_iter().flatten().collect();
+            return Ok(Measured { job, identities, converged: converged_identity, records });
+        }
+        progress.doing(&format!("{}: loading", scene.name));
+        let subject = subjects.get(job.variant)?;
+        if let Some((rung, identity)) = converged.filter(|_| !has_converged) {
+            progress.doing(&format!("{}: 256 samples a pixel", scene.name));
+            let picture = self.warm(subject, scene, &job, &rung)?.display_image()?;
+            self.store.keep_picture(&identity, &picture)?;
+            progress.steps(rung.samples());
+        }
+        let against = |index: usize| match &converged_identity {
+            Some(identity) => Some(identity),
+            None => (index > 0).then(|| &identities[0]),
+        };
+        let camera = job.camera(scene);
+        let records = complete(
+            self.store,
+            recalled,
+            self.frames,
+            |index| {
+                let rung = &job.rungs[index];
+                progress.doing(&format!("{}: {}", scene.name, rung.name));
+                let renderer = self.warm(subject, scene, &job, rung);
+                progress.steps(rung.samples());
+                renderer
+            },
+            |index, renderer| {
+                let rung = &job.rungs[index];
+                let picture = shown(renderer.display_image()?, job.shown);
+                let error = match against(index) {
+                    Some(identity) => Some(metrics::compare(&picture, &self.reference(identity, &job)?)?),
+                    None => None,
+                };
+                if rung.keeps_picture {
+                    self.store.keep_picture(&identities[index], &picture)?;
+                }
+                let inspection = renderer.inspect(&camera)?;
+                progress.steps(LOOK * rung.samples());
+                let identity = identities[index].clone();
+                Ok(Record::new(identity, job.shown, &inspection, &subject.reflects, error))
+            },
+            |index, renderer| {
+                let (frame, ms) = timed(|| renderer.render(&camera))?;
+                progress.steps(job.rungs[index].samples());
+                // Adapters without timestamps measure nothing.
+                Ok(if frame.passes.is_empty() { Frame { ms, passes: vec![] } } else { frame.into() })
+            },
+        )?;
+        Ok(Measured { job, identities, converged: converged_identity, records })
+    }
+
+    /// The kept picture that errors are measured against.
+    fn reference(&self, identity: &str, job: &Job) -> anyhow::Result<DisplayImage> {
+        let picture = self.store.picture(identity, job.shown);
+        picture.context("the reference picture is gone: it was removed while Glimpse was measuring")
+    }
+
+    /// Compiled, and past its first frame, in which drivers finish compiling.
+    fn warm<'s>(
+        &'s self,
+        subject: &'s Subject,
+        scene: &Prepared,
+        job: &Job,
+        rung: &Rung,
+    ) -> anyhow::Result<Renderer<'s>> {
+        let name = || format!("{}: {}", scene.name, rung.name);
+        let mut renderer =
+            Renderer::new(self.gpu, &subject.scene, rung.rendered, &rung.settings).with_context(name)?;
+        renderer.render(&job.camera(scene)).with_context(name)?;
+        Ok(renderer)
+    }
+}
+
+impl Known {
+    /// The settings that are complete, and how many there are.
+    pub fn complete(&self, frames: usize) -> [usize; 2] {
+        let complete = self.recalled.iter().filter(|r| lacking(r.as_ref(), frames) == 0);
+        [complete.count(), self.recalled.len()]
+    }
+
+    /// Samples that are still to be rendered.
+    pub fn work(&self, frames: usize) -> u64 {
+        let converged = self.converged.as_ref().filter(|_| !self.has_converged);
+        let rungs = self.job.rungs.iter().zip(&self.recalled);
+        rungs.map(|(rung, recalled)| rung.samples() * lacking(recalled.as_ref(), frames)).sum::<u64>()
+            + converged.map_or(0, |(rung, _)| rung.samples())
+    }
+}
+
+/// Frames that are still to be rendered, warm-up and counting included.
+fn lacking(record: Option<&Record>, frames: usize) -> u64 {
+    match record {
+        None => 1 + LOOK + frames as u64,
+        Some(record) => match frames.saturating_sub(record.frames.len()) {
+            0 => 0,
+            more => 1 + more as u64,
+        },
+    }
+}
+
+/// As it is shown: at the frame's size.
+fn shown(picture: DisplayImage, size: [u32; 2]) -> DisplayImage {
+    if <[u32; 2]>::from(picture.dimensions()) == size { picture } else { bilinear(&picture, size) }
+}
