@@ -52,7 +52,13 @@ impl Targets {
         let list_bytes = if adaptive { 4 } else { 0 };
         let row_bytes = u64::from(grid[0]) * sample_bytes.max(attribute_bytes.div_ceil(2)).max(list_bytes);
         let band = plan::band_rows(settings.sampling, BAND_BYTES / row_bytes.max(1));
-        let shape = Shape { grid, sampling: settings.sampling, block: settings.block, band };
+        let shape = Shape {
+            grid,
+            sampling: settings.sampling,
+            block: settings.block,
+            band,
+            postcorrect: settings.postcorrect,
+        };
         let plan = Plan::new(settings.method, &shape);
         let rows = u64::from(plan.stored_rows);
         let width = u64::from(grid[0]);

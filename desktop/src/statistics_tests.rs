@@ -165,7 +165,7 @@ pub fn inspection(pixels: &[(Origin, u32)]) -> Inspection {
         depth: f32::INFINITY,
         normal: [0.0; 3],
     };
-    Inspection { counts: Counts::default(), pixels: pixels.iter().map(record).collect() }
+    Inspection { counts: Counts::default(), pixels: pixels.iter().map(record).collect(), uncorrected: 0 }
 }
 
 #[test]
