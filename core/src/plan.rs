@@ -5,7 +5,7 @@
 //! (`DRM_MSM_HANGCHECK_DEFAULT_PERIOD`, msm). A slow phone traces 10 million rays a second, a sample takes about 4 (itself,
 //! shadows, one or two bounces). [`SAMPLES_PER_SUBMISSION`] of them take 0.1 s there: a fifth of the strictest limit.
 
-use crate::{Method, passes::Stage};
+use crate::{Method, Postcorrect, passes::Stage};
 
 mod bands;
 #[cfg(test)]
@@ -23,6 +23,12 @@ pub const SAMPLES_PER_SUBMISSION: u32 = 1 << 18;
 /// Pixels that an interpolating pass treats in the time of one traced sample (measured: 13 % of a frame's time for 3/4 of
 /// its pixels, against 87 % for the 31 % that are traced).
 const INTERPOLATED_PER_TRACED: u32 = 16;
+
+/// Rounds of the postcorrection, see `postcorrect.wgsl`. One in which nothing is left takes 0.1 ms.
+pub const ROUNDS: u32 = 16;
+
+/// The most samples that one round traces.
+pub const ROUND_SAMPLES: u32 = SAMPLES_PER_SUBMISSION / 4;
 
 /// Sides of the tiles that a workgroup of 64 and of 256 threads treats.
 const TRACED_TILE: u32 = 8;
@@ -97,6 +103,8 @@ pub struct Shape {
     pub block: u32,
     /// Rows of samples of a band, see [`band_rows`].
     pub band: u32,
+    /// What is traced again.
+    pub postcorrect: Postcorrect,
 }
 
 impl Plan {
@@ -107,11 +115,14 @@ impl Plan {
             plan.stored_rows = plan.stored_rows.max(band.end - band.first);
             match method {
                 Method::Full => plan.push(tiles(Stage::Full, shape.grid[0], band.rows(1, band.own))),
-                Method::Adaptive => plan.adaptive(shape, &band),
                 Method::Checkerboard => {
                     let (width, rows) = (shape.grid[0], band.rows(1, band.own));
                     plan.push(tiles(Stage::Checkerboard, width.div_ceil(2), rows));
                     plan.push(tiles(Stage::Fill, width, rows));
+                }
+                Method::Adaptive => {
+                    plan.adaptive(shape, &band);
+                    plan.postcorrect(shape, &band);
                 }
             }
             if shape.sampling > 1 {
@@ -136,6 +147,24 @@ impl Plan {
             let (rows, columns) = (band.between(stride), width.div_ceil(stride / 2));
             self.push(tiles(Stage::SimilarityA2, columns, rows));
             self.traces([Stage::CompactA2, Stage::TraceA2], columns, rows);
+        }
+    }
+
+    /// Kim 2016, section 4, inside the band.
+    fn postcorrect(&mut self, shape: &Shape, band: &Band) {
+        let rows = band.rows(1, [band.first, band.end]);
+        let samples = shape.grid[0] * rows.count();
+        match shape.postcorrect {
+            Postcorrect::Auto | Postcorrect::Off | Postcorrect::Scans => {}
+            Postcorrect::Objects | Postcorrect::On => {
+                self.longest_list = self.longest_list.max(samples);
+                self.push(once(Stage::CompactSeed, rows));
+                self.push(chunks(Stage::PostcorrectSeed, samples, rows));
+                for _ in 0..ROUNDS {
+                    self.push(once(Stage::CompactPostcorrect, rows));
+                    self.push(chunks(Stage::Postcorrect, samples.min(ROUND_SAMPLES), rows));
+                }
+            }
         }
     }
 
@@ -210,6 +239,7 @@ fn tiles(stage: Stage, columns: u32, rows: Rows) -> Vec<Part> {
 
 /// A stage that works through a list of at most that many samples.
 fn chunks(stage: Stage, longest: u32, rows: Rows) -> Vec<Part> {
+    let per_sample = if stage == Stage::PostcorrectSeed { INTERPOLATED_PER_TRACED } else { 1 };
     let count = longest.div_ceil(SAMPLES_PER_SUBMISSION).max(1);
     let part = |chunk: u32| {
         let first = chunk * SAMPLES_PER_SUBMISSION;
@@ -220,7 +250,7 @@ fn chunks(stage: Stage, longest: u32, rows: Rows) -> Vec<Part> {
             first,
             extent: Extent::Chunk(chunk),
             bounds: [chunk == 0, chunk + 1 == count],
-            samples: SAMPLES_PER_SUBMISSION.min(longest - first),
+            samples: SAMPLES_PER_SUBMISSION.min(longest - first) / per_sample,
         }
     };
     (0..count).map(part).collect()

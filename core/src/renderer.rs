@@ -4,11 +4,11 @@ use glam::Vec3;
 
 use crate::{
     Camera, Cost, Counts, DisplayImage, Error, FailedChecks, FrameTime, Gpu, GpuScene, Inspection,
-    LinearImage, Memory, Origin, PixelRecord, Rays, Result, Samples, Settings,
+    LinearImage, Memory, Method, Origin, PixelRecord, Postcorrect, Rays, Result, Samples, Settings,
     frame::{self, Frame, Passes},
     passes::{
-        COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS, COUNTER_RAYS,
-        COUNTER_WORDS, Output, Variant,
+        COUNTER_CLAIMED, COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS,
+        COUNTER_RAYS, COUNTER_WORDS, Output, Variant,
     },
     scene::octahedral_decode,
     targets::{Targets, inspection_buffer, texture},
@@ -32,10 +32,17 @@ impl<'a> Renderer<'a> {
     /// Invalid settings or size, or a device that cannot.
     pub fn new(gpu: &'a Gpu, scene: &'a GpuScene, size: [u32; 2], settings: &Settings) -> Result<Self> {
         settings.validate()?;
-        let variant = Variant::new(scene, settings);
-        let targets = Targets::new(gpu, &variant, settings, size)?;
+        let settings = resolved(settings, scene, size);
+        let variant = Variant::new(scene, &settings);
+        let targets = Targets::new(gpu, &variant, &settings, size)?;
         let passes = Passes::new(gpu, scene, &targets, &variant, &targets.display, None)?;
-        Ok(Self { gpu, scene, settings: *settings, targets, passes, inspecting: None, linear: None })
+        Ok(Self { gpu, scene, settings, targets, passes, inspecting: None, linear: None })
+    }
+
+    /// What frames are made by: as wished, with what `auto` has come to.
+    #[must_use]
+    pub fn settings(&self) -> &Settings {
+        &self.settings
     }
 
     /// Renders a frame and waits for it; the timed path: nothing is counted.
@@ -129,13 +136,26 @@ impl<'a> Renderer<'a> {
     }
 }
 
+/// The settings with a decision about postcorrection.
+fn resolved(settings: &Settings, scene: &GpuScene, [_, height]: [u32; 2]) -> Settings {
+    let thin = || scene.is_thin(height.saturating_mul(settings.sampling), settings.block);
+    let postcorrect = match (settings.method, settings.postcorrect) {
+        (Method::Full | Method::Checkerboard, _) => Postcorrect::Off,
+        (Method::Adaptive, Postcorrect::Auto) if thin() => Postcorrect::On,
+        (Method::Adaptive, Postcorrect::Auto) => Postcorrect::Off,
+        (Method::Adaptive, wished) => wished,
+    };
+    Settings { postcorrect, ..*settings }
+}
+
 fn inspection(bytes: &[u8], grid: [u32; 2], recorded: u64) -> Result<Inspection> {
     let (counters, records) = bytes.split_at(4 * COUNTER_WORDS);
     let words: Vec<u32> = bytemuck::pod_collect_to_vec(counters);
     let counter = |i: usize| u64::from(words[2 * i]) | u64::from(words[2 * i + 1]) << 32;
     let rays: [u64; 4] = std::array::from_fn(|i| counter(COUNTER_RAYS + i));
-    let origins: [u64; 4] = std::array::from_fn(|i| counter(COUNTER_ORIGINS + i));
+    let origins: [u64; 5] = std::array::from_fn(|i| counter(COUNTER_ORIGINS + i));
     let failed: [u64; 7] = std::array::from_fn(|i| counter(COUNTER_FAILED + i));
+    let postcorrected = origins[Origin::Postcorrected as usize];
     let records = records.chunks_exact(size_of::<frame::PixelRecord>()).map(bytemuck::pod_read_unaligned);
     Ok(Inspection {
         counts: Counts {
@@ -151,8 +171,9 @@ fn inspection(bytes: &[u8], grid: [u32; 2], recorded: u64) -> Result<Inspection>
                 base: origins[Origin::Base as usize],
                 traced_a1: origins[Origin::TracedA1 as usize],
                 traced_a2: origins[Origin::TracedA2 as usize],
-                postcorrected: 0,
-                interpolated: origins[Origin::Interpolated as usize],
+                postcorrected,
+                // What was traced again had been interpolated.
+                interpolated: origins[Origin::Interpolated as usize].saturating_sub(postcorrected),
             },
             cost: Cost {
                 node_visits: counter(COUNTER_NODE_VISITS),
@@ -169,6 +190,7 @@ fn inspection(bytes: &[u8], grid: [u32; 2], recorded: u64) -> Result<Inspection>
                 gcol: failed[6],
             },
         },
+        uncorrected: counter(COUNTER_CLAIMED).saturating_sub(postcorrected),
         pixels: records.take(recorded as usize).map(|record| pixel_record(&record)).collect(),
     })
 }
@@ -180,6 +202,7 @@ fn pixel_record(record: &frame::PixelRecord) -> PixelRecord {
             0 => Origin::Base,
             1 => Origin::TracedA1,
             2 => Origin::TracedA2,
+            4 => Origin::Postcorrected,
             _ => Origin::Interpolated,
         },
         failed: record.failed,

@@ -129,6 +129,8 @@ pub enum Origin {
     TracedA2 = 2,
     /// Step-II-a or III-a.
     Interpolated = 3,
+    /// Step-IV.
+    Postcorrected = 4,
 }
 
 /// The seven checks as bits of [`PixelRecord::failed`], in the order of [`FailedChecks`].
@@ -158,4 +160,6 @@ pub struct Inspection {
     pub counts: Counts,
     /// Row by row from the top left, `width * height`; empty where pixels have several samples.
     pub pixels: Vec<PixelRecord>,
+    /// Samples that postcorrection found and did not come to: they are interpolated.
+    pub uncorrected: u64,
 }

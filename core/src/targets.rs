@@ -55,7 +55,13 @@ impl Targets {
         let band = plan::band_rows(settings.sampling, BAND_BYTES / row_bytes.max(1));
         // Its second pass looks across the borders of bands.
         let band = if checkerboard { u32::MAX } else { band };
-        let shape = Shape { grid, sampling: settings.sampling, block: settings.block, band };
+        let shape = Shape {
+            grid,
+            sampling: settings.sampling,
+            block: settings.block,
+            band,
+            postcorrect: settings.postcorrect,
+        };
         let plan = Plan::new(settings.method, &shape);
         let rows = u64::from(plan.stored_rows);
         let width = u64::from(grid[0]);

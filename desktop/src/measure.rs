@@ -123,14 +123,14 @@ impl Plan<'_> {
             }
         }
         let mut runs = Vec::with_capacity(self.methods.len());
-        for ((settings, (mut renderer, compile_ms)), frames) in self.methods.iter().zip(renderers).zip(frames)
-        {
+        for ((mut renderer, compile_ms), frames) in renderers.into_iter().zip(frames) {
             progress.doing(&format!("{name}: counting"));
+            let settings = *renderer.settings();
             let picture = renderer.display_image()?;
             let memory = renderer.memory();
             let inspection = renderer.inspect(camera)?;
             let linear = self.linear.then(|| renderer.linear_image(camera)).transpose()?;
-            runs.push(Run { settings: *settings, compile_ms, frames, picture, linear, inspection, memory });
+            runs.push(Run { settings, compile_ms, frames, picture, linear, inspection, memory });
             progress.step();
         }
         Ok(runs)

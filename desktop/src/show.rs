@@ -8,11 +8,12 @@ use crate::output::grouped;
 type Rgb = [u8; 3];
 
 /// The colours of [`glimpse::Origin`], in its order.
-const ORIGINS: [(&str, &str, Rgb); 4] = [
+const ORIGINS: [(&str, &str, Rgb); 5] = [
     ("base", "white", [240, 240, 240]),
     ("traced in A1", "orange", [240, 150, 30]),
     ("traced in A2", "magenta", [210, 30, 130]),
     ("interpolated", "dark blue", [20, 50, 90]),
+    ("postcorrected", "green", [60, 200, 80]),
 ];
 const FAILED: Rgb = [255, 30, 20];
 const NOTHING: Rgb = [0, 0, 0];
@@ -39,7 +40,7 @@ pub fn picture(show: Show, frame: &DisplayImage, pixels: &[PixelRecord]) -> (Dis
 }
 
 fn origin(frame: &DisplayImage, pixels: &[PixelRecord]) -> (DisplayImage, String) {
-    let mut counts = [0_u64; 4];
+    let mut counts = [0_u64; 5];
     for pixel in pixels {
         counts[pixel.origin as usize] += 1;
     }
@@ -191,7 +192,8 @@ mod tests {
 
     #[test]
     fn colours_of_origins_are_distinct_and_in_the_order_of_the_type() {
-        let order = [Origin::Base, Origin::TracedA1, Origin::TracedA2, Origin::Interpolated];
+        let order =
+            [Origin::Base, Origin::TracedA1, Origin::TracedA2, Origin::Interpolated, Origin::Postcorrected];
         assert!(order.iter().enumerate().all(|(i, o)| *o as usize == i));
         for (i, a) in ORIGINS.iter().enumerate() {
             assert!(ORIGINS[..i].iter().all(|b| a.2 != b.2));

@@ -9,6 +9,6 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     }
     let traced = sample_trace(pixel);
     output(pixel, traced.color);
-    attributes_store(pixel, traced.attributes);
+    attributes_keep(pixel, traced.attributes, ATTRIBUTES_TRACED);
     inspect_pixel(pixel, ORIGIN_BASE, traced.attributes);
 }

@@ -1,4 +1,5 @@
 // Step-II-b and Step-III-b: the dense list is there, the dispatches that work through it are not yet.
+// What of it comes next: list_step.wgsl, list_all.wgsl, list_round.wgsl.
 
 struct Dispatch {
     x: u32,
@@ -12,8 +13,8 @@ var<storage, read_write> dispatch: array<Dispatch>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(local_invocation_index) local: u32) {
-    let begin = list.end;
-    let count = list.count - begin;
+    let begin = list_begin(list.end);
+    let count = list_end(list.count, begin) - begin;
     workgroupBarrier();
     for (var chunk = local; chunk < arrayLength(&dispatch); chunk += 64u) {
         let first = min(chunk * CHUNK_SAMPLES, count);

@@ -4,9 +4,9 @@ use std::fmt::Write as _;
 
 use super::Variant;
 use crate::{
-    MAX_RAYS, SAMPLES_PER_SUBMISSION, atlas,
+    MAX_RAYS, Postcorrect, SAMPLES_PER_SUBMISSION, atlas,
     gpu::shader::Source,
-    gpu_scene,
+    gpu_scene, plan,
     scene::OCTAHEDRAL_ERROR,
     stats::{CHECK_NAMES, Origin},
 };
@@ -51,9 +51,24 @@ pub const COUNTER_RAYS: usize = 0;
 pub const COUNTER_NODE_VISITS: usize = 4;
 pub const COUNTER_PRIMITIVE_TESTS: usize = 5;
 pub const COUNTER_ORIGINS: usize = 6;
-pub const COUNTER_FAILED: usize = 10;
+pub const COUNTER_FAILED: usize = 11;
+pub const COUNTER_CLAIMED: usize = 18;
 /// Words of all counters, low and high.
 pub const COUNTER_WORDS: usize = 64;
+
+/// The planes that the attribute buffer may have.
+const PLANES: [&str; 10] = [
+    "DEPTH",
+    "OBJECT",
+    "NORMAL",
+    "SHADOW",
+    "FACE",
+    "GCOL",
+    "TEXCOORD",
+    "COLOR",
+    "OBJECT_BETWEEN",
+    "SHADOW_BETWEEN",
+];
 
 impl Variant {
     /// Numbers that both sides need, as WGSL constants.
@@ -61,7 +76,7 @@ impl Variant {
         let f = &self.features;
         let mut text = String::new();
         let planes = self.planes();
-        for name in ["DEPTH", "OBJECT", "NORMAL", "SHADOW", "FACE", "GCOL", "TEXCOORD", "COLOR"] {
+        for name in PLANES {
             let index = planes.iter().position(|p| *p == name).unwrap_or(0);
             let _ = writeln!(text, "const PLANE_{name}: u32 = {index}u;");
         }
@@ -78,6 +93,8 @@ impl Variant {
             ("VERTEX_HAS_COLORS", self.has_colors),
             ("HAS_PANES", self.has_panes),
             ("HAS_RECORDS", self.sampling == 1),
+            ("HAS_POSTCORRECTION", self.postcorrects()),
+            ("COMPARES_SHADOWS", self.postcorrect != Postcorrect::Objects),
         ];
         for (name, value) in flags {
             let _ = writeln!(text, "const {name}: bool = {value};");
@@ -99,6 +116,9 @@ impl Variant {
             ("ORIGIN_TRACED_A1", Origin::TracedA1 as u32),
             ("ORIGIN_TRACED_A2", Origin::TracedA2 as u32),
             ("ORIGIN_INTERPOLATED", Origin::Interpolated as u32),
+            ("ORIGIN_POSTCORRECTED", Origin::Postcorrected as u32),
+            ("ROUNDS", plan::ROUNDS),
+            ("ROUND_SAMPLES", plan::ROUND_SAMPLES),
             ("TEXTURE_NEAREST", atlas::TEXTURE_NEAREST),
             ("TEXTURE_PRESENT", atlas::TEXTURE_PRESENT),
             ("WRAP_REPEAT", atlas::WRAP_REPEAT),
@@ -121,6 +141,7 @@ impl Variant {
             ("COUNTER_PRIMITIVE_TESTS", COUNTER_PRIMITIVE_TESTS as u32),
             ("COUNTER_ORIGINS", COUNTER_ORIGINS as u32),
             ("COUNTER_FAILED", COUNTER_FAILED as u32),
+            ("COUNTER_CLAIMED", COUNTER_CLAIMED as u32),
         ];
         for (name, value) in numbers {
             let _ = writeln!(text, "const {name}: u32 = {value}u;");

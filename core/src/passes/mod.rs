@@ -10,6 +10,10 @@
 //! | similarity_a2 | Kim 2016, Step-III-a | `passes/similarity_a2.wgsl` |
 //! | compact_a2 | Kim 2016, Step-III-b | `passes/compact.wgsl` |
 //! | trace_a2 | Kim 2016, Step-III-c | `passes/trace.wgsl` |
+//! | compact_seed | Kim 2016, 4; Step-IV | `passes/compact.wgsl` |
+//! | postcorrect_seed | Kim 2016, 4; Step-IV | `passes/postcorrect_seed.wgsl` |
+//! | compact_postcorrect | Kim 2016, 4; Step-IV | `passes/compact.wgsl` |
+//! | postcorrect | Kim 2016, 4; Step-IV | `passes/postcorrect.wgsl` |
 //! | resolve | Kim 2016, 6.1 ("Sampling") | `passes/resolve.wgsl` |
 //! | checkerboard | a baseline | `passes/checkerboard.wgsl` |
 //! | fill | a baseline | `passes/fill.wgsl` |
@@ -20,8 +24,8 @@ mod tests;
 mod variant;
 
 pub use constants::{
-    COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS, COUNTER_RAYS,
-    COUNTER_WORDS, TRACE_GROUP, TRACE_ROW,
+    COUNTER_CLAIMED, COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS,
+    COUNTER_RAYS, COUNTER_WORDS, TRACE_GROUP, TRACE_ROW,
 };
 pub use variant::{Output, Variant};
 
@@ -57,6 +61,14 @@ pub enum Stage {
     CompactA2,
     /// Step-III-c.
     TraceA2,
+    /// Step-IV: all that was listed so far.
+    CompactSeed,
+    /// Step-IV: neighbours of what was listed.
+    PostcorrectSeed,
+    /// Step-IV: the next round.
+    CompactPostcorrect,
+    /// Step-IV: neighbours of neighbours.
+    Postcorrect,
     /// Pixels from their samples.
     Resolve,
     /// Every second pixel.
@@ -68,7 +80,7 @@ pub enum Stage {
 impl Stage {
     /// Every stage.
     #[cfg(test)]
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 15] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -77,6 +89,10 @@ impl Stage {
         Self::SimilarityA2,
         Self::CompactA2,
         Self::TraceA2,
+        Self::CompactSeed,
+        Self::PostcorrectSeed,
+        Self::CompactPostcorrect,
+        Self::Postcorrect,
         Self::Resolve,
         Self::Checkerboard,
         Self::Fill,
@@ -94,6 +110,10 @@ impl Stage {
             Self::SimilarityA2 => "similarity_a2",
             Self::CompactA2 => "compact_a2",
             Self::TraceA2 => "trace_a2",
+            Self::CompactSeed => "compact_seed",
+            Self::PostcorrectSeed => "postcorrect_seed",
+            Self::CompactPostcorrect => "compact_postcorrect",
+            Self::Postcorrect => "postcorrect",
             Self::Resolve => "resolve",
             Self::Checkerboard => "checkerboard",
             Self::Fill => "fill",
@@ -105,7 +125,11 @@ impl Stage {
             Self::Full => wgsl!("passes/full.wgsl"),
             Self::Base => wgsl!("passes/base.wgsl"),
             Self::SimilarityA1 => wgsl!("passes/similarity_a1.wgsl"),
-            Self::CompactA1 | Self::CompactA2 => wgsl!("passes/compact.wgsl"),
+            Self::CompactA1 | Self::CompactA2 | Self::CompactSeed | Self::CompactPostcorrect => {
+                wgsl!("passes/compact.wgsl")
+            }
+            Self::PostcorrectSeed => wgsl!("passes/postcorrect_seed.wgsl"),
+            Self::Postcorrect => wgsl!("passes/postcorrect.wgsl"),
             Self::SimilarityA2 => wgsl!("passes/similarity_a2.wgsl"),
             Self::TraceA1 | Self::TraceA2 => wgsl!("passes/trace.wgsl"),
             Self::Resolve => wgsl!("passes/resolve.wgsl"),

@@ -4,7 +4,7 @@ use wgpu::naga::{AddressSpace, proc::Layouter};
 
 use super::{Output, Stage, Variant};
 use crate::{
-    Features, Robustness, frame, gpu,
+    Features, Postcorrect, Robustness, frame, gpu,
     gpu::{mirror::differences, shader::link},
     gpu_scene, probe,
 };
@@ -37,6 +37,7 @@ fn variants() -> impl Iterator<Item = Variant> {
         inspect,
         output,
         sampling: 1,
+        postcorrect: if bits & 8 != 0 { Postcorrect::Objects } else { Postcorrect::On },
         bvh_stack: 12,
         depth: 3,
         lights: 2,

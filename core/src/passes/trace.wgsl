@@ -11,8 +11,6 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     let pixel = list_pixel(list.pixels[index]);
     let traced = sample_trace(pixel);
     output(pixel, traced.color);
-    if attributes_stored(pixel) {
-        attributes_store(pixel, traced.attributes);
-    }
+    attributes_keep(pixel, traced.attributes, ATTRIBUTES_TRACED);
     inspect_pixel(pixel, select(ORIGIN_TRACED_A1, ORIGIN_TRACED_A2, list_between_rows(pixel)), traced.attributes);
 }

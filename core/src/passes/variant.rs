@@ -1,7 +1,7 @@
 //! What a kernel is made of: the only place that chooses WGSL files.
 
 use super::{Stage, wgsl};
-use crate::{Features, GpuScene, Linking, Robustness, Settings, gpu::shader::Source};
+use crate::{Features, GpuScene, Linking, Postcorrect, Robustness, Settings, gpu::shader::Source};
 
 /// Where colours go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +44,8 @@ pub struct Variant {
     pub output: Output,
     /// Samples along a side of a pixel.
     pub sampling: u32,
+    /// What is traced again.
+    pub postcorrect: Postcorrect,
     /// Groups on the traversal stack.
     pub bvh_stack: u32,
     /// Levels of rays.
@@ -71,6 +73,7 @@ impl Variant {
             inspect: false,
             output: Output::Display,
             sampling: settings.sampling,
+            postcorrect: settings.postcorrect,
             bvh_stack: scene.bvh_stack,
             depth: settings.depth,
             lights: scene.light_count,
@@ -85,6 +88,11 @@ impl Variant {
         (object_bits + self.lights < 32).then_some(object_bits)
     }
 
+    /// Is anything traced again?
+    pub(super) fn postcorrects(&self) -> bool {
+        matches!(self.postcorrect, Postcorrect::Objects | Postcorrect::On)
+    }
+
     /// The planes of the attribute buffer, in order.
     #[must_use]
     pub fn planes(&self) -> Vec<&'static str> {
@@ -95,6 +103,8 @@ impl Variant {
             ("GCOL", f.reflection || f.refraction),
             ("TEXCOORD", f.textures),
             ("COLOR", f.vertex_colors),
+            ("OBJECT_BETWEEN", self.postcorrects()),
+            ("SHADOW_BETWEEN", self.postcorrects() && self.shadow_shift().is_none()),
         ];
         let present = optional.into_iter().filter_map(|(name, there)| there.then_some(name));
         ["DEPTH", "OBJECT", "NORMAL"].into_iter().chain(present).collect()
@@ -104,10 +114,11 @@ impl Variant {
     #[must_use]
     pub fn sources(&self, stage: Stage) -> Vec<Source> {
         match stage {
-            Stage::CompactA1 | Stage::CompactA2 => {
-                vec![self.constants(), wgsl!("wgsl/list.wgsl"), stage.entry()]
-            }
+            Stage::CompactA1 | Stage::CompactA2 => self.compact_sources(stage, wgsl!("wgsl/list_step.wgsl")),
+            Stage::CompactSeed => self.compact_sources(stage, wgsl!("wgsl/list_all.wgsl")),
+            Stage::CompactPostcorrect => self.compact_sources(stage, wgsl!("wgsl/list_round.wgsl")),
             Stage::SimilarityA1 | Stage::SimilarityA2 => self.shading_sources([
+                wgsl!("wgsl/list_append.wgsl"),
                 wgsl!("wgsl/similarity.wgsl"),
                 wgsl!("passes/similarity_step.wgsl"),
                 stage.entry(),
@@ -115,14 +126,30 @@ impl Variant {
             Stage::Full | Stage::Base => self.tracing_sources([stage.entry()]),
             Stage::Checkerboard => Self { output: Output::Samples, ..*self }.tracing_sources([stage.entry()]),
             Stage::Resolve | Stage::Fill => {
-                let mut sources = self.pixel_sources();
+                let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
                 sources.push(wgsl!("wgsl/samples.wgsl"));
                 sources.extend(self.output.sources());
                 sources.push(stage.entry());
                 sources
             }
             Stage::TraceA1 | Stage::TraceA2 => self.tracing_sources([wgsl!("wgsl/list.wgsl"), stage.entry()]),
+            Stage::PostcorrectSeed => {
+                let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_claims.wgsl"));
+                sources.extend(postcorrect_sources(stage));
+                sources
+            }
+            Stage::Postcorrect => {
+                let mut sources = self.tracing_sources(postcorrect_sources(stage));
+                let planes = wgsl!("wgsl/attributes_planes.wgsl");
+                let claims = wgsl!("wgsl/attributes_claims.wgsl");
+                sources.iter_mut().filter(|s| **s == planes).for_each(|s| *s = claims.clone());
+                sources
+            }
         }
+    }
+
+    fn compact_sources(&self, stage: Stage, range: Source) -> Vec<Source> {
+        vec![self.constants(), wgsl!("wgsl/list.wgsl"), range, stage.entry()]
     }
 
     /// The sources of a kernel that traces rays and ends in these.
@@ -167,9 +194,21 @@ impl Variant {
         sources
     }
 
+    /// What a kernel needs that knows pixels and their attributes.
+    fn pixel_sources(&self, attributes: Source) -> Vec<Source> {
+        vec![
+            self.constants(),
+            wgsl!("wgsl/frame.wgsl"),
+            wgsl!("wgsl/octahedral.wgsl"),
+            wgsl!("wgsl/attributes.wgsl"),
+            attributes,
+            if self.inspect { wgsl!("wgsl/inspect_counters.wgsl") } else { wgsl!("wgsl/inspect_none.wgsl") },
+        ]
+    }
+
     fn shading_sources<const N: usize>(&self, rest: [Source; N]) -> Vec<Source> {
         let f = &self.features;
-        let mut sources = self.pixel_sources();
+        let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
         sources.extend([
             wgsl!("wgsl/object.wgsl"),
             if f.textures { wgsl!("wgsl/texture_atlas.wgsl") } else { wgsl!("wgsl/texture_none.wgsl") },
@@ -182,15 +221,13 @@ impl Variant {
         sources.extend(rest);
         sources
     }
+}
 
-    /// What every kernel of pixels begins with.
-    fn pixel_sources(&self) -> Vec<Source> {
-        vec![
-            self.constants(),
-            wgsl!("wgsl/frame.wgsl"),
-            wgsl!("wgsl/octahedral.wgsl"),
-            wgsl!("wgsl/attributes.wgsl"),
-            if self.inspect { wgsl!("wgsl/inspect_counters.wgsl") } else { wgsl!("wgsl/inspect_none.wgsl") },
-        ]
-    }
+fn postcorrect_sources(stage: Stage) -> [Source; 4] {
+    [
+        wgsl!("wgsl/list.wgsl"),
+        wgsl!("wgsl/list_append.wgsl"),
+        wgsl!("passes/postcorrect_step.wgsl"),
+        stage.entry(),
+    ]
 }

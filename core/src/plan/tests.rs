@@ -16,8 +16,15 @@ const SIZES: [[u32; 2]; 10] = [
 /// Frames of all sizes and blocks, in one band and in as many as there can be.
 fn shapes() -> impl Iterator<Item = Shape> {
     let of_size = |grid| {
-        [(2, 1, u32::MAX), (2, 1, 16), (4, 1, 48), (8, 1, 16), (8, 2, 1024), (2, 4, 64), (4, 3, 48)]
-            .map(|(block, sampling, band)| Shape { grid: grid_of(grid, sampling), sampling, block, band })
+        [(2, 1, u32::MAX), (2, 1, 16), (4, 1, 48), (8, 1, 16), (8, 2, 1024), (2, 4, 64), (4, 3, 48)].map(
+            |(block, sampling, band)| Shape {
+                grid: grid_of(grid, sampling),
+                sampling,
+                block,
+                band,
+                postcorrect: if block == 4 { Postcorrect::Off } else { Postcorrect::On },
+            },
+        )
     };
     SIZES.into_iter().flat_map(of_size)
 }
@@ -62,7 +69,7 @@ fn every_pass_is_covered_once() {
                     Extent::Groups([_, rows]) => rows,
                     Extent::Chunk(chunk) => {
                         assert_eq!(chunk as usize, i, "{shape:?} {part:?}");
-                        part.samples
+                        SAMPLES_PER_SUBMISSION
                     }
                 };
             }
@@ -141,7 +148,8 @@ fn bands_hold_whole_blocks_and_whole_pixels() {
 #[test]
 fn small_frames_are_one_submission_of_one_dispatch_a_stage() {
     for (method, stages) in [(Method::Full, 1), (Method::Adaptive, 7), (Method::Checkerboard, 2)] {
-        let shape = Shape { grid: [450, 450], sampling: 1, block: 2, band: 1024 };
+        let shape =
+            Shape { grid: [450, 450], sampling: 1, block: 2, band: 1024, postcorrect: Postcorrect::Off };
         let submissions = Plan::new(method, &shape).submissions();
         assert_eq!(submissions.iter().map(Vec::len).collect::<Vec<_>>(), [stages], "{method:?}");
     }

@@ -53,6 +53,11 @@ fn inspect_failed(pixel: vec2u, failed: u32) {
     }
 }
 
+// A pixel that postcorrection is to trace.
+fn inspect_claim() {
+    inspect_count(COUNTER_CLAIMED, 1u);
+}
+
 fn inspect_pixel(pixel: vec2u, origin: u32, attributes: Attributes) {
     for (var kind = 0u; kind < 4u; kind += 1u) {
         inspect_count(COUNTER_RAYS + kind, inspect_rays[kind]);

@@ -4,4 +4,5 @@ fn inspect_node() {}
 fn inspect_primitive() {}
 fn inspect_ray(kind: u32) {}
 fn inspect_pixel(pixel: vec2u, origin: u32, attributes: Attributes) {}
+fn inspect_claim() {}
 fn inspect_failed(pixel: vec2u, failed: u32) {}

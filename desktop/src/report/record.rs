@@ -161,7 +161,13 @@ pub mod tests {
             ..Counts::default()
         };
         let pixels = [Some(0), Some(1), Some(1), None].map(pixel).to_vec();
-        let record = Record::new("r".into(), [2, 2], &Inspection { counts, pixels }, &[false, true], None);
+        let record = Record::new(
+            "r".into(),
+            [2, 2],
+            &Inspection { counts, pixels, uncorrected: 0 },
+            &[false, true],
+            None,
+        );
         assert_eq!((record.reflective_share, record.rt_ratio, record.rays_per_pixel()), (0.5, 0.5, 3.0));
     }
 }

@@ -1,0 +1,17 @@
+// What both parts of the postcorrection share: a traced pixel and its four neighbours.
+
+// Nothing beyond the band is looked at.
+fn postcorrect_claim(pixel: vec2u, unlike: vec2u) -> bool {
+    let inside = pixel.x < frame.size.x && pixel.y >= frame.row && pixel.y < frame.end;
+    if !inside || !attributes_claim(pixel, unlike) {
+        return false;
+    }
+    inspect_claim();
+    return true;
+}
+
+// The neighbour on a side, 0 to 3; beyond the left and the upper border that is the largest number there is.
+fn postcorrect_neighbour(pixel: vec2u, side: u32) -> vec2u {
+    let step = 1u - (side & 2u);
+    return pixel + select(vec2u(step, 0u), vec2u(0u, step), (side & 1u) != 0u);
+}

@@ -1,0 +1,31 @@
+// The planes as postcorrection sees them: what they say of OID and SHDBIT stays, and a pixel that is to be traced is
+// claimed by one thread alone.
+
+var<storage, read_write> attributes: array<atomic<u32>>;
+
+// What postcorrection compares: OID, and SHDBIT if it is wished.
+fn attributes_identity(object: u32, shadow: u32) -> vec2u {
+    return vec2u(object, select(0u, shadow, COMPARES_SHADOWS));
+}
+
+fn attributes_stored_identity(pixel: vec2u, word: u32) -> vec2u {
+    let bits = word & ~ATTRIBUTES_TRACED;
+    if !HAS_SHADOW_WORD {
+        return attributes_identity(bits & OBJECT_MASK, bits >> SHADOW_SHIFT);
+    }
+    return attributes_identity(bits, atomicLoad(&attributes[attributes_shadow(pixel)]));
+}
+
+fn attributes_load_identity(pixel: vec2u) -> vec2u {
+    return attributes_stored_identity(pixel, atomicLoad(&attributes[attributes_object(pixel)]));
+}
+
+// Whether the pixel was interpolated, differs, and is now this thread's to trace.
+fn attributes_claim(pixel: vec2u, unlike: vec2u) -> bool {
+    let place = attributes_object(pixel);
+    let word = atomicLoad(&attributes[place]);
+    if (word & ATTRIBUTES_TRACED) != 0u || all(attributes_stored_identity(pixel, word) == unlike) {
+        return false;
+    }
+    return (atomicOr(&attributes[place], ATTRIBUTES_TRACED) & ATTRIBUTES_TRACED) == 0u;
+}

@@ -1,0 +1,88 @@
+// The planes as the adaptive steps write and read them.
+
+var<storage, read_write> attributes: array<u32>;
+
+// Keeps what later steps refer to.
+fn attributes_keep(pixel: vec2u, a: Attributes, traced: u32) {
+    if attributes_stored(pixel) {
+        attributes_store(pixel, a, traced);
+    } else if HAS_POSTCORRECTION {
+        attributes_store_object(pixel, a, traced);
+    }
+}
+
+fn attributes_store_object(pixel: vec2u, a: Attributes, traced: u32) {
+    if !HAS_SHADOW_WORD {
+        attributes[attributes_object(pixel)] = a.object | (a.shadow << SHADOW_SHIFT) | traced;
+    } else {
+        attributes[attributes_object(pixel)] = a.object | traced;
+        attributes[attributes_shadow(pixel)] = a.shadow;
+    }
+}
+
+fn attributes_store(pixel: vec2u, a: Attributes, traced: u32) {
+    attributes[attributes_plane(PLANE_DEPTH, pixel)] = bitcast<u32>(a.depth);
+    attributes_store_object(pixel, a, traced);
+    attributes[attributes_plane(PLANE_NORMAL, pixel)] = octahedral_encode(a.normal);
+    if HAS_FACE {
+        attributes[attributes_plane(PLANE_FACE, pixel)] = octahedral_encode(a.face);
+    }
+    if HAS_GCOL {
+        attributes[attributes_plane(PLANE_GCOL, pixel)] = rgb9e5_encode(a.gcol);
+    }
+    if HAS_TEXTURES {
+        attributes[attributes_plane(PLANE_TEXCOORD, pixel)] = pack2x16unorm(a.texcoord);
+    }
+    if HAS_COLORS {
+        attributes[attributes_plane(PLANE_COLOR, pixel)] = pack4x8unorm(vec4f(a.color, 1.0));
+    }
+}
+
+fn attributes_load(pixel: vec2u) -> Attributes {
+    var a: Attributes;
+    a.depth = bitcast<f32>(attributes[attributes_plane(PLANE_DEPTH, pixel)]);
+    let object = attributes[attributes_plane(PLANE_OBJECT, pixel)] & ~ATTRIBUTES_TRACED;
+    if !HAS_SHADOW_WORD {
+        a.object = object & OBJECT_MASK;
+        a.shadow = object >> SHADOW_SHIFT;
+    } else {
+        a.object = object;
+        a.shadow = attributes[attributes_plane(PLANE_SHADOW, pixel)];
+    }
+    a.normal = octahedral_decode(attributes[attributes_plane(PLANE_NORMAL, pixel)]);
+    a.face = a.normal;
+    if HAS_FACE {
+        a.face = octahedral_direction(attributes[attributes_plane(PLANE_FACE, pixel)]);
+    }
+    a.color = vec3f(1.0);
+    if HAS_GCOL {
+        a.gcol = rgb9e5_decode(attributes[attributes_plane(PLANE_GCOL, pixel)]);
+    }
+    if HAS_TEXTURES {
+        a.texcoord = unpack2x16unorm(attributes[attributes_plane(PLANE_TEXCOORD, pixel)]);
+    }
+    if HAS_COLORS {
+        a.color = unpack4x8unorm(attributes[attributes_plane(PLANE_COLOR, pixel)]).rgb;
+    }
+    return a;
+}
+
+// Three radiances with a shared exponent: nine bits each, relative error 2^-9 of the largest.
+fn rgb9e5_encode(color: vec3f) -> u32 {
+    let clamped = clamp(color, vec3f(0.0), vec3f(65408.0));
+    let largest = max(clamped.x, max(clamped.y, clamped.z));
+    // floor(log2(largest)), read from the exponent's bits; at least -16.
+    var exponent = max(i32(bitcast<u32>(largest) >> 23u) - 127, -16) + 1;
+    var scale = bitcast<f32>(u32(9 - exponent + 127) << 23u);
+    if round(largest * scale) > 511.0 {
+        exponent += 1;
+        scale *= 0.5;
+    }
+    let mantissa = vec3u(round(clamped * scale));
+    return mantissa.x | (mantissa.y << 9u) | (mantissa.z << 18u) | (u32(exponent + 15) << 27u);
+}
+
+fn rgb9e5_decode(packed: u32) -> vec3f {
+    let scale = bitcast<f32>(((packed >> 27u) + 127u - 24u) << 23u);
+    return vec3f(vec3u(packed & 511u, (packed >> 9u) & 511u, (packed >> 18u) & 511u)) * scale;
+}

@@ -1,0 +1,9 @@
+// What is listed and not done, as far as a round goes.
+
+fn list_begin(done: u32) -> u32 {
+    return done;
+}
+
+fn list_end(count: u32, begin: u32) -> u32 {
+    return begin + min(count - begin, ROUND_SAMPLES);
+}

@@ -1,0 +1,9 @@
+// What the step before has listed.
+
+fn list_begin(done: u32) -> u32 {
+    return done;
+}
+
+fn list_end(count: u32, begin: u32) -> u32 {
+    return count;
+}
