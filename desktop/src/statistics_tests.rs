@@ -54,6 +54,13 @@ pub fn example() -> Statistics {
                 linear_rmse: None,
             },
         }),
+        missing: Some(Missing {
+            objects_shown: 2000,
+            objects_lost: 1,
+            pixels_shown: 30,
+            pixels_lost: 3,
+            mean_share_lost: 0.1,
+        }),
     }
 }
 

@@ -1,7 +1,7 @@
 //! What a kernel is made of: the only place that chooses WGSL files.
 
 use super::{Stage, wgsl};
-use crate::{Features, GpuScene, Linking, Robustness, gpu::shader::Source};
+use crate::{Features, GpuScene, Linking, Robustness, bvh::MAX_STACK, gpu::shader::Source};
 
 /// Where colours go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,11 +17,13 @@ pub enum Output {
 pub struct Variant {
     /// What is linked.
     pub features: Features,
+    /// With [`Linking::All`] what the scene has is not known either: numbers of lights and of words a vertex are read.
+    pub linking: Linking,
     /// The scene stores texture coordinates.
     pub has_texcoords: bool,
     /// The scene stores vertex colours.
     pub has_colors: bool,
-    /// Light passes straight through some surfaces.
+    /// Light passes straight through some surfaces of the scene, whatever is linked.
     pub has_panes: bool,
     /// Counting kernels.
     pub inspect: bool,
@@ -43,17 +45,19 @@ impl Variant {
     /// Timed frames of a scene.
     #[must_use]
     pub fn new(scene: &GpuScene, linking: Linking, depth: u32) -> Self {
+        let (features, bvh_stack) = match linking {
+            Linking::Auto => (scene.features(), scene.bvh_stack),
+            Linking::All => (Features::all(), MAX_STACK),
+        };
         Self {
-            features: match linking {
-                Linking::Auto => scene.features(),
-                Linking::All => Features::all(),
-            },
+            features,
+            linking,
             has_texcoords: scene.has_texcoords,
             has_colors: scene.has_colors,
-            has_panes: scene.has_panes,
+            has_panes: scene.features().panes,
             inspect: false,
             output: Output::Display,
-            bvh_stack: scene.bvh_stack,
+            bvh_stack,
             depth,
             lights: scene.light_count,
             objects: scene.object_count,
@@ -64,7 +68,7 @@ impl Variant {
     /// Where the shadow bits begin in the word of the object; `None` if they need a word of their own.
     pub(super) fn shadow_shift(&self) -> Option<u32> {
         let object_bits = 32 - self.objects.leading_zeros();
-        (object_bits + self.lights < 32).then_some(object_bits)
+        (self.linking == Linking::Auto && object_bits + self.lights < 32).then_some(object_bits)
     }
 
     /// The planes of the attribute buffer, in order.
@@ -123,7 +127,7 @@ impl Variant {
             wgsl!("wgsl/bvh.wgsl"),
             pick(f.spheres, wgsl!("wgsl/sphere_analytic.wgsl"), wgsl!("wgsl/sphere_none.wgsl")),
             pick(
-                self.has_texcoords || self.has_colors,
+                self.linking == Linking::All || self.has_texcoords || self.has_colors,
                 wgsl!("wgsl/vertex_attributes.wgsl"),
                 wgsl!("wgsl/vertex_none.wgsl"),
             ),
@@ -156,7 +160,7 @@ impl Variant {
             wgsl!("wgsl/object.wgsl"),
             if f.textures { wgsl!("wgsl/texture_atlas.wgsl") } else { wgsl!("wgsl/texture_none.wgsl") },
             wgsl!("wgsl/fresnel.wgsl"),
-            wgsl!("wgsl/material.wgsl"),
+            if f.glossy { wgsl!("wgsl/material.wgsl") } else { wgsl!("wgsl/material_matte.wgsl") },
             if f.lights { wgsl!("wgsl/lights_punctual.wgsl") } else { wgsl!("wgsl/lights_none.wgsl") },
         ];
         sources.extend(rest);
