@@ -53,6 +53,7 @@ pub use gpu::Gpu;
 pub use gpu_scene::GpuScene;
 pub use image::{DisplayImage, LinearImage, Picture, encode_display, to_exr, to_png};
 pub use missing::Missing;
+pub use passes::Linked;
 pub use plan::SAMPLES_PER_SUBMISSION;
 pub use renderer::Renderer;
 pub use scene::{Features, Scene};

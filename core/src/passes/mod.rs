@@ -12,6 +12,7 @@
 //! | trace_a2 | Kim 2016, Step-III-c | `passes/trace.wgsl` |
 
 mod constants;
+mod linked;
 #[cfg(test)]
 mod tests;
 mod variant;
@@ -20,6 +21,7 @@ pub use constants::{
     COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS, COUNTER_RAYS,
     COUNTER_WORDS, TRACE_GROUP, TRACE_ROW,
 };
+pub use linked::Linked;
 pub use variant::{Output, Variant};
 
 use crate::gpu::shader::Source;
@@ -58,7 +60,6 @@ pub enum Stage {
 
 impl Stage {
     /// Every stage.
-    #[cfg(test)]
     pub const ALL: [Self; 8] = [
         Self::Full,
         Self::Base,

@@ -1,7 +1,7 @@
 //! What a kernel is made of: the only place that chooses WGSL files.
 
 use super::{Stage, wgsl};
-use crate::{Features, GpuScene, Linking, Robustness, bvh::MAX_STACK, gpu::shader::Source};
+use crate::{Features, GpuScene, Linking, Robustness, Scene, bvh::MAX_STACK, gpu::shader::Source};
 
 /// Where colours go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,23 +45,47 @@ impl Variant {
     /// Timed frames of a scene.
     #[must_use]
     pub fn new(scene: &GpuScene, linking: Linking, depth: u32) -> Self {
-        let (features, bvh_stack) = match linking {
-            Linking::Auto => (scene.features(), scene.bvh_stack),
-            Linking::All => (Features::all(), MAX_STACK),
-        };
         Self {
-            features,
-            linking,
+            features: scene.features(),
+            linking: Linking::Auto,
             has_texcoords: scene.has_texcoords,
             has_colors: scene.has_colors,
             has_panes: scene.features().panes,
             inspect: false,
             output: Output::Display,
-            bvh_stack,
+            bvh_stack: scene.bvh_stack,
             depth,
             lights: scene.light_count,
             objects: scene.object_count,
             robustness: Robustness::default(),
+        }
+        .linked(linking)
+    }
+
+    /// Timed frames of a scene that is not on a device; its tree is not built and may be any.
+    pub(super) fn of_scene(scene: &Scene, linking: Linking) -> Self {
+        let features = Features::of(scene);
+        Self {
+            features,
+            linking: Linking::Auto,
+            has_texcoords: !scene.texcoords.is_empty(),
+            has_colors: !scene.colors.is_empty(),
+            has_panes: features.panes,
+            inspect: false,
+            output: Output::Display,
+            bvh_stack: MAX_STACK,
+            depth: 1,
+            lights: scene.lights.len() as u32,
+            objects: scene.objects.len() as u32,
+            robustness: Robustness::default(),
+        }
+        .linked(linking)
+    }
+
+    fn linked(self, linking: Linking) -> Self {
+        match linking {
+            Linking::Auto => self,
+            Linking::All => Self { features: Features::all(), linking, bvh_stack: MAX_STACK, ..self },
         }
     }
 
