@@ -202,7 +202,7 @@ mod tests {
         let text = frame(&example(), &[]);
         for expected in [
             "scene     a.glb: 0 triangles",
-            "left out  textures, metallic_roughness_textures",
+            "left out  textures, glossy, emission, metallic_roughness_textures",
             "Card (vulkan, D 1)",
             "8x4, method adaptive, camera 0 (front)",
             "10.00 ms (median of 1 frame, 95 % within 12.00 ms), gpu clock",
