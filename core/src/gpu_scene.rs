@@ -73,8 +73,6 @@ pub struct GpuScene {
     /// What `vertices` holds.
     pub(crate) has_texcoords: bool,
     pub(crate) has_colors: bool,
-    /// Light passes straight through some surfaces.
-    pub(crate) has_panes: bool,
     features: Features,
     thinness: Thinness,
     bounds: (Vec3, Vec3),
@@ -116,20 +114,21 @@ impl GpuScene {
         let vertices = gpu.storage("vertices", &vertices(&scene, &order))?;
         let has_texcoords = !scene.texcoords.is_empty();
         let has_colors = !scene.colors.is_empty();
-        let has_panes = scene.materials.iter().any(|m| m.thin && m.refracts());
         let objects: Vec<_> =
             scene.objects.iter().map(|o| object(&scene.materials[o.material as usize], &atlas)).collect();
-        let mut lights = [Light::default(); MAX_LIGHTS];
+        let mut lights = vec![Light::default(); MAX_LIGHTS];
         for (slot, each) in lights.iter_mut().zip(&scene.lights) {
             *slot = light(each);
         }
+        let mut lights = bytemuck::cast_slice(&lights).to_vec();
+        lights.extend([scene.lights.len() as u32, 0, 0, 0].iter().flat_map(|word| word.to_ne_bytes()));
         Ok(Self {
             nodes,
             primitives,
             shading,
             vertices,
             objects: gpu.storage("objects", &objects)?,
-            lights: gpu.filled("lights", bytemuck::bytes_of(&lights), wgpu::BufferUsages::UNIFORM)?,
+            lights: gpu.filled("lights", &lights, wgpu::BufferUsages::UNIFORM)?,
             atlas,
             bvh_stack: stack,
             light_count: scene.lights.len() as u32,
@@ -137,7 +136,6 @@ impl GpuScene {
             environment: scene.environment,
             has_texcoords,
             has_colors,
-            has_panes,
             features,
             thinness,
             bounds,

@@ -6,6 +6,11 @@ use std::str::FromStr;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use glimpse::{CHECK_NAMES, Linking, Method, Postcorrect, Settings, Tolerances};
 
+#[path = "vary.rs"]
+mod vary;
+
+pub use vary::Variation;
+
 /// The largest side of a frame.
 pub const MAX_SIDE: u32 = 16384;
 
@@ -122,6 +127,9 @@ pub struct BenchOptions {
     /// The methods to compare
     #[arg(long, value_enum, value_delimiter = ',', default_value = "full,adaptive", ignore_case = true)]
     pub methods: Vec<MethodName>,
+    /// Compare these values of an option too; several --vary give every combination
+    #[arg(long, value_name = "OPTION=V1,V2,...")]
+    pub vary: Vec<Variation>,
     /// Warm frames of each method
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: u32,

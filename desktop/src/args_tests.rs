@@ -16,6 +16,46 @@ fn render(line: &str) -> RenderOptions {
     }
 }
 
+fn bench(line: &str) -> Result<BenchOptions, String> {
+    match parse(line).map_err(|error| error.to_string())?.command {
+        Some(Command::Bench(options)) => Ok(options),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn what_is_varied_is_parsed_as_the_option_itself() {
+    let options =
+        bench("bench a.glb --block 4 --t-norm 0.5 --vary block=2,8 --vary t-norm=-0.9,.97 --depth 2");
+    let options = options.unwrap();
+    let combinations = options.frame.combinations(&options.vary).unwrap();
+    let found: Vec<_> = combinations.iter().map(|(f, _)| (f.block, f.t_norm, f.depth, f.t_pos)).collect();
+    let t_pos = Tolerances::default().pos;
+    assert_eq!(found, [(2, -0.9, 2, t_pos), (2, 0.97, 2, t_pos), (8, -0.9, 2, t_pos), (8, 0.97, 2, t_pos)]);
+    let named: Vec<_> = combinations[1].1.iter().map(|(o, v)| format!("{o}={v}")).collect();
+    assert_eq!(named, ["block=2", "t-norm=.97"]);
+    let every = "bench a.glb --vary postcorrect=off,on,Auto --vary features=auto,all --vary sampling=1,2";
+    let options = bench(every).unwrap();
+    assert_eq!(options.frame.combinations(&options.vary).unwrap().len(), 12);
+}
+
+#[test]
+fn what_cannot_be_varied_is_named() {
+    for (vary, named) in [
+        ("block", "OPTION=VALUE"),
+        ("blocks=2", "found blocks"),
+        ("size=1x1,2x2", "found size"),
+        ("block=2,x", "'x'"),
+        ("block=2,", "--block"),
+        ("block=", "--block"),
+        ("features=none", "none"),
+        ("=2", "expected one of"),
+    ] {
+        let error = bench(&format!("bench a.glb --vary {vary}")).unwrap_err();
+        assert!(error.contains("--vary") && error.contains(named), "{vary}: {error}");
+    }
+}
+
 #[test]
 fn the_definition_is_sound() {
     Arguments::command().debug_assert();

@@ -1,9 +1,9 @@
 //! `glimpse bench`: the methods' times, interleaved in one run.
 
-use glimpse::{Gpu, Method, Settings};
+use glimpse::{Gpu, Settings};
 
-use crate::args::{BenchOptions, Size};
-use crate::measure::{Plan, Stage};
+use crate::args::{BenchOptions, MethodName, Size};
+use crate::measure::{Plan, Run, Stage};
 use crate::output;
 use crate::progress::Progress;
 use crate::scene_file;
@@ -12,7 +12,8 @@ use crate::summary;
 
 /// `glimpse bench`
 pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> {
-    let methods = methods(options)?;
+    let rows = rows(options)?;
+    let methods: Vec<_> = rows.iter().map(|row| row.settings).collect();
     options.scenes.iter().try_for_each(|name| scene_file::check(name))?;
     let Size(size) = options.frame.size;
     let plan = Plan { size, methods: &methods, frames: options.frames, linear: false };
@@ -22,36 +23,63 @@ pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> 
         let progress = Progress::new(plan.steps());
         let stage = Stage::set(&gpu, name, &options.frame, &progress)?;
         let runs = plan.measure(&stage, &progress)?;
-        let full = runs.iter().find(|run| run.settings.method == Method::Full);
-        let statistics = runs
-            .iter()
-            .map(|run| Statistics::of(&stage, size, run, full))
-            .collect::<glimpse::Result<Vec<_>>>()?;
+        let of_row = |(row, run): (&Row, &Run)| {
+            let full = runs.iter().find(|run| run.settings == row.baseline);
+            Ok((row.name.clone(), Statistics::of(&stage, size, run, full)?))
+        };
+        let statistics = rows.iter().zip(&runs).map(of_row).collect::<glimpse::Result<Vec<_>>>()?;
         drop(progress);
         if !options.json {
             let gap = if index > 0 { "\n" } else { "" };
             output::print(&format!("{gap}{}", table(&statistics)))?;
         }
-        all.extend(statistics);
+        all.extend(statistics.into_iter().map(|(_, statistics)| statistics));
     }
     if options.json { output::print(&output::json(&all)?) } else { Ok(()) }
 }
 
-/// The settings of each method, each once.
-fn methods(options: &BenchOptions) -> glimpse::Result<Vec<Settings>> {
-    let mut methods: Vec<Settings> = Vec::new();
-    for name in &options.methods {
-        let settings = options.frame.settings(*name)?;
-        if !methods.contains(&settings) {
-            methods.push(settings);
-        }
-    }
-    Ok(methods)
+/// What does not concern `full`: it is measured once for all values of these.
+const OF_ADAPTIVE: [&str; 6] = ["block", "postcorrect", "t-pos", "t-norm", "t-tex", "t-gcol"];
+
+/// What is measured, and against what.
+#[derive(Clone, Debug, PartialEq)]
+struct Row {
+    /// The method and what was varied.
+    name: String,
+    settings: Settings,
+    /// `full` with the same of everything that concerns it.
+    baseline: Settings,
 }
 
-/// One scene: a line for each method, then a line for each of its passes.
-fn table(methods: &[Statistics]) -> String {
-    let Some(first) = methods.first() else { return String::new() };
+/// Every method with every combination of what is varied, each once.
+fn rows(options: &BenchOptions) -> glimpse::Result<Vec<Row>> {
+    let wrong = |reason| glimpse::Error::setting("--vary", reason);
+    let combinations = options.frame.combinations(&options.vary).map_err(wrong)?;
+    let mut rows: Vec<Row> = Vec::new();
+    for method in &options.methods {
+        for (frame, varied) in &combinations {
+            let mut concerned = options.frame.clone();
+            for (option, value) in varied.iter().filter(|(option, _)| !OF_ADAPTIVE.contains(&option.as_str()))
+            {
+                concerned = concerned.with(option, value).map_err(wrong)?;
+            }
+            let full = *method == MethodName::Full;
+            let settings = if full { concerned.settings(*method)? } else { frame.settings(*method)? };
+            let told = |(option, _): &&(String, String)| !full || !OF_ADAPTIVE.contains(&option.as_str());
+            let varied: String =
+                varied.iter().filter(told).map(|(option, value)| format!(" {option}={value}")).collect();
+            let name = format!("{}{varied}", summary::method_name(settings.method));
+            if rows.iter().all(|row| row.settings != settings) {
+                rows.push(Row { name, settings, baseline: concerned.settings(MethodName::Full)? });
+            }
+        }
+    }
+    Ok(rows)
+}
+
+/// One scene: a line for each row, then a line for each of its passes.
+fn table(rows: &[(String, Statistics)]) -> String {
+    let Some((_, first)) = rows.first() else { return String::new() };
     let mut text = summary::scene(&first.scene);
     text += &summary::row("adapter", &summary::adapter(first));
     let [width, height] = first.size;
@@ -66,15 +94,21 @@ fn table(methods: &[Statistics]) -> String {
     );
     let heads =
         ["ms", "p95", "RT ratio", "work", "speedup", "eff.", "cost eff.", "overhead", "PSNR/dB", "Mrays/s"];
-    text += &line("method", &heads.map(str::to_owned));
-    for statistics in methods {
-        text += &line(&summary::method(statistics), &cells(statistics));
+    let column = rows.iter().map(|(name, _)| name.len() + 1).max().unwrap_or(0).max(10);
+    text += &line(column, "method", &heads.map(str::to_owned));
+    for (name, statistics) in rows {
+        text += &line(column, name, &cells(statistics));
     }
-    for statistics in methods {
+    for (name, statistics) in rows {
         for pass in &statistics.time_ms.passes {
             let share = 100.0 * pass.median / statistics.time_ms.frame.median;
-            let name = format!("{} {}", summary::method(statistics), pass.name);
-            text += &format!("{name:<24}{:>10.3} ms {share:>5.1} %\n", pass.median);
+            let name = format!("{name} {}", pass.name);
+            text += &format!("{name:<width$}{:>10.3} ms {share:>5.1} %\n", pass.median, width = column + 14);
+        }
+    }
+    for (name, missing) in rows.iter().filter_map(|(name, s)| Some((name, s.missing?))) {
+        if missing.pixels_lost > 0 {
+            text += &format!("{name:<column$} loses {}\n", summary::missing(&missing));
         }
     }
     text
@@ -100,20 +134,20 @@ fn cells(s: &Statistics) -> [String; 10] {
     ]
 }
 
-fn line(name: &str, cells: &[String]) -> String {
+fn line(column: usize, name: &str, cells: &[String]) -> String {
     let cells: String = cells.iter().map(|cell| format!("{cell:>10}")).collect();
-    format!("{name:<10}{cells}\n")
+    format!("{name:<column$}{cells}\n")
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::args::{FrameOptions, MethodName};
+    use crate::args::FrameOptions;
     use crate::statistics::tests::example;
 
     #[test]
     fn the_table_has_aligned_columns_and_every_pass() {
-        let text = table(&[example(), example()]);
+        let text = table(&[("adaptive".to_owned(), example()), ("adaptive".to_owned(), example())]);
         let lines: Vec<_> = text.lines().collect();
         let head = lines.iter().position(|l| l.starts_with("method")).unwrap();
         assert!(lines[head].ends_with("Mrays/s"));
@@ -131,16 +165,53 @@ mod tests {
         assert_eq!(cells(&alone).iter().filter(|c| *c == "-").count(), 5);
     }
 
-    #[test]
-    fn a_method_named_twice_is_measured_once() {
-        let options = BenchOptions {
+    fn bench(methods: &[MethodName], vary: &[&str]) -> BenchOptions {
+        BenchOptions {
             scenes: vec![],
-            frame: FrameOptions::default(),
-            methods: vec![MethodName::Full, MethodName::Full, MethodName::Adaptive],
+            frame: FrameOptions { block: 4, ..FrameOptions::default() },
+            methods: methods.to_vec(),
+            vary: vary.iter().map(|text| text.parse().unwrap()).collect(),
             frames: 1,
             json: false,
-        };
-        let methods: Vec<_> = methods(&options).unwrap().iter().map(|s| s.method).collect();
-        assert_eq!(methods, [Method::Full, Method::Adaptive]);
+        }
+    }
+
+    fn names(options: &BenchOptions) -> Vec<String> {
+        rows(options).unwrap().into_iter().map(|row| row.name).collect()
+    }
+
+    #[test]
+    fn a_method_named_twice_is_measured_once() {
+        let options = bench(&[MethodName::Full, MethodName::Full, MethodName::Adaptive], &[]);
+        assert_eq!(names(&options), ["full", "adaptive"]);
+    }
+
+    #[test]
+    fn every_combination_is_a_row_and_full_stands_once_for_what_concerns_it() {
+        let options = bench(&[MethodName::Full, MethodName::Adaptive], &["features=auto,all", "block=2,8"]);
+        assert_eq!(
+            names(&options),
+            [
+                "full features=auto",
+                "full features=all",
+                "adaptive features=auto block=2",
+                "adaptive features=auto block=8",
+                "adaptive features=all block=2",
+                "adaptive features=all block=8",
+            ]
+        );
+        let rows = rows(&options).unwrap();
+        assert_eq!(rows.iter().map(|row| row.settings.block).collect::<Vec<_>>(), [4, 4, 2, 8, 2, 8]);
+        for row in &rows {
+            assert_eq!(row.baseline.features, row.settings.features);
+            assert!(rows.iter().any(|full| full.settings == row.baseline), "{row:?}");
+        }
+    }
+
+    #[test]
+    fn a_value_that_no_frame_can_have_is_wrong_usage() {
+        let error = rows(&bench(&[MethodName::Adaptive], &["block=2,3"])).unwrap_err();
+        assert!(matches!(&error, glimpse::Error::Setting { .. }), "{error}");
+        assert!(error.to_string().contains("--block"), "{error}");
     }
 }

@@ -1,7 +1,7 @@
 //! `glimpse info`: what a scene holds, and what is left out because of it.
 
 use glimpse::scene::{Light, LightKind, Material};
-use glimpse::{Linking, Scene};
+use glimpse::{Linked, Linking, Scene};
 use serde::Serialize;
 
 use crate::args::InfoOptions;
@@ -20,7 +20,25 @@ struct Info {
     light_list: Vec<LightInfo>,
     materials: MaterialSummary,
     images: ImageSummary,
+    saved: Saved,
     warnings: Vec<String>,
+}
+
+/// What leaving out saves in a frame by method adaptive.
+#[derive(Serialize)]
+struct Saved {
+    /// WGSL files that no kernel holds.
+    files: Vec<&'static str>,
+    /// Of how many.
+    files_of: usize,
+    /// Buffers and images that no kernel binds.
+    bindings: Vec<String>,
+    /// Of how many.
+    bindings_of: usize,
+    /// Bytes of attributes of a stored sample.
+    attribute_bytes: usize,
+    /// Of how many.
+    attribute_bytes_of: usize,
 }
 
 #[derive(Serialize)]
@@ -66,14 +84,15 @@ struct ImageSummary {
 /// `glimpse info`
 pub fn run(options: &InfoOptions) -> anyhow::Result<()> {
     let scene = scene_file::load(&options.scene)?;
-    let info = Info::of(&options.scene, scene);
+    let info = Info::of(&options.scene, scene)?;
     output::print(&if options.json { output::json(&info)? } else { info.text() })
 }
 
 impl Info {
-    fn of(name: &str, scene: Scene) -> Self {
+    fn of(name: &str, scene: Scene) -> glimpse::Result<Self> {
         let count = |is: fn(&Material) -> bool| scene.materials.iter().filter(|m| is(m)).count();
-        Self {
+        Ok(Self {
+            saved: Saved::of(&scene)?,
             bounds: scene.bounds().map(|(low, high)| Bounds { low: low.into(), high: high.into() }),
             cameras: scene
                 .cameras
@@ -103,12 +122,13 @@ impl Info {
             },
             scene: SceneStatistics::of(name, &scene, Linking::Auto),
             warnings: scene.warnings,
-        }
+        })
     }
 
     fn text(&self) -> String {
         let mut text = summary::scene(&self.scene);
         text += &row("linked", &listed(&self.scene.features));
+        text += &row("saves", &self.saved.text());
         text += &row("bounds", &self.bounds.as_ref().map_or_else(|| "empty".to_owned(), Bounds::text));
         for camera in &self.cameras {
             let lens = if camera.orthographic { ", orthographic" } else { "" };
@@ -134,6 +154,39 @@ impl Info {
             text += &row("warning", warning);
         }
         text
+    }
+}
+
+impl Saved {
+    fn of(scene: &Scene) -> glimpse::Result<Self> {
+        let [auto, all] = [Linked::of(scene, Linking::Auto)?, Linked::of(scene, Linking::All)?];
+        Ok(Self {
+            files: all.files.difference(&auto.files).copied().collect(),
+            files_of: all.files.len(),
+            bindings: all.bindings.difference(&auto.bindings).cloned().collect(),
+            bindings_of: all.bindings.len(),
+            attribute_bytes: all.attribute_bytes - auto.attribute_bytes,
+            attribute_bytes_of: all.attribute_bytes,
+        })
+    }
+
+    fn text(&self) -> String {
+        let names = |names: &[String]| {
+            if names.is_empty() { String::new() } else { format!(" ({})", names.join(", ")) }
+        };
+        let stem = |file: &&str| file.rsplit('/').next().unwrap_or(file).trim_end_matches(".wgsl").to_owned();
+        let files: Vec<_> = self.files.iter().map(stem).collect();
+        format!(
+            "{} of {} WGSL files{}, {} of {} bindings{}, {} of {} bytes of attributes a sample",
+            files.len(),
+            self.files_of,
+            names(&files),
+            self.bindings.len(),
+            self.bindings_of,
+            names(&self.bindings),
+            self.attribute_bytes,
+            self.attribute_bytes_of
+        )
     }
 }
 
@@ -197,10 +250,12 @@ mod tests {
 
     #[test]
     fn text_tells_what_the_scene_holds() {
-        let text = Info::of("ball.glb", scene()).text();
+        let text = Info::of("ball.glb", scene()).unwrap().text();
         for expected in [
             "scene     ball.glb: 0 triangles, 1 sphere, 1 object, 1 light, 0 textures",
-            "linked    spheres, reflection, lights",
+            "linked    glossy, spheres, reflection, lights",
+            "texture_atlas, vertex_attributes), 3 of ",
+            "bindings (atlas_color, atlas_data, vertices), 16 of 32 bytes of attributes a sample",
             "bounds    (0, 1, 2) to (2, 3, 4), sides (2, 2, 2)",
             "camera    0 (front) at",
             "light     directional along (0, -1, 0), intensity (1, 0.5, 0.25)",
@@ -213,11 +268,12 @@ mod tests {
 
     #[test]
     fn json_has_the_statistics_names() {
-        let json = serde_json::to_value(Info::of("ball.glb", scene())).unwrap();
+        let json = serde_json::to_value(Info::of("ball.glb", scene()).unwrap()).unwrap();
         assert_eq!(json["spheres"], 1);
         assert_eq!(json["cameras"][0]["name"], "front");
         assert_eq!(json["light_list"][0]["kind"], "directional");
         assert!(json["left_out"].as_array().unwrap().contains(&"textures".into()));
-        assert!(Info::of("", Scene::default()).text().contains("bounds    empty"));
+        assert_eq!(json["saved"]["attribute_bytes"], 16);
+        assert!(Info::of("", Scene::default()).unwrap().text().contains("bounds    empty"));
     }
 }

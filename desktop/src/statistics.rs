@@ -1,7 +1,9 @@
 //! The statistics JSON: what was rendered, with what, how long it took and what it cost.
 
 use glimpse::metrics::ErrorReport;
-use glimpse::{Cost, FailedChecks, Features, FrameTime, Linking, Memory, Rays, Samples, Scene, Settings};
+use glimpse::{
+    Cost, FailedChecks, Features, FrameTime, Linking, Memory, Missing, Rays, Samples, Scene, Settings,
+};
 use serde::Serialize;
 
 use crate::measure::{Run, Stage};
@@ -48,6 +50,9 @@ pub struct Statistics {
     /// The error against `full` of the same run.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<ErrorAgainst>,
+    /// What `full` of the same run shows and this frame does not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub missing: Option<Missing>,
 }
 
 /// An adapter.
@@ -166,7 +171,7 @@ impl Statistics {
         Ok(Self {
             glimpse: env!("CARGO_PKG_VERSION"),
             adapter: AdapterStatistics::of(&stage.gpu.facts().info),
-            scene: stage.statistics.clone(),
+            scene: stage.statistics.clone().linked(stage.scene.features(), run.settings.features),
             settings: SettingsUsed { settings: run.settings, camera: stage.camera_name.clone() },
             size,
             frames: run.frames.len(),
@@ -188,6 +193,7 @@ impl Statistics {
             memory_bytes: run.memory,
             gain,
             error: full.map(|full| run.error_against(full)).transpose()?,
+            missing: full.and_then(|full| Missing::of(&full.inspection.pixels, &run.inspection.pixels)),
         })
     }
 }
@@ -207,23 +213,29 @@ impl AdapterStatistics {
 impl SceneStatistics {
     /// Of a scene before it moves to the device.
     pub fn of(name: &str, scene: &Scene, linking: Linking) -> Self {
-        let needed = match linking {
-            Linking::Auto => Features::of(scene),
-            Linking::All => Features::all(),
-        };
-        let names = |linked: bool| {
-            needed.list().into_iter().filter(|(_, l)| *l == linked).map(|(name, _)| name).collect()
-        };
-        Self {
+        let unlinked = Self {
             file: name.to_owned(),
             triangles: scene.positions.len(),
             spheres: scene.spheres.len(),
             objects: scene.objects.len(),
             lights: scene.lights.len(),
             textures: scene.textures.len(),
-            features: names(true),
-            left_out: names(false),
-        }
+            features: Vec::new(),
+            left_out: Vec::new(),
+        };
+        unlinked.linked(Features::of(scene), linking)
+    }
+
+    /// With what is linked, of a scene that needs these features.
+    fn linked(self, needed: Features, linking: Linking) -> Self {
+        let linked = match linking {
+            Linking::Auto => needed,
+            Linking::All => Features::all(),
+        };
+        let names = |there: bool| {
+            linked.list().into_iter().filter(|(_, l)| *l == there).map(|(name, _)| name).collect()
+        };
+        Self { features: names(true), left_out: names(false), ..self }
     }
 }
 

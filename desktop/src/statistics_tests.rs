@@ -54,6 +54,13 @@ pub fn example() -> Statistics {
                 linear_rmse: None,
             },
         }),
+        missing: Some(Missing {
+            objects_shown: 2000,
+            objects_lost: 1,
+            pixels_shown: 30,
+            pixels_lost: 3,
+            mean_share_lost: 0.1,
+        }),
     }
 }
 
@@ -125,9 +132,9 @@ fn without_a_reference_nothing_speaks_of_one() {
 #[test]
 fn an_empty_scene_leaves_everything_out_unless_all_is_linked() {
     let auto = SceneStatistics::of("a", &Scene::default(), Linking::Auto);
-    assert_eq!((auto.features.len(), auto.left_out.len()), (0, 11));
+    assert_eq!((auto.features.len(), auto.left_out.len()), (0, 15));
     let all = SceneStatistics::of("a", &Scene::default(), Linking::All);
-    assert_eq!((all.features.len(), all.left_out.len()), (11, 0));
+    assert_eq!((all.features.len(), all.left_out.len()), (15, 0));
 }
 
 #[test]

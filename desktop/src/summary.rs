@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use glimpse::metrics::ErrorReport;
-use glimpse::{CHECK_NAMES, FailedChecks};
+use glimpse::{CHECK_NAMES, FailedChecks, Method, Missing};
 
 use crate::output::{bytes, counted, grouped, listed};
 use crate::statistics::{SceneStatistics, Statistics};
@@ -80,6 +80,9 @@ pub fn frame(statistics: &Statistics, warnings: &[String]) -> String {
     if let Some(against) = &s.error {
         text += &row("error", &error(&against.report));
     }
+    if let Some(lost) = &s.missing {
+        text += &row("lost", &missing(lost));
+    }
     text
 }
 
@@ -118,7 +121,24 @@ pub fn decibels(psnr_db: Option<f64>) -> String {
 
 /// The method's name as it is typed.
 pub fn method(statistics: &Statistics) -> String {
-    format!("{:?}", statistics.settings.settings.method).to_lowercase()
+    method_name(statistics.settings.settings.method)
+}
+
+/// A method's name as it is typed.
+pub fn method_name(method: Method) -> String {
+    format!("{method:?}").to_lowercase()
+}
+
+/// What full tracing shows and the frame does not, in one line.
+pub fn missing(m: &Missing) -> String {
+    format!(
+        "{} of {}, {} of {} pixels, {:.2} % of the average object",
+        grouped(m.objects_lost),
+        counted(m.objects_shown as usize, "object"),
+        grouped(m.pixels_lost),
+        grouped(m.pixels_shown),
+        100.0 * m.mean_share_lost
+    )
 }
 
 /// The adapter, in one line.
@@ -182,7 +202,7 @@ mod tests {
         let text = frame(&example(), &[]);
         for expected in [
             "scene     a.glb: 0 triangles",
-            "left out  textures, metallic_roughness_textures",
+            "left out  textures, glossy, emission, metallic_roughness_textures",
             "Card (vulkan, D 1)",
             "8x4, method adaptive, camera 0 (front)",
             "10.00 ms (median of 1 frame, 95 % within 12.00 ms), gpu clock",
@@ -193,6 +213,7 @@ mod tests {
             "speedup   2.00 over full's 20.00 ms",
             "PSNR 48.13 dB",
             "worst tile 9.00 at (0, 0)",
+            "lost      1 of 2,000 objects, 3 of 30 pixels, 10.00 % of the average object",
         ] {
             assert!(text.contains(expected), "no `{expected}` in\n{text}");
         }

@@ -94,6 +94,9 @@ fn inner_children(node: &CwBvhNode) -> std::ops::Range<usize> {
     first..first + node.imask.count_ones() as usize
 }
 
+/// The largest stack that a tree may need: each node on a path leaves one group at most.
+pub const MAX_STACK: u32 = DEPTH_LIMIT;
+
 /// A visit leaves the node's other inner children on the stack while it goes down one of them, whichever comes first
 /// for the ray; the last of them leaves nothing.
 fn stack_bound(nodes: &[CwBvhNode]) -> u32 {

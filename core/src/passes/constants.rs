@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::Variant;
 use crate::{
-    MAX_RAYS, Postcorrect, SAMPLES_PER_SUBMISSION, atlas,
+    Linking, MAX_RAYS, Postcorrect, SAMPLES_PER_SUBMISSION, atlas,
     gpu::shader::Source,
     gpu_scene, plan,
     scene::OCTAHEDRAL_ERROR,
@@ -89,9 +89,10 @@ impl Variant {
             ("HAS_METALLIC_ROUGHNESS_TEXTURES", f.metallic_roughness_textures),
             ("HAS_EMISSIVE_TEXTURES", f.emissive_textures),
             ("HAS_COLORS", f.vertex_colors),
-            ("VERTEX_HAS_TEXCOORDS", self.has_texcoords),
-            ("VERTEX_HAS_COLORS", self.has_colors),
-            ("HAS_PANES", self.has_panes),
+            ("HAS_EMISSION", f.emission),
+            ("HAS_PANES", f.panes),
+            ("LIGHT_COUNT_KNOWN", self.linking == Linking::Auto),
+            ("VERTEX_STRIDE_KNOWN", self.linking == Linking::Auto),
             ("HAS_RECORDS", self.sampling == 1),
             ("HAS_POSTCORRECTION", self.postcorrects()),
             ("COMPARES_SHADOWS", self.postcorrect != Postcorrect::Objects),
@@ -107,6 +108,7 @@ impl Variant {
             ("BOUNCE_STACK", self.depth + 1),
             ("MAX_RAYS", MAX_RAYS),
             ("LIGHT_COUNT", self.lights),
+            ("VERTEX_STRIDE", 6 * u32::from(self.has_texcoords) + 3 * u32::from(self.has_colors)),
             ("SHADOW_SHIFT", self.shadow_shift().unwrap_or(0)),
             ("OBJECT_MASK", self.shadow_shift().map_or(u32::MAX, |shift| (1 << shift) - 1)),
             ("TRACE_GROUP", TRACE_GROUP),

@@ -19,6 +19,7 @@
 //! | fill | a baseline | `passes/fill.wgsl` |
 
 mod constants;
+mod linked;
 #[cfg(test)]
 mod tests;
 mod variant;
@@ -27,6 +28,7 @@ pub use constants::{
     COUNTER_CLAIMED, COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS,
     COUNTER_RAYS, COUNTER_WORDS, TRACE_GROUP, TRACE_ROW,
 };
+pub use linked::Linked;
 pub use variant::{Output, Variant};
 
 use crate::gpu::shader::Source;
@@ -79,7 +81,6 @@ pub enum Stage {
 
 impl Stage {
     /// Every stage.
-    #[cfg(test)]
     pub const ALL: [Self; 15] = [
         Self::Full,
         Self::Base,

@@ -4,7 +4,7 @@ use wgpu::naga::{AddressSpace, proc::Layouter};
 
 use super::{Output, Stage, Variant};
 use crate::{
-    Features, Postcorrect, Robustness, frame, gpu,
+    Features, Linking, Postcorrect, Robustness, frame, gpu,
     gpu::{mirror::differences, shader::link},
     gpu_scene, probe,
 };
@@ -23,6 +23,10 @@ fn features(bits: u32) -> Features {
         smooth_normals: bit(4),
         metallic_roughness_textures: bit(0),
         emissive_textures: bit(0),
+        emission: bit(2),
+        glossy: bit(0) || bit(5) || bit(6),
+        panes: bit(6),
+        several_lights: bit(7),
     }
 }
 
@@ -31,6 +35,7 @@ fn features(bits: u32) -> Features {
 fn variants() -> impl Iterator<Item = Variant> {
     let make = |bits, inspect, output| Variant {
         features: features(bits),
+        linking: if bits == 255 { Linking::All } else { Linking::Auto },
         has_texcoords: bits & 1 != 0,
         has_colors: bits & 2 != 0,
         has_panes: bits & 64 != 0,

@@ -1,7 +1,10 @@
 //! What a kernel is made of: the only place that chooses WGSL files.
 
 use super::{Stage, wgsl};
-use crate::{Features, GpuScene, Linking, Postcorrect, Robustness, Settings, gpu::shader::Source};
+use crate::{
+    Features, GpuScene, Linking, Postcorrect, Robustness, Scene, Settings, bvh::MAX_STACK,
+    gpu::shader::Source,
+};
 
 /// Where colours go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,11 +35,13 @@ impl Output {
 pub struct Variant {
     /// What is linked.
     pub features: Features,
+    /// With [`Linking::All`] what the scene has is not known either: numbers of lights and of words a vertex are read.
+    pub linking: Linking,
     /// The scene stores texture coordinates.
     pub has_texcoords: bool,
     /// The scene stores vertex colours.
     pub has_colors: bool,
-    /// Light passes straight through some surfaces.
+    /// Light passes straight through some surfaces of the scene, whatever is linked.
     pub has_panes: bool,
     /// Counting kernels.
     pub inspect: bool,
@@ -63,13 +68,11 @@ impl Variant {
     #[must_use]
     pub fn new(scene: &GpuScene, settings: &Settings) -> Self {
         Self {
-            features: match settings.features {
-                Linking::Auto => scene.features(),
-                Linking::All => Features::all(),
-            },
+            features: scene.features(),
+            linking: Linking::Auto,
             has_texcoords: scene.has_texcoords,
             has_colors: scene.has_colors,
-            has_panes: scene.has_panes,
+            has_panes: scene.features().panes,
             inspect: false,
             output: Output::Display,
             sampling: settings.sampling,
@@ -80,12 +83,42 @@ impl Variant {
             objects: scene.object_count,
             robustness: Robustness::default(),
         }
+        .linked(settings.features)
+    }
+
+    /// Timed frames of a scene that is not on a device; its tree is not built and may be any.
+    pub(super) fn of_scene(scene: &Scene, linking: Linking) -> Self {
+        let features = Features::of(scene);
+        Self {
+            features,
+            linking: Linking::Auto,
+            has_texcoords: !scene.texcoords.is_empty(),
+            has_colors: !scene.colors.is_empty(),
+            has_panes: features.panes,
+            inspect: false,
+            output: Output::Display,
+            sampling: 1,
+            postcorrect: Postcorrect::On,
+            bvh_stack: MAX_STACK,
+            depth: 1,
+            lights: scene.lights.len() as u32,
+            objects: scene.objects.len() as u32,
+            robustness: Robustness::default(),
+        }
+        .linked(linking)
+    }
+
+    fn linked(self, linking: Linking) -> Self {
+        match linking {
+            Linking::Auto => self,
+            Linking::All => Self { features: Features::all(), linking, bvh_stack: MAX_STACK, ..self },
+        }
     }
 
     /// Where the shadow bits begin in the word of the object; `None` if they need a word of their own.
     pub(super) fn shadow_shift(&self) -> Option<u32> {
         let object_bits = 32 - self.objects.leading_zeros();
-        (object_bits + self.lights < 32).then_some(object_bits)
+        (self.linking == Linking::Auto && object_bits + self.lights < 32).then_some(object_bits)
     }
 
     /// Is anything traced again?
@@ -176,7 +209,7 @@ impl Variant {
             wgsl!("wgsl/bvh.wgsl"),
             pick(f.spheres, wgsl!("wgsl/sphere_analytic.wgsl"), wgsl!("wgsl/sphere_none.wgsl")),
             pick(
-                self.has_texcoords || self.has_colors,
+                self.linking == Linking::All || self.has_texcoords || self.has_colors,
                 wgsl!("wgsl/vertex_attributes.wgsl"),
                 wgsl!("wgsl/vertex_none.wgsl"),
             ),
@@ -213,7 +246,7 @@ impl Variant {
             wgsl!("wgsl/object.wgsl"),
             if f.textures { wgsl!("wgsl/texture_atlas.wgsl") } else { wgsl!("wgsl/texture_none.wgsl") },
             wgsl!("wgsl/fresnel.wgsl"),
-            wgsl!("wgsl/material.wgsl"),
+            if f.glossy { wgsl!("wgsl/material.wgsl") } else { wgsl!("wgsl/material_matte.wgsl") },
             if f.lights { wgsl!("wgsl/lights_punctual.wgsl") } else { wgsl!("wgsl/lights_none.wgsl") },
         ]);
         let pixels = self.sampling == 1 || self.output == Output::Nowhere;

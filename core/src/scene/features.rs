@@ -1,5 +1,7 @@
 //! What a scene needs: the facts that decide which pieces of the shaders are linked at all.
 
+use glam::Vec3;
+
 use super::Scene;
 
 /// Facts of a scene. `false` means that the piece is left out of every kernel.
@@ -7,6 +9,10 @@ use super::Scene;
 pub struct Features {
     /// Some object shows a texture: coordinates are stored and check TX is linked.
     pub textures: bool,
+    /// Some material is more than matte: it shines, mirrors, lets light through, emits, is unlit or has its shares given.
+    pub glossy: bool,
+    /// Some material emits.
+    pub emission: bool,
     /// Some object has a texture of metallic and roughness.
     pub metallic_roughness_textures: bool,
     /// Some object has a texture of emission.
@@ -25,8 +31,12 @@ pub struct Features {
     pub reflection: bool,
     /// Some material is transparent.
     pub refraction: bool,
+    /// Light passes straight through some surfaces.
+    pub panes: bool,
     /// There are lights: shadow rays and check SH are linked.
     pub lights: bool,
+    /// There are more lights than one.
+    pub several_lights: bool,
 }
 
 impl Features {
@@ -36,6 +46,8 @@ impl Features {
         let used = || scene.objects.iter().filter_map(|o| scene.materials.get(o.material as usize));
         Self {
             textures: used().any(|m| m.textures().next().is_some()),
+            glossy: used().any(|m| !m.is_matte() || m.unlit),
+            emission: used().any(|m| m.emission != Vec3::ZERO),
             metallic_roughness_textures: used().any(|m| m.metallic_roughness_texture.is_some()),
             emissive_textures: used().any(|m| m.emissive_texture.is_some()),
             vertex_colors: !scene.colors.is_empty(),
@@ -45,7 +57,9 @@ impl Features {
             spheres: !scene.spheres.is_empty(),
             reflection: used().any(|m| m.reflects()),
             refraction: used().any(|m| m.refracts()),
+            panes: used().any(|m| m.thin && m.refracts()),
             lights: !scene.lights.is_empty(),
+            several_lights: scene.lights.len() > 1,
         }
     }
 
@@ -54,6 +68,8 @@ impl Features {
     pub fn all() -> Self {
         Self {
             textures: true,
+            glossy: true,
+            emission: true,
             metallic_roughness_textures: true,
             emissive_textures: true,
             vertex_colors: true,
@@ -63,15 +79,19 @@ impl Features {
             spheres: true,
             reflection: true,
             refraction: true,
+            panes: true,
             lights: true,
+            several_lights: true,
         }
     }
 
     /// Every feature with its name in the statistics.
     #[must_use]
-    pub fn list(&self) -> [(&'static str, bool); 11] {
+    pub fn list(&self) -> [(&'static str, bool); 15] {
         [
             ("textures", self.textures),
+            ("glossy", self.glossy),
+            ("emission", self.emission),
             ("metallic_roughness_textures", self.metallic_roughness_textures),
             ("emissive_textures", self.emissive_textures),
             ("vertex_colors", self.vertex_colors),
@@ -81,7 +101,9 @@ impl Features {
             ("spheres", self.spheres),
             ("reflection", self.reflection),
             ("refraction", self.refraction),
+            ("panes", self.panes),
             ("lights", self.lights),
+            ("several_lights", self.several_lights),
         ]
     }
 }

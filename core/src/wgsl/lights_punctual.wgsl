@@ -17,7 +17,19 @@ struct Light {
     padding: f32,
 }
 
-var<uniform> lights: array<Light, 32>;
+struct Lights {
+    list: array<Light, 32>,
+    count: u32,
+}
+
+var<uniform> lights: Lights;
+
+fn lights_count() -> u32 {
+    if LIGHT_COUNT_KNOWN {
+        return LIGHT_COUNT;
+    }
+    return lights.count;
+}
 
 struct Arrival {
     // Unit vector to the light.
@@ -27,7 +39,7 @@ struct Arrival {
 }
 
 fn lights_arrival(index: u32, position: vec3f) -> Arrival {
-    let light = lights[index];
+    let light = lights.list[index];
     if light.kind == LIGHT_DIRECTIONAL {
         return Arrival(-light.direction, FAR, light.intensity);
     }
@@ -48,7 +60,7 @@ fn lights_arrival(index: u32, position: vec3f) -> Arrival {
 
 fn lights_reflected(m: Material, diffuse: vec3f, position: vec3f, normal: vec3f, view: vec3f, shadow: u32) -> vec3f {
     var sum = vec3f(0.0);
-    for (var i = 0u; i < LIGHT_COUNT; i += 1u) {
+    for (var i = 0u; i < lights_count(); i += 1u) {
         if (shadow & (1u << i)) != 0u {
             continue;
         }

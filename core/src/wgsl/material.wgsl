@@ -18,7 +18,9 @@ fn material_at(object: u32, texcoord: vec2f, color: vec3f) -> Material {
     m.roughness = 1.0;
     m.ior = 1.5;
     if !material_is(m, OBJECT_MATTE) {
-        m.emission = objects[object].emission;
+        if HAS_EMISSION {
+            m.emission = objects[object].emission;
+        }
         if HAS_EMISSIVE_TEXTURES {
             m.emission *= texture_color(objects[object].emissive_texture, texcoord).rgb;
         }

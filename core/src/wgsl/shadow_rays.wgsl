@@ -4,7 +4,7 @@
 fn shadow_bits(s: Surface) -> u32 {
     let origin = s.position + s.offset * s.face;
     var bits = 0u;
-    for (var i = 0u; i < LIGHT_COUNT; i += 1u) {
+    for (var i = 0u; i < lights_count(); i += 1u) {
         let arrival = lights_arrival(i, origin);
         if dot(s.normal, arrival.direction) <= 0.0 {
             continue;
@@ -12,7 +12,7 @@ fn shadow_bits(s: Surface) -> u32 {
         var blocked = dot(s.face, arrival.direction) <= 0.0;
         if !blocked {
             inspect_ray(RAY_SHADOW);
-            let reach = max(arrival.distance * 0.99999 - lights[i].radius, 0.0);
+            let reach = max(arrival.distance * 0.99999 - lights.list[i].radius, 0.0);
             blocked = bvh_traverse(Ray(origin, reach, arrival.direction, s.primitive, 0.0), true).primitive != MISS;
         }
         bits |= select(0u, 1u << i, blocked);

@@ -1,9 +1,10 @@
 //! Adaptive undersampling against full tracing, and its bookkeeping.
 
 use glimpse::{
-    DisplayImage, Gpu, Inspection, LinearImage, Linking, Method, Origin, Renderer, Settings, Tolerances,
+    DisplayImage, Gpu, Inspection, LinearImage, Linking, Method, Origin, Renderer, Scene, Settings,
+    Tolerances, scene::BUILTIN_NAMES,
 };
-use glimpse_tests::{Frame, Stage, gpu, turn};
+use glimpse_tests::{Frame, Stage, gallery, gpu, shared_scene, turn};
 
 const SCENES: [&str; 4] = ["room", "cornell", "minray", "furnace"];
 const ODD_SIZES: [[u32; 2]; 9] =
@@ -46,16 +47,34 @@ fn strictest_tolerances_give_the_full_frame_bit_for_bit() {
     }
 }
 
+/// Every bit; the kernels of an adaptive frame hold all that a full one's does.
+fn assert_leaving_out_changes_nothing(name: &str, stage: &Stage, size: [u32; 2]) {
+    let all = Settings { features: Linking::All, ..Settings::default() };
+    assert_same(&stage.frame(size, &all), &stage.frame(size, &Settings::default()), name);
+}
+
 #[test]
 fn leaving_out_changes_nothing() {
-    for scene in SCENES {
-        let stage = Stage::builtin(scene);
-        for method in [Method::Full, Method::Adaptive, Method::Checkerboard] {
-            let settings = Settings { method, ..Settings::default() };
-            let all = Settings { features: Linking::All, ..settings };
-            let what = format!("{scene}, {method:?}");
-            assert_same(&stage.frame([128, 96], &all), &stage.frame([128, 96], &settings), &what);
-        }
+    let built_in = BUILTIN_NAMES.map(|name| (name, Stage::builtin(name)));
+    let gallery = [
+        ("textures", gallery::textures()),
+        ("glasshouse", gallery::glasshouse()),
+        ("orthographic", gallery::orthographic()),
+        ("greys", gallery::greys()),
+    ];
+    let gallery = gallery.map(|(name, scene)| (name, Stage::new(scene)));
+    for (name, stage) in built_in.iter().chain(&gallery) {
+        assert_leaving_out_changes_nothing(name, stage, [128, 96]);
+    }
+}
+
+/// Each scene lacks something else.
+#[test]
+fn leaving_out_changes_nothing_in_shared_scenes() {
+    for file in ["vr_bunny.glb", "coffee_maker.glb", "wooden_staircase.glb", "contemporary_bathroom.glb"] {
+        let Some(path) = shared_scene(file) else { continue };
+        let scene = Scene::from_gltf(&std::fs::read(path).unwrap(), &mut |uri| Err(uri.to_owned())).unwrap();
+        assert_leaving_out_changes_nothing(file, &Stage::new(scene), [96, 54]);
     }
 }
 

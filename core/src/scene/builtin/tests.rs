@@ -49,6 +49,7 @@ fn the_room_needs_nearly_everything() {
         vertex_colors: false,
         metallic_roughness_textures: false,
         emissive_textures: false,
+        panes: false,
         ..Features::all()
     };
     assert_eq!(Features::of(&scene), expected);

@@ -1,0 +1,17 @@
+// Every material is matte: a colour that scatters light.
+
+struct Material {
+    base: vec3f,
+}
+
+fn material_at(object: u32, texcoord: vec2f, color: vec3f) -> Material {
+    return Material(objects[object].base_color * color * texture_color(objects[object].base_color_texture, texcoord).rgb);
+}
+
+fn material_local(m: Material, position: vec3f, normal: vec3f, view: vec3f, inside: bool, shadow: u32) -> vec3f {
+    return frame.ambient * m.base + lights_reflected(m, m.base, position, normal, view, shadow);
+}
+
+fn material_lobe(m: Material, normal: vec3f, view: vec3f, light: vec3f) -> vec3f {
+    return vec3f(0.0);
+}
