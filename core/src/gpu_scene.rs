@@ -75,6 +75,8 @@ pub struct GpuScene {
     pub(crate) has_colors: bool,
     /// Light passes straight through some surfaces.
     pub(crate) has_panes: bool,
+    /// The device is a CPU.
+    pub(crate) on_cpu: bool,
     features: Features,
     bounds: (Vec3, Vec3),
 }
@@ -136,6 +138,7 @@ impl GpuScene {
             has_texcoords,
             has_colors,
             has_panes,
+            on_cpu: gpu.facts().info.device_type == wgpu::DeviceType::Cpu,
             features,
             bounds,
         })

@@ -23,6 +23,8 @@ pub struct Variant {
     pub has_colors: bool,
     /// Light passes straight through some surfaces.
     pub has_panes: bool,
+    /// The device is a CPU, whose cores share a dispatch by ranges.
+    pub on_cpu: bool,
     /// Counting kernels.
     pub inspect: bool,
     /// Where colours go.
@@ -51,6 +53,7 @@ impl Variant {
             has_texcoords: scene.has_texcoords,
             has_colors: scene.has_colors,
             has_panes: scene.has_panes,
+            on_cpu: scene.on_cpu,
             inspect: false,
             output: Output::Display,
             bvh_stack: scene.bvh_stack,
@@ -92,11 +95,17 @@ impl Variant {
             Stage::SimilarityA1 | Stage::SimilarityA2 => self.shading_sources([
                 wgsl!("wgsl/similarity.wgsl"),
                 wgsl!("passes/similarity_step.wgsl"),
+                self.order(),
                 stage.entry(),
             ]),
-            Stage::Full | Stage::Base => self.tracing_sources([stage.entry()]),
+            Stage::Full | Stage::Base => self.tracing_sources([self.order(), stage.entry()]),
             Stage::TraceA1 | Stage::TraceA2 => self.tracing_sources([wgsl!("wgsl/list.wgsl"), stage.entry()]),
         }
+    }
+
+    /// Which workgroup treats which tile.
+    fn order(&self) -> Source {
+        if self.on_cpu { wgsl!("wgsl/order_dealt.wgsl") } else { wgsl!("wgsl/order_plain.wgsl") }
     }
 
     /// The sources of a kernel that traces rays and ends in these.
