@@ -73,6 +73,8 @@ pub struct GpuScene {
     /// What `vertices` holds.
     pub(crate) has_texcoords: bool,
     pub(crate) has_colors: bool,
+    /// The device is a CPU.
+    pub(crate) on_cpu: bool,
     features: Features,
     thinness: Thinness,
     bounds: (Vec3, Vec3),
@@ -136,6 +138,7 @@ impl GpuScene {
             environment: scene.environment,
             has_texcoords,
             has_colors,
+            on_cpu: gpu.facts().info.device_type == wgpu::DeviceType::Cpu,
             features,
             thinness,
             bounds,

@@ -1,8 +1,12 @@
 // Step-I (Kim 2016, Table 2): a ray through each base pixel, its colour and its attributes.
 
 @compute @workgroup_size(64)
-fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let at = 8u * (group.xy + vec2u(0u, frame.first)) + frame_tile(local);
+fn main(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(num_workgroups) groups: vec3u,
+    @builtin(local_invocation_index) local: u32,
+) {
+    let at = 8u * order_tile(group, groups, ORDER_SINGLY) + frame_tile(local);
     let pixel = frame.stride * at + vec2u(0u, frame.row);
     if pixel.x >= frame.size.x || pixel.y >= frame.end {
         return;

@@ -1,8 +1,12 @@
 // The dark squares of a checkerboard: every second sample of each row.
 
 @compute @workgroup_size(64)
-fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let at = 8u * (group.xy + vec2u(0u, frame.first)) + frame_tile(local);
+fn main(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(num_workgroups) groups: vec3u,
+    @builtin(local_invocation_index) local: u32,
+) {
+    let at = 8u * order_tile(group, groups, ORDER_SINGLY) + frame_tile(local);
     let pixel = vec2u(2u * at.x + (at.y & 1u), at.y);
     if pixel.x >= frame.size.x || pixel.y >= frame.end {
         return;

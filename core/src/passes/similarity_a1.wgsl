@@ -1,8 +1,12 @@
 // Step-II-a: the samples half way between two references of a row.
 
 @compute @workgroup_size(256)
-fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let at = 16u * (group.xy + vec2u(0u, frame.first)) + frame_tile(local);
+fn main(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(num_workgroups) groups: vec3u,
+    @builtin(local_invocation_index) local: u32,
+) {
+    let at = 16u * order_tile(group, groups, ORDER_RUNS) + frame_tile(local);
     let reach = vec2u(frame.stride / 2u, 0u);
     let pixel = frame.stride * at + vec2u(0u, frame.row) + reach;
     if pixel.x >= frame.size.x || pixel.y >= frame.end {

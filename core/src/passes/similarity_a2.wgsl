@@ -1,8 +1,12 @@
 // Step-III-a: the rows half way between those of the references.
 
 @compute @workgroup_size(256)
-fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let at = 16u * (group.xy + vec2u(0u, frame.first)) + frame_tile(local);
+fn main(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(num_workgroups) groups: vec3u,
+    @builtin(local_invocation_index) local: u32,
+) {
+    let at = 16u * order_tile(group, groups, ORDER_RUNS) + frame_tile(local);
     let reach = vec2u(0u, frame.stride / 2u);
     let pixel = vec2u(reach.y, frame.stride) * at + vec2u(0u, frame.row);
     if pixel.x >= frame.size.x || pixel.y >= frame.end {

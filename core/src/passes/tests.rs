@@ -39,6 +39,7 @@ fn variants() -> impl Iterator<Item = Variant> {
         has_texcoords: bits & 1 != 0,
         has_colors: bits & 2 != 0,
         has_panes: bits & 64 != 0,
+        on_cpu: bits & 8 != 0,
         inspect,
         output,
         sampling: 1,

@@ -43,6 +43,8 @@ pub struct Variant {
     pub has_colors: bool,
     /// Light passes straight through some surfaces of the scene, whatever is linked.
     pub has_panes: bool,
+    /// The device is a CPU, whose cores share a dispatch by ranges.
+    pub on_cpu: bool,
     /// Counting kernels.
     pub inspect: bool,
     /// Where colours go.
@@ -73,6 +75,7 @@ impl Variant {
             has_texcoords: scene.has_texcoords,
             has_colors: scene.has_colors,
             has_panes: scene.features().panes,
+            on_cpu: scene.on_cpu,
             inspect: false,
             output: Output::Display,
             sampling: settings.sampling,
@@ -95,6 +98,7 @@ impl Variant {
             has_texcoords: !scene.texcoords.is_empty(),
             has_colors: !scene.colors.is_empty(),
             has_panes: features.panes,
+            on_cpu: false,
             inspect: false,
             output: Output::Display,
             sampling: 1,
@@ -154,10 +158,14 @@ impl Variant {
                 wgsl!("wgsl/list_append.wgsl"),
                 wgsl!("wgsl/similarity.wgsl"),
                 wgsl!("passes/similarity_step.wgsl"),
+                self.order(),
                 stage.entry(),
             ]),
-            Stage::Full | Stage::Base => self.tracing_sources([stage.entry()]),
-            Stage::Checkerboard => Self { output: Output::Samples, ..*self }.tracing_sources([stage.entry()]),
+            Stage::Full | Stage::Base => self.tracing_sources([self.order(), stage.entry()]),
+            Stage::Checkerboard => {
+                let samples = Self { output: Output::Samples, ..*self };
+                samples.tracing_sources([self.order(), stage.entry()])
+            }
             Stage::Resolve | Stage::Fill => {
                 let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
                 sources.push(wgsl!("wgsl/samples.wgsl"));
@@ -183,6 +191,11 @@ impl Variant {
 
     fn compact_sources(&self, stage: Stage, range: Source) -> Vec<Source> {
         vec![self.constants(), wgsl!("wgsl/list.wgsl"), range, stage.entry()]
+    }
+
+    /// Which workgroup treats which tile.
+    fn order(&self) -> Source {
+        if self.on_cpu { wgsl!("wgsl/order_dealt.wgsl") } else { wgsl!("wgsl/order_plain.wgsl") }
     }
 
     /// The sources of a kernel that traces rays and ends in these.

@@ -1,8 +1,8 @@
 //! Adaptive undersampling against full tracing, and its bookkeeping.
 
 use glimpse::{
-    DisplayImage, Gpu, Inspection, LinearImage, Linking, Method, Origin, Renderer, Scene, Settings,
-    Tolerances, scene::BUILTIN_NAMES,
+    DisplayImage, Gpu, Inspection, LinearImage, Linking, Method, Origin, Postcorrect, Renderer, Scene,
+    Settings, Tolerances, scene::BUILTIN_NAMES,
 };
 use glimpse_tests::{Frame, Stage, gallery, gpu, shared_scene, turn};
 
@@ -47,10 +47,12 @@ fn strictest_tolerances_give_the_full_frame_bit_for_bit() {
     }
 }
 
-/// Every bit; the kernels of an adaptive frame hold all that a full one's does.
 fn assert_leaving_out_changes_nothing(name: &str, stage: &Stage, size: [u32; 2]) {
-    let all = Settings { features: Linking::All, ..Settings::default() };
-    assert_same(&stage.frame(size, &all), &stage.frame(size, &Settings::default()), name);
+    for method in [Method::Full, Method::Adaptive, Method::Checkerboard] {
+        let auto = Settings { method, postcorrect: Postcorrect::On, ..Settings::default() };
+        let all = Settings { features: Linking::All, ..auto };
+        assert_same(&stage.frame(size, &all), &stage.frame(size, &auto), &format!("{name}, {method:?}"));
+    }
 }
 
 #[test]
