@@ -8,7 +8,7 @@ use std::fmt::Write;
 use super::SceneReport;
 use super::ladder::Family;
 use super::pareto::Point;
-use labels::Labels;
+use labels::{Label, Labels};
 
 const WIDTH: f64 = 900.0;
 const HEIGHT: f64 = 560.0;
@@ -75,7 +75,7 @@ pub fn svg(scene: &SceneReport, axis: Axis) -> String {
             Mark { label: row.setting.clone(), family, point, front }
         })
         .collect();
-    draw(&scene.prepared.name, axis.title(), &marks)
+    draw(&scene.stem, axis.title(), &marks)
 }
 
 /// Draws the marks; both axes fit them.
@@ -99,11 +99,16 @@ fn draw(title: &str, x_title: &str, marks: &[Mark]) -> String {
     for (mark, [x, y]) in marks.iter().zip(&places) {
         svg += &symbol(mark.family, *x, *y, mark.front);
     }
-    let mut labels = Labels::around(&places, AREA);
+    let line: Vec<_> = on_front(marks).into_iter().map(|point| scales.place(point)).collect();
+    let mut labels = Labels::around(&places, &line, AREA);
     for (mark, place) in marks.iter().zip(&places) {
         let infinite = if mark.point.psnr_db.is_finite() { "" } else { " (equal)" };
         let text = format!("{}{infinite}", mark.label);
-        let [x, y] = labels.place(*place, &text);
+        let Label { at: [x, y], leader } = labels.place(*place, &text);
+        if let Some([to_x, to_y]) = leader {
+            let [x, y] = place;
+            let _ = writeln!(svg, "<path d=\"M{x:.1} {y:.1}L{to_x:.1} {to_y:.1}\" stroke=\"#999\"/>");
+        }
         let weight = if mark.front { " font-weight=\"600\"" } else { "" };
         let _ = writeln!(
             svg,
@@ -209,11 +214,16 @@ fn linear_ticks([low, high]: [f64; 2]) -> Vec<f64> {
         .collect()
 }
 
-fn front(scales: &Scales, marks: &[Mark]) -> String {
+/// The points of the front in their order.
+fn on_front(marks: &[Mark]) -> Vec<Point> {
     let mut points: Vec<_> = marks.iter().filter(|m| m.front).map(|m| m.point).collect();
     points.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    points
+}
+
+fn front(scales: &Scales, marks: &[Mark]) -> String {
     let line: Vec<_> =
-        points.iter().map(|p| scales.place(*p)).map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
+        on_front(marks).iter().map(|p| scales.place(*p)).map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
     format!("<polyline points=\"{}\" fill=\"none\" stroke=\"#d1495b\" stroke-width=\"2\"/>\n", line.join(" "))
 }
 

@@ -161,7 +161,7 @@ fn sampling(measured: &Measured) -> String {
 fn by_step(record: &Record) -> [f64; 9] {
     let mut steps = [0.0; 9];
     for (pass, ms) in record.passes() {
-        let step = paper::STEPS.iter().position(|(_, name)| pass.starts_with(name));
+        let step = paper::STEPS.iter().position(|(_, name)| pass.contains(name));
         steps[step.unwrap_or(8)] += ms;
     }
     let timed: f64 = steps.iter().sum();
@@ -209,5 +209,40 @@ impl Pair {
 impl From<&paper::Pair> for Pair {
     fn from(pair: &paper::Pair) -> Self {
         Self { ms: [pair.full_ms, pair.ours_ms], rt_ratio: pair.rt_ratio, psnr_db: pair.psnr_db }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::record::tests::example;
+
+    #[test]
+    fn passes_belong_to_the_papers_steps() {
+        let mut record = example("r", 20.0, None);
+        record.frames[0].passes = [
+            ("base", 8.0),
+            ("similarity_a1", 1.0),
+            ("compact_a1", 0.5),
+            ("trace_a1", 2.0),
+            ("similarity_a2", 1.5),
+            ("compact_a2", 0.25),
+            ("trace_a2", 3.0),
+            ("postcorrect_seed", 0.5),
+            ("compact_postcorrect", 0.25),
+            ("postcorrect", 1.0),
+            ("resolve", 0.75),
+        ]
+        .map(|(name, ms)| (name.to_owned(), ms))
+        .to_vec();
+        // What is left of the frame's 20 ms is not in any pass.
+        assert_eq!(by_step(&record), [8.0, 1.0, 0.5, 2.0, 1.5, 0.25, 3.0, 1.75, 2.0]);
+    }
+
+    #[test]
+    fn a_pair_says_what_the_paper_says() {
+        let cells = Pair::from(&paper::TABLE_5[0].2[1].1[0]).cells();
+        assert_eq!(cells, ["1211.7", "591.2", "2.05", "0.294", "0.60", "43.99"]);
+        assert_eq!(varied("s", 0.199, 813.3, 454.0)[1..], ["19.9 %", "813.3", "454.0", "1.79"]);
     }
 }

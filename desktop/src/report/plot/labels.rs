@@ -1,7 +1,7 @@
 //! Labels beside their points, where they cover the least.
 
-/// Of text of 11 units; digits and small letters of common fonts are no wider.
-const CHARACTER: f64 = 6.1;
+/// Of bold text of 11 units; digits and small letters of common fonts are no wider.
+const CHARACTER: f64 = 6.7;
 const ASCENT: f64 = 9.0;
 const DESCENT: f64 = 3.0;
 /// Half of a symbol's side.
@@ -10,6 +10,20 @@ const SYMBOL: f64 = 6.0;
 /// A box: left, top, right, bottom.
 type Area = [f64; 4];
 
+/// From this distance on a line leads from the point to its label.
+const FAR: f64 = 26.0;
+/// From one taken place along a line to the next.
+const STEP: f64 = 5.0;
+
+/// Where a label goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Label {
+    /// The left end of its base line.
+    pub at: [f64; 2],
+    /// The end of the line that leads to it, where it is far off.
+    pub leader: Option<[f64; 2]>,
+}
+
 /// What is taken.
 pub struct Labels {
     area: Area,
@@ -17,16 +31,24 @@ pub struct Labels {
 }
 
 impl Labels {
-    /// Around points inside an area.
-    pub fn around(points: &[[f64; 2]], area: Area) -> Self {
-        let symbol = |[x, y]: &[f64; 2]| [x - SYMBOL, y - SYMBOL, x + SYMBOL, y + SYMBOL];
-        Self { area, taken: points.iter().map(symbol).collect() }
+    /// Around points and beside a line inside an area.
+    pub fn around(points: &[[f64; 2]], line: &[[f64; 2]], area: Area) -> Self {
+        let around = |[x, y]: [f64; 2], reach: f64| [x - reach, y - reach, x + reach, y + reach];
+        let mut taken: Vec<_> = points.iter().map(|point| around(*point, SYMBOL)).collect();
+        for ends in line.windows(2) {
+            let [from, to] = [ends[0], ends[1]];
+            let steps = ((to[0] - from[0]).hypot(to[1] - from[1]) / STEP).ceil();
+            let between = |i: usize, share: f64| from[i] + share * (to[i] - from[i]);
+            let shares = (0..steps as u32).map(|i| f64::from(i) / steps);
+            taken.extend(shares.map(|share| around([between(0, share), between(1, share)], 0.5 * STEP)));
+        }
+        Self { area, taken }
     }
 
-    /// The left end of the base line of a label for that point; the place is taken from now on.
-    pub fn place(&mut self, [x, y]: [f64; 2], text: &str) -> [f64; 2] {
+    /// A place for the label of that point, which is taken from now on.
+    pub fn place(&mut self, [x, y]: [f64; 2], text: &str) -> Label {
         let width = CHARACTER * text.chars().count() as f64;
-        let mut best = (f64::INFINITY, [x, y]);
+        let mut best = (f64::INFINITY, [x, y], 0.0);
         for distance in [9.0, 16.0, 26.0, 38.0] {
             let [left, middle, right] = [x - distance - width, x - 0.5 * width, x + distance];
             let [above, level, below] = [y - distance, y + 4.0, y + distance + ASCENT];
@@ -44,12 +66,15 @@ impl Labels {
                 // Near the point, unless something is there already.
                 let cost = self.covered(&Self::extent(place, width)) + 0.5 * distance;
                 if cost < best.0 {
-                    best = (cost, place);
+                    best = (cost, place, distance);
                 }
             }
         }
-        self.taken.push(Self::extent(best.1, width));
-        best.1
+        let (_, at, distance) = best;
+        let [left, top, right, bottom] = Self::extent(at, width);
+        self.taken.push([left, top, right, bottom]);
+        let leader = (distance >= FAR).then(|| [x.clamp(left, right), y.clamp(top, bottom)]);
+        Label { at, leader }
     }
 
     fn extent([x, y]: [f64; 2], width: f64) -> Area {
@@ -77,14 +102,30 @@ mod tests {
 
     #[test]
     fn alone_a_label_stands_right_of_its_point() {
-        assert_eq!(Labels::around(&[[100.0, 100.0]], AREA).place([100.0, 100.0], "abc"), [109.0, 104.0]);
+        let label = Labels::around(&[[100.0, 100.0]], &[], AREA).place([100.0, 100.0], "abc");
+        assert_eq!(label, Label { at: [109.0, 104.0], leader: None });
+    }
+
+    #[test]
+    fn labels_give_way_to_the_line() {
+        let mut labels = Labels::around(&[[100.0, 100.0]], &[[100.0, 100.0], [300.0, 100.0]], AREA);
+        let [x, y] = labels.place([100.0, 100.0], "abc").at;
+        assert!(x < 100.0 || !(100.0 - DESCENT..=100.0 + ASCENT).contains(&y), "{x} {y}");
+    }
+
+    #[test]
+    fn a_line_leads_to_labels_that_are_far_off() {
+        let crowd = [[100.0, 100.0]; 24];
+        let mut labels = Labels::around(&crowd, &[], AREA);
+        let leaders: Vec<_> = crowd.iter().map(|point| labels.place(*point, "abc").leader).collect();
+        assert!(leaders[0].is_none() && leaders.iter().any(Option::is_some), "{leaders:?}");
     }
 
     #[test]
     fn labels_stay_inside_and_cover_nothing() {
         let points: Vec<_> =
             (0..9).map(|i| [380.0 - 2.0 * f64::from(i), 20.0 + 14.0 * f64::from(i)]).collect();
-        let mut labels = Labels::around(&points, AREA);
+        let mut labels = Labels::around(&points, &[], AREA);
         for point in &points {
             labels.place(*point, "twelve chars");
         }
