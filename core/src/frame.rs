@@ -1,7 +1,7 @@
 //! The frame: its passes in order and its constants.
 
 use crate::{
-    Camera, Gpu, GpuScene, Result, Settings,
+    Camera, Gpu, GpuScene, Result, Settings, Tolerances,
     gpu::{Bound, Kernel, Timer, mirror::gpu_struct, shader::Source},
     passes::{Output, Stage, Variant},
     plan::{Extent, Part, Rows},
@@ -127,9 +127,10 @@ impl Passes {
         gpu: &Gpu,
         targets: &Targets,
         constants: &Frame,
+        tolerances: &Tolerances,
         mut cleared: Option<&wgpu::Buffer>,
     ) -> Result<()> {
-        gpu.queue.write_buffer(&targets.frame, 0, &in_strides(&targets.plan.parts, constants));
+        gpu.queue.write_buffer(&targets.frame, 0, &in_strides(&targets.plan.parts, constants, tolerances));
         let submissions = targets.plan.submissions();
         let count = submissions.len();
         gpu.submit_all_and_wait(submissions.into_iter().enumerate().map(|(index, parts)| {
@@ -170,11 +171,13 @@ impl Passes {
 }
 
 /// The constants of every part, as the buffer holds them.
-fn in_strides(parts: &[Part], constants: &Frame) -> Vec<u8> {
+fn in_strides(parts: &[Part], constants: &Frame, tolerances: &Tolerances) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(parts.len() * FRAME_STRIDE as usize);
     for part in parts {
         let Rows { stride, row, end, turn } = part.rows;
-        let of_part = Frame { first: part.first, stride, row, end, turn, ..*constants };
+        let Tolerances { norm: norm_tolerance, gcol: gcol_tolerance, .. } = tolerances.at(stride.max(2));
+        let of_part =
+            Frame { norm_tolerance, gcol_tolerance, first: part.first, stride, row, end, turn, ..*constants };
         bytes.extend_from_slice(bytemuck::bytes_of(&of_part));
         bytes.resize(bytes.len().next_multiple_of(FRAME_STRIDE as usize), 0);
     }

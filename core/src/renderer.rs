@@ -132,7 +132,7 @@ impl<'a> Renderer<'a> {
 
     fn submit(&self, passes: &Passes, camera: &Camera, cleared: Option<&wgpu::Buffer>) -> Result<()> {
         let constants = Frame::new(self.scene, &self.settings, self.targets.grid, camera);
-        passes.run(self.gpu, &self.targets, &constants, cleared)
+        passes.run(self.gpu, &self.targets, &constants, &self.settings.tolerances, cleared)
     }
 }
 
@@ -141,7 +141,7 @@ fn resolved(settings: &Settings, scene: &GpuScene, [_, height]: [u32; 2]) -> Set
     let thin = || scene.is_thin(height.saturating_mul(settings.sampling), settings.block);
     let postcorrect = match (settings.method, settings.postcorrect) {
         (Method::Full | Method::Checkerboard, _) => Postcorrect::Off,
-        (Method::Adaptive, Postcorrect::Auto) if thin() => Postcorrect::On,
+        (Method::Adaptive, Postcorrect::Auto) if settings.block > 2 || thin() => Postcorrect::On,
         (Method::Adaptive, Postcorrect::Auto) => Postcorrect::Off,
         (Method::Adaptive, wished) => wished,
     };

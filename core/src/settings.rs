@@ -56,6 +56,22 @@ pub struct Tolerances {
     pub gcol: f32,
 }
 
+impl Tolerances {
+    /// What references may differ by that lie so many samples apart; as they stand for 2.
+    ///
+    /// An interpolated quantity is wrong by as much as it bends between the references, which grows with the square of
+    /// their distance, while the checks see how much it changes. For normals the bound on 1 - cos, the square of an angle,
+    /// shrinks with the square of the distance, so that the angle shrinks with the distance. What mirrors and glass show
+    /// has no shape of its own to interpolate: its bound shrinks with the fourth power, so that larger blocks interpolate
+    /// only where it is nearly constant. Distances grow with the stride by themselves, and the zone at the border of a
+    /// texture is wider than any step: both stay. Chosen by measurement: see the README.
+    #[must_use]
+    pub fn at(&self, stride: u32) -> Self {
+        let nearer = 2.0 / stride as f32;
+        Self { norm: 1.0 - (1.0 - self.norm) * nearer.powi(2), gcol: self.gcol * nearer.powi(4), ..*self }
+    }
+}
+
 impl Default for Tolerances {
     fn default() -> Self {
         Self { pos: 0.03, norm: 0.9, tex: 0.3, gcol: 0.15 }

@@ -87,8 +87,10 @@ impl Frame<'_> {
         let references = self
             .references(pixel)
             .map(|[a, b]| [self.reached(a, decided, rounding), self.reached(b, decided, rounding)]);
-        let failed = references.map_or(0, |[a, b]| self.failed(&a, &b));
-        let origin = match (decided, self.step(pixel)) {
+        let step = self.step(pixel);
+        let stride = step.map_or(2, |[right, down]| 2 * (right + down));
+        let failed = references.map_or(0, |[a, b]| self.failed(&a, &b, stride));
+        let origin = match (decided, step) {
             (Some(decided), _) => decided(pixel),
             (None, Some(_)) if references.is_some() && failed == 0 => Origin::Interpolated,
             (None, None) => Origin::Base,

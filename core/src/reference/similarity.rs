@@ -24,10 +24,10 @@ fn bit(name: &str) -> u32 {
 }
 
 impl Frame<'_> {
-    /// The checks that two reference pixels fail, as bits in the order of [`CHECK_NAMES`].
+    /// The checks that two reference pixels so far apart fail, as bits in the order of [`CHECK_NAMES`].
     #[must_use]
-    pub fn failed(&self, a: &Reached, b: &Reached) -> u32 {
-        let tolerances = &self.settings.tolerances;
+    pub fn failed(&self, a: &Reached, b: &Reached, stride: u32) -> u32 {
+        let tolerances = self.settings.tolerances.at(stride);
         let pos = f64::from(tolerances.pos) * self.reference.longest_side();
         let (p, q) = (&a.attributes, &b.attributes);
         if p.object != q.object {

@@ -9,7 +9,6 @@ struct Attributes {
     // OID + 1, 0 where the ray meets nothing.
     object: u32,
     normal: vec3f,
-    // Not of unit length.
     face: vec3f,
     shadow: u32,
     gcol: vec3f,

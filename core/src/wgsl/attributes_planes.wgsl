@@ -52,7 +52,7 @@ fn attributes_load(pixel: vec2u) -> Attributes {
     a.normal = octahedral_decode(attributes[attributes_plane(PLANE_NORMAL, pixel)]);
     a.face = a.normal;
     if HAS_FACE {
-        a.face = octahedral_direction(attributes[attributes_plane(PLANE_FACE, pixel)]);
+        a.face = octahedral_decode(attributes[attributes_plane(PLANE_FACE, pixel)]);
     }
     a.color = vec3f(1.0);
     if HAS_GCOL {

@@ -63,7 +63,7 @@ fn similarity_interpolate(a: Attributes, b: Attributes) -> Attributes {
     middle.depth = select(0.5 * (a.depth + b.depth), 2.0 * a.depth * a_weight, perspective);
     middle.normal = normalize(a_weight * a.normal + b_weight * b.normal);
     if HAS_FACE {
-        middle.face = a_weight * a.face + b_weight * b.face;
+        middle.face = normalize(a_weight * a.face + b_weight * b.face);
     }
     middle.gcol = 0.5 * (a.gcol + b.gcol);
     middle.texcoord = a_weight * a.texcoord + b_weight * b.texcoord;
