@@ -14,6 +14,7 @@
 //! | postcorrect_seed | Kim 2016, 4; Step-IV | `passes/postcorrect_seed.wgsl` |
 //! | compact_postcorrect | Kim 2016, 4; Step-IV | `passes/compact.wgsl` |
 //! | postcorrect | Kim 2016, 4; Step-IV | `passes/postcorrect.wgsl` |
+//! | postcorrect_scan | Kim 2016, 5; Step-IV | `passes/postcorrect_scan.wgsl` |
 //! | resolve | Kim 2016, 6.1 ("Sampling") | `passes/resolve.wgsl` |
 
 mod constants;
@@ -67,6 +68,8 @@ pub enum Stage {
     CompactPostcorrect,
     /// Step-IV: neighbours of neighbours.
     Postcorrect,
+    /// Step-IV as the paper has it, in one direction.
+    PostcorrectScan,
     /// Pixels from their samples.
     Resolve,
 }
@@ -74,7 +77,7 @@ pub enum Stage {
 impl Stage {
     /// Every stage.
     #[cfg(test)]
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -87,6 +90,7 @@ impl Stage {
         Self::PostcorrectSeed,
         Self::CompactPostcorrect,
         Self::Postcorrect,
+        Self::PostcorrectScan,
         Self::Resolve,
     ];
 
@@ -106,6 +110,7 @@ impl Stage {
             Self::PostcorrectSeed => "postcorrect_seed",
             Self::CompactPostcorrect => "compact_postcorrect",
             Self::Postcorrect => "postcorrect",
+            Self::PostcorrectScan => "postcorrect_scan",
             Self::Resolve => "resolve",
         }
     }
@@ -120,6 +125,7 @@ impl Stage {
             }
             Self::PostcorrectSeed => wgsl!("passes/postcorrect_seed.wgsl"),
             Self::Postcorrect => wgsl!("passes/postcorrect.wgsl"),
+            Self::PostcorrectScan => wgsl!("passes/postcorrect_scan.wgsl"),
             Self::SimilarityA2 => wgsl!("passes/similarity_a2.wgsl"),
             Self::TraceA1 | Self::TraceA2 => wgsl!("passes/trace.wgsl"),
             Self::Resolve => wgsl!("passes/resolve.wgsl"),

@@ -73,6 +73,7 @@ fn agree(name: &str, scene: Scene, size: [u32; 2], settings: Settings) {
     full.traced_colors().check(&format!("{name}, full, radiance"), SHARES);
     let adaptive = pair.frames(Method::Adaptive);
     adaptive.decisions().check(&format!("{name}, adaptive, checks"), SHARES);
+    adaptive.corrections().check(&format!("{name}, adaptive, postcorrection"), SHARES);
     adaptive.adaptive_hits().check(&format!("{name}, adaptive, attributes"), SHARES);
     adaptive.adaptive_colors().check(&format!("{name}, adaptive, radiance"), SHARES);
     let other = adaptive.other_origins();
