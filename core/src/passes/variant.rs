@@ -107,6 +107,7 @@ impl Variant {
             Stage::SimilarityA1 | Stage::SimilarityA2 => self.shading_sources(
                 wgsl!("wgsl/attributes_planes.wgsl"),
                 [
+                    wgsl!("wgsl/list.wgsl"),
                     wgsl!("wgsl/list_append.wgsl"),
                     wgsl!("wgsl/similarity.wgsl"),
                     wgsl!("passes/similarity_step.wgsl"),

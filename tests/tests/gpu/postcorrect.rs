@@ -172,14 +172,13 @@ fn nothing_is_left_behind() {
     }
 }
 
-/// A spiral of one piece, whose arms a thread follows from end to end.
+/// A wire between two rows of base samples, which is seen at one end and followed to the other.
 #[test]
 fn a_long_way_is_followed_to_its_end() {
     let mut builder = Builder::new();
     let wall = builder.object(unlit(Vec3::splat(0.2)));
     let wire = builder.object(unlit(Vec3::ONE));
     builder.quad(wall, vec3(-40.0, -4.0, -0.5), 80.0 * Vec3::X, 8.0 * Vec3::Y);
-    // In an odd row from the left to the right, on an even one for its last pixels only.
     let row = |y: f32| (0.5 * SIZE[1] as f32 - y) * PIXEL;
     let size = [2048, SIZE[1]];
     let half = 0.5 * size[0] as f32 * PIXEL;
