@@ -20,6 +20,7 @@ gpu_struct! {
         truncated: [f32; 3], depth: u32,
         size: [u32; 2], inverse_height: f32, first: u32,
         stride: u32, row: u32, end: u32, turn: u32,
+        step: [i32; 2], padding: [u32; 2],
     }
 }
 
@@ -59,6 +60,8 @@ impl Frame {
             row: 0,
             end: 0,
             turn: 0,
+            step: [0; 2],
+            padding: [0; 2],
         }
     }
 }
@@ -176,8 +179,17 @@ fn in_strides(parts: &[Part], constants: &Frame, tolerances: &Tolerances) -> Vec
     for part in parts {
         let Rows { stride, row, end, turn } = part.rows;
         let Tolerances { norm: norm_tolerance, gcol: gcol_tolerance, .. } = tolerances.at(stride.max(2));
-        let of_part =
-            Frame { norm_tolerance, gcol_tolerance, first: part.first, stride, row, end, turn, ..*constants };
+        let of_part = Frame {
+            norm_tolerance,
+            gcol_tolerance,
+            first: part.first,
+            stride,
+            row,
+            end,
+            turn,
+            step: part.step,
+            ..*constants
+        };
         bytes.extend_from_slice(bytemuck::bytes_of(&of_part));
         bytes.resize(bytes.len().next_multiple_of(FRAME_STRIDE as usize), 0);
     }

@@ -5,7 +5,10 @@
 //! (`DRM_MSM_HANGCHECK_DEFAULT_PERIOD`, msm). A slow phone traces 10 million rays a second, a sample takes about 4 (itself,
 //! shadows, one or two bounces). [`SAMPLES_PER_SUBMISSION`] of them take 0.1 s there: a fifth of the strictest limit.
 
-use crate::{Method, Postcorrect, passes::Stage};
+use crate::{
+    Method, Postcorrect,
+    passes::{Stage, TRACE_GROUP},
+};
 
 mod bands;
 #[cfg(test)]
@@ -65,6 +68,8 @@ pub struct Part {
     pub pass: usize,
     /// Where its pass goes on: a row of workgroups, or a place in the list.
     pub first: u32,
+    /// From one sample to the next of a scan.
+    pub step: [i32; 2],
     /// How much of the pass it does.
     pub extent: Extent,
     /// Whether its pass begins and whether it ends with it.
@@ -155,7 +160,12 @@ impl Plan {
         let rows = band.rows(1, [band.first, band.end]);
         let samples = shape.grid[0] * rows.count();
         match shape.postcorrect {
-            Postcorrect::Auto | Postcorrect::Off | Postcorrect::Scans => {}
+            Postcorrect::Auto | Postcorrect::Off => {}
+            Postcorrect::Scans => {
+                for step in [[1, 0], [-1, 0], [0, 1], [0, -1]] {
+                    self.push(lines(Stage::PostcorrectScan, shape.grid[0], band.rows(1, band.own), step));
+                }
+            }
             Postcorrect::Objects | Postcorrect::On => {
                 self.longest_list = self.longest_list.max(samples);
                 self.push(once(Stage::CompactSeed, rows));
@@ -211,7 +221,7 @@ impl Plan {
 /// A stage of one workgroup.
 fn once(stage: Stage, rows: Rows) -> Vec<Part> {
     let extent = Extent::Groups([1, 1]);
-    vec![Part { stage, rows, pass: 0, first: 0, extent, bounds: [true, true], samples: 0 }]
+    vec![Part { stage, rows, pass: 0, first: 0, step: [0; 2], extent, bounds: [true, true], samples: 0 }]
 }
 
 /// A stage that treats a grid of samples, in groups of rows of workgroups; a stage without rows is no part.
@@ -229,6 +239,7 @@ fn tiles(stage: Stage, columns: u32, rows: Rows) -> Vec<Part> {
             rows,
             pass: 0,
             first,
+            step: [0; 2],
             extent: Extent::Groups([across, count]),
             bounds: [first == 0, first + count == down],
             samples: count * row_samples,
@@ -248,10 +259,29 @@ fn chunks(stage: Stage, longest: u32, rows: Rows) -> Vec<Part> {
             rows,
             pass: 0,
             first,
+            step: [0; 2],
             extent: Extent::Chunk(chunk),
             bounds: [chunk == 0, chunk + 1 == count],
             samples: SAMPLES_PER_SUBMISSION.min(longest - first) / per_sample,
         }
     };
     (0..count).map(part).collect()
+}
+
+/// A stage that goes along every row or every column, one way.
+fn lines(stage: Stage, columns: u32, rows: Rows, step: [i32; 2]) -> Vec<Part> {
+    let [count, length] = if step[0] == 0 { [columns, rows.count()] } else { [rows.count(), columns] };
+    let groups = (SAMPLES_PER_SUBMISSION / (length * TRACE_GROUP)).max(1);
+    let at_once = groups * TRACE_GROUP;
+    let part = |first: u32| Part {
+        stage,
+        rows,
+        pass: 0,
+        first,
+        step,
+        extent: Extent::Groups([groups, 1]),
+        bounds: [first == 0, first + at_once >= count],
+        samples: at_once * length,
+    };
+    (0..count).step_by(at_once as usize).map(part).collect()
 }

@@ -73,7 +73,11 @@ impl<'a> Renderer<'a> {
         self.submit(&passes, camera, Some(&buffer))?;
         let bytes = self.gpu.read_buffer(&buffer)?;
         self.inspecting = Some((passes, buffer));
-        inspection(&bytes, self.targets.grid, self.records())
+        let inspection = inspection(&bytes, self.targets.grid, self.records())?;
+        if inspection.uncorrected > 0 {
+            log::warn!("postcorrection found {} samples that it did not come to", inspection.uncorrected);
+        }
+        Ok(inspection)
     }
 
     /// The last frame as shown.

@@ -34,6 +34,9 @@ impl FromStr for Variation {
     }
 }
 
+/// Options with the values that they take.
+pub type Varied = Vec<(String, String)>;
+
 impl FrameOptions {
     /// These options with one more, as if it had been typed.
     ///
@@ -62,10 +65,7 @@ impl FrameOptions {
     ///
     /// # Errors
     /// As [`FrameOptions::with`].
-    pub fn combinations(
-        &self,
-        variations: &[Variation],
-    ) -> Result<Vec<(Self, Vec<(String, String)>)>, String> {
+    pub fn combinations(&self, variations: &[Variation]) -> Result<Vec<(Self, Varied)>, String> {
         let mut all = vec![(self.clone(), Vec::new())];
         for Variation { option, values } in variations {
             let mut longer = Vec::with_capacity(all.len() * values.len());

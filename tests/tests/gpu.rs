@@ -8,6 +8,7 @@ mod gpu {
     mod device;
     mod golden;
     mod minray;
+    mod postcorrect;
     mod scenes;
     mod stress;
     mod traversal;

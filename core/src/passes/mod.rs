@@ -14,6 +14,7 @@
 //! | postcorrect_seed | Kim 2016, 4; Step-IV | `passes/postcorrect_seed.wgsl` |
 //! | compact_postcorrect | Kim 2016, 4; Step-IV | `passes/compact.wgsl` |
 //! | postcorrect | Kim 2016, 4; Step-IV | `passes/postcorrect.wgsl` |
+//! | postcorrect_scan | Kim 2016, 5; Step-IV | `passes/postcorrect_scan.wgsl` |
 //! | resolve | Kim 2016, 6.1 ("Sampling") | `passes/resolve.wgsl` |
 //! | checkerboard | a baseline | `passes/checkerboard.wgsl` |
 //! | fill | a baseline | `passes/fill.wgsl` |
@@ -71,6 +72,8 @@ pub enum Stage {
     CompactPostcorrect,
     /// Step-IV: neighbours of neighbours.
     Postcorrect,
+    /// Step-IV as the paper has it, in one direction.
+    PostcorrectScan,
     /// Pixels from their samples.
     Resolve,
     /// Every second pixel.
@@ -81,7 +84,7 @@ pub enum Stage {
 
 impl Stage {
     /// Every stage.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -94,6 +97,7 @@ impl Stage {
         Self::PostcorrectSeed,
         Self::CompactPostcorrect,
         Self::Postcorrect,
+        Self::PostcorrectScan,
         Self::Resolve,
         Self::Checkerboard,
         Self::Fill,
@@ -115,6 +119,7 @@ impl Stage {
             Self::PostcorrectSeed => "postcorrect_seed",
             Self::CompactPostcorrect => "compact_postcorrect",
             Self::Postcorrect => "postcorrect",
+            Self::PostcorrectScan => "postcorrect_scan",
             Self::Resolve => "resolve",
             Self::Checkerboard => "checkerboard",
             Self::Fill => "fill",
@@ -131,6 +136,7 @@ impl Stage {
             }
             Self::PostcorrectSeed => wgsl!("passes/postcorrect_seed.wgsl"),
             Self::Postcorrect => wgsl!("passes/postcorrect.wgsl"),
+            Self::PostcorrectScan => wgsl!("passes/postcorrect_scan.wgsl"),
             Self::SimilarityA2 => wgsl!("passes/similarity_a2.wgsl"),
             Self::TraceA1 | Self::TraceA2 => wgsl!("passes/trace.wgsl"),
             Self::Resolve => wgsl!("passes/resolve.wgsl"),

@@ -1,7 +1,10 @@
 // Step-IV (Kim 2016, section 4): traces the listed pixels and goes on from them. Deviation: a frontier instead of scans
-// along rows and columns. A thread walks from pixel to pixel while it finds neighbours that differ, and lists those that
-// it cannot go to itself for the next round. Which pixels are traced does not depend on the order: comparisons are
-// between a traced pixel and what was interpolated, and neither changes any more.
+// along rows and columns. A thread walks along what it finds, straight on where it can, and lists what it cannot come to
+// for the next round. Which pixels are traced does not depend on the order: comparisons are between a traced pixel and
+// what was interpolated, and neither changes any more.
+
+// An entry of the list that is no pixel.
+const NOWHERE: u32 = 0xffffffffu;
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
@@ -9,33 +12,56 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     if index >= list.end {
         return;
     }
-    var pixel = list_pixel(list.pixels[index]);
+    var entry = list.pixels[index];
+    // What the thread may still come back to, the latest first.
+    var pending = vec4u(NOWHERE);
+    var heading = vec2u(0u);
     // All threads together trace no more than a round may.
     let share = ROUND_SAMPLES / (list.end - list.begin);
-    for (var steps = clamp(share, 1u, postcorrect_steps()); steps > 0u; steps -= 1u) {
+    for (var steps = clamp(share, 1u, postcorrect_steps()); steps > 0u && entry != NOWHERE; steps -= 1u) {
+        let pixel = list_pixel(entry);
         let traced = sample_trace(pixel);
         output(pixel, traced.color);
         inspect_pixel(pixel, ORIGIN_POSTCORRECTED, traced.attributes);
         let identity = attributes_identity(traced.attributes.object, traced.attributes.shadow);
-        var next = pixel;
+        var ahead = NOWHERE;
+        var turn = false;
         for (var side = 0u; side < 4u; side += 1u) {
             let neighbour = postcorrect_neighbour(pixel, side);
-            if postcorrect_claim(neighbour, identity) {
-                if steps > 1u && all(next == pixel) {
-                    next = neighbour;
-                } else {
-                    list_append(neighbour);
-                }
+            if !postcorrect_claim(neighbour, identity) {
+                continue;
+            }
+            if all(neighbour - pixel == heading) {
+                ahead = list_entry(neighbour);
+            } else {
+                postcorrect_list(pending.w);
+                pending = vec4u(list_entry(neighbour), pending.xyz);
+                turn = true;
             }
         }
-        if all(next == pixel) {
-            return;
+        if ahead != NOWHERE {
+            entry = ahead;
+        } else {
+            entry = pending.x;
+            pending = vec4u(pending.yzw, NOWHERE);
+            if turn {
+                heading = list_pixel(entry) - pixel;
+            }
         }
-        pixel = next;
+    }
+    postcorrect_list(entry);
+    for (var i = 0u; i < 4u; i += 1u) {
+        postcorrect_list(pending[i]);
     }
 }
 
-// The longest straight run of a band, twice over, in all rounds.
+fn postcorrect_list(entry: u32) {
+    if entry != NOWHERE {
+        list_append(list_pixel(entry));
+    }
+}
+
+// In all rounds together twice the longest straight run of a band.
 fn postcorrect_steps() -> u32 {
     return 2u * (frame.size.x + frame.end - frame.row) / ROUNDS + 1u;
 }

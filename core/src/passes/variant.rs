@@ -127,7 +127,7 @@ impl Variant {
 
     /// Is anything traced again?
     pub(super) fn postcorrects(&self) -> bool {
-        matches!(self.postcorrect, Postcorrect::Objects | Postcorrect::On)
+        matches!(self.postcorrect, Postcorrect::Objects | Postcorrect::On | Postcorrect::Scans)
     }
 
     /// The planes of the attribute buffer, in order.
@@ -154,13 +154,17 @@ impl Variant {
             Stage::CompactA1 | Stage::CompactA2 => self.compact_sources(stage, wgsl!("wgsl/list_step.wgsl")),
             Stage::CompactSeed => self.compact_sources(stage, wgsl!("wgsl/list_all.wgsl")),
             Stage::CompactPostcorrect => self.compact_sources(stage, wgsl!("wgsl/list_round.wgsl")),
-            Stage::SimilarityA1 | Stage::SimilarityA2 => self.shading_sources([
-                wgsl!("wgsl/list_append.wgsl"),
-                wgsl!("wgsl/similarity.wgsl"),
-                wgsl!("passes/similarity_step.wgsl"),
-                self.order(),
-                stage.entry(),
-            ]),
+            Stage::SimilarityA1 | Stage::SimilarityA2 => self.shading_sources(
+                wgsl!("wgsl/attributes_planes.wgsl"),
+                [
+                    wgsl!("wgsl/list.wgsl"),
+                    wgsl!("wgsl/list_append.wgsl"),
+                    wgsl!("wgsl/similarity.wgsl"),
+                    wgsl!("passes/similarity_step.wgsl"),
+                    self.order(),
+                    stage.entry(),
+                ],
+            ),
             Stage::Full | Stage::Base => self.tracing_sources([self.order(), stage.entry()]),
             Stage::Checkerboard => {
                 let samples = Self { output: Output::Samples, ..*self };
@@ -179,12 +183,13 @@ impl Variant {
                 sources.extend(postcorrect_sources(stage));
                 sources
             }
-            Stage::Postcorrect => {
-                let mut sources = self.tracing_sources(postcorrect_sources(stage));
-                let planes = wgsl!("wgsl/attributes_planes.wgsl");
-                let claims = wgsl!("wgsl/attributes_claims.wgsl");
-                sources.iter_mut().filter(|s| **s == planes).for_each(|s| *s = claims.clone());
-                sources
+            Stage::Postcorrect => self.tracing_sources_from(
+                wgsl!("wgsl/attributes_claims.wgsl"),
+                self.hit(),
+                postcorrect_sources(stage),
+            ),
+            Stage::PostcorrectScan => {
+                self.tracing_sources_from(wgsl!("wgsl/attributes_claims.wgsl"), self.hit(), [stage.entry()])
             }
         }
     }
@@ -200,12 +205,15 @@ impl Variant {
 
     /// The sources of a kernel that traces rays and ends in these.
     pub(crate) fn tracing_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
-        let hit = match (self.features.alpha_mask, self.features.shadow_filter) {
+        self.tracing_sources_with(self.hit(), entry)
+    }
+
+    fn hit(&self) -> Source {
+        match (self.features.alpha_mask, self.features.shadow_filter) {
             (true, _) => wgsl!("wgsl/hit_alpha.wgsl"),
             (false, true) => wgsl!("wgsl/hit_shadow.wgsl"),
             (false, false) => wgsl!("wgsl/hit_all.wgsl"),
-        };
-        self.tracing_sources_with(hit, entry)
+        }
     }
 
     /// As [`Variant::tracing_sources`], with another say in which hits count.
@@ -214,28 +222,44 @@ impl Variant {
         hit: Source,
         entry: impl IntoIterator<Item = Source>,
     ) -> Vec<Source> {
+        self.tracing_sources_from(wgsl!("wgsl/attributes_planes.wgsl"), hit, entry)
+    }
+
+    fn tracing_sources_from(
+        &self,
+        attributes: Source,
+        hit: Source,
+        entry: impl IntoIterator<Item = Source>,
+    ) -> Vec<Source> {
         let f = &self.features;
         let pick = |present: bool, with: Source, without: Source| if present { with } else { without };
-        let mut sources = self.shading_sources([
-            pick(self.robustness.watertight, wgsl!("wgsl/edge_exact.wgsl"), wgsl!("wgsl/edge_rounded.wgsl")),
-            wgsl!("wgsl/triangle.wgsl"),
-            wgsl!("wgsl/bvh.wgsl"),
-            pick(f.spheres, wgsl!("wgsl/sphere_analytic.wgsl"), wgsl!("wgsl/sphere_none.wgsl")),
-            pick(
-                self.linking == Linking::All || self.has_texcoords || self.has_colors,
-                wgsl!("wgsl/vertex_attributes.wgsl"),
-                wgsl!("wgsl/vertex_none.wgsl"),
-            ),
-            hit,
-            wgsl!("wgsl/surface.wgsl"),
-            pick(f.lights, wgsl!("wgsl/shadow_rays.wgsl"), wgsl!("wgsl/shadow_none.wgsl")),
-            match (f.reflection, f.refraction) {
-                (_, true) => wgsl!("wgsl/bounce_glass.wgsl"),
-                (true, false) => wgsl!("wgsl/bounce_mirror.wgsl"),
-                (false, false) => wgsl!("wgsl/bounce_none.wgsl"),
-            },
-            wgsl!("wgsl/sample.wgsl"),
-        ]);
+        let mut sources = self.shading_sources(
+            attributes,
+            [
+                pick(
+                    self.robustness.watertight,
+                    wgsl!("wgsl/edge_exact.wgsl"),
+                    wgsl!("wgsl/edge_rounded.wgsl"),
+                ),
+                wgsl!("wgsl/triangle.wgsl"),
+                wgsl!("wgsl/bvh.wgsl"),
+                pick(f.spheres, wgsl!("wgsl/sphere_analytic.wgsl"), wgsl!("wgsl/sphere_none.wgsl")),
+                pick(
+                    self.linking == Linking::All || self.has_texcoords || self.has_colors,
+                    wgsl!("wgsl/vertex_attributes.wgsl"),
+                    wgsl!("wgsl/vertex_none.wgsl"),
+                ),
+                hit,
+                wgsl!("wgsl/surface.wgsl"),
+                pick(f.lights, wgsl!("wgsl/shadow_rays.wgsl"), wgsl!("wgsl/shadow_none.wgsl")),
+                match (f.reflection, f.refraction) {
+                    (_, true) => wgsl!("wgsl/bounce_glass.wgsl"),
+                    (true, false) => wgsl!("wgsl/bounce_mirror.wgsl"),
+                    (false, false) => wgsl!("wgsl/bounce_none.wgsl"),
+                },
+                wgsl!("wgsl/sample.wgsl"),
+            ],
+        );
         sources.extend(entry);
         sources
     }
@@ -252,9 +276,9 @@ impl Variant {
         ]
     }
 
-    fn shading_sources<const N: usize>(&self, rest: [Source; N]) -> Vec<Source> {
+    fn shading_sources<const N: usize>(&self, attributes: Source, rest: [Source; N]) -> Vec<Source> {
         let f = &self.features;
-        let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
+        let mut sources = self.pixel_sources(attributes);
         sources.extend([
             wgsl!("wgsl/object.wgsl"),
             if f.textures { wgsl!("wgsl/texture_atlas.wgsl") } else { wgsl!("wgsl/texture_none.wgsl") },

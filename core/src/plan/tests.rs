@@ -22,7 +22,11 @@ fn shapes() -> impl Iterator<Item = Shape> {
                 sampling,
                 block,
                 band,
-                postcorrect: if block == 4 { Postcorrect::Off } else { Postcorrect::On },
+                postcorrect: match block {
+                    2 => Postcorrect::On,
+                    4 => Postcorrect::Off,
+                    _ => Postcorrect::Scans,
+                },
             },
         )
     };
@@ -49,8 +53,10 @@ fn no_submission_exceeds_the_bound_and_no_part_is_lost() {
         assert!(parts.iter().map(|(index, _)| *index).eq(0..plan.parts.len()), "{shape:?}: order");
         for parts in &submissions {
             let samples: u32 = parts.iter().map(|(_, part)| part.samples).sum();
-            // A row of workgroups is not divided.
-            let bound = SAMPLES_PER_SUBMISSION.max(8 * shape.grid[0].next_multiple_of(8));
+            // A row of workgroups is not divided, and neither is a workgroup of scans.
+            let [width, height] = shape.grid;
+            let scans = if shape.postcorrect == Postcorrect::Scans { 64 * width.max(height) } else { 0 };
+            let bound = SAMPLES_PER_SUBMISSION.max(8 * width.next_multiple_of(8)).max(scans);
             assert!(samples <= bound, "{shape:?}: {samples} in {parts:?}");
         }
     }
@@ -66,6 +72,7 @@ fn every_pass_is_covered_once() {
                 assert_eq!(part.first, next, "{shape:?} {part:?}");
                 assert_eq!(part.bounds, [i == 0, i + 1 == parts.len()], "{shape:?} {part:?}");
                 next += match part.extent {
+                    Extent::Groups([groups, 1]) if part.stage == Stage::PostcorrectScan => 64 * groups,
                     Extent::Groups([_, rows]) => rows,
                     Extent::Chunk(chunk) => {
                         assert_eq!(chunk as usize, i, "{shape:?} {part:?}");

@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 
-use super::{Attributes, Limits, Ray, Reference, Rounding, Sample, similarity::Reached};
+use super::{
+    Attributes, Limits, Ray, Reference, Rounding, Sample, postcorrection::before, similarity::Reached,
+};
 use crate::{Camera, Origin, Settings};
 
 /// A frame of a scene.
@@ -109,13 +111,15 @@ impl Frame<'_> {
         }
     }
 
-    /// What is stored of a pixel of a base row.
+    /// What is stored of a pixel of a base row: the steps that refer to it come before postcorrection.
     fn reached(
         &self,
         pixel: [u32; 2],
         decided: Option<&dyn Fn([u32; 2]) -> Origin>,
         rounding: &mut Rounding,
     ) -> Reached {
+        let before = decided.map(|decided| move |p| before(decided(p)));
+        let decided = before.as_ref().map(|before| before as &dyn Fn([u32; 2]) -> Origin);
         let exact = self.adaptive(pixel, decided, rounding).attributes;
         let attributes = exact.stored(&self.reference.features, rounding);
         Reached { attributes, position: self.position(pixel, attributes.depth) }

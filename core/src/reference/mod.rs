@@ -7,7 +7,8 @@
 //! | [`Reference::surface`], [`Reference::texture`], [`Reference::material`], [`Reference::arrival`] | `surface.wgsl`, `texture_atlas.wgsl`, `material.wgsl`, `lights_punctual.wgsl` |
 //! | [`Reference::sample`] | `sample.wgsl`, `bounce_*.wgsl` |
 //! | [`Frame::ray`], [`Frame::traced`], [`Frame::adaptive`], [`Frame::checkerboard`] | `frame.wgsl`, the passes |
-//! | [`Frame::failed`], [`Frame::interpolated`], [`Frame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes.wgsl` |
+//! | [`Frame::failed`], [`Frame::interpolated`], [`Frame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes_planes.wgsl` |
+//! | [`Frame::postcorrection`] | `postcorrect_seed.wgsl`, `postcorrect.wgsl`, `postcorrect_scan.wgsl` |
 //!
 //! Shared with what it judges: the [`Scene`] in main memory (with its normals in octahedral words, for that is what the
 //! scene holds), the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), and the Rust functions that pack and
@@ -28,6 +29,7 @@ mod intersection;
 mod judge;
 mod lights;
 mod material;
+mod postcorrection;
 mod rounding;
 mod sample;
 mod shadow;

@@ -1,5 +1,4 @@
-// The planes as postcorrection sees them: what they say of OID and SHDBIT stays, and a pixel that is to be traced is
-// claimed by one thread alone.
+// The planes as postcorrection sees them: a pixel that is to be traced is claimed by one thread alone.
 
 var<storage, read_write> attributes: array<atomic<u32>>;
 
@@ -28,4 +27,19 @@ fn attributes_claim(pixel: vec2u, unlike: vec2u) -> bool {
         return false;
     }
     return (atomicOr(&attributes[place], ATTRIBUTES_TRACED) & ATTRIBUTES_TRACED) == 0u;
+}
+
+fn attributes_traced(pixel: vec2u) -> bool {
+    return (atomicLoad(&attributes[attributes_object(pixel)]) & ATTRIBUTES_TRACED) != 0u;
+}
+
+// For those that come to the pixel later: the rest of its attributes stays, which nothing refers to any more.
+fn attributes_store_identity(pixel: vec2u, a: Attributes) {
+    var word = a.object | ATTRIBUTES_TRACED;
+    if !HAS_SHADOW_WORD {
+        word |= a.shadow << SHADOW_SHIFT;
+    } else {
+        atomicStore(&attributes[attributes_shadow(pixel)], a.shadow);
+    }
+    atomicStore(&attributes[attributes_object(pixel)], word);
 }

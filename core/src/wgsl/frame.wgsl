@@ -26,6 +26,9 @@ struct Frame {
     end: u32,
     // What is stored of row y is in row |y - turn|.
     turn: u32,
+    // Where a scan goes.
+    step: vec2i,
+    padding: vec2u,
 }
 
 var<uniform> frame: Frame;

@@ -9,6 +9,10 @@ struct List {
     pixels: array<u32>,
 }
 
+fn list_entry(pixel: vec2u) -> u32 {
+    return pixel.x | (pixel.y << 16u);
+}
+
 fn list_pixel(entry: u32) -> vec2u {
     return vec2u(entry & 0xffffu, entry >> 16u);
 }

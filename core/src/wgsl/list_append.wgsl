@@ -14,5 +14,5 @@ var<storage, read_write> list: ListOut;
 // threads, instead of by parallel scans; Step-II-b is left with the dispatch.
 fn list_append(pixel: vec2u) {
     let place = atomicAdd(&list.count, 1u);
-    list.pixels[place] = pixel.x | (pixel.y << 16u);
+    list.pixels[place] = list_entry(pixel);
 }

@@ -128,6 +128,8 @@ fn check_books(inspection: &Inspection, [width, height]: [u32; 2], block: u32, w
     assert_eq!(s.traced_a1, count(Origin::TracedA1), "{what}");
     assert_eq!(s.traced_a2, count(Origin::TracedA2), "{what}");
     assert_eq!(s.interpolated, count(Origin::Interpolated), "{what}");
+    assert_eq!(s.postcorrected, count(Origin::Postcorrected), "{what}");
+    assert_eq!(inspection.uncorrected, 0, "{what}");
     let r = &inspection.counts.rays;
     assert_eq!(r.primary, s.total - s.interpolated, "{what}: one primary ray a traced sample");
     assert_eq!(r.total, r.primary + r.shadow + r.reflection + r.refraction, "{what}: {r:?}");
@@ -135,7 +137,8 @@ fn check_books(inspection: &Inspection, [width, height]: [u32; 2], block: u32, w
         for x in 0..width {
             let pixel = &inspection.pixels[(y * width + x) as usize];
             let step = expected_step(x, y, block);
-            let fits = pixel.origin == step || (pixel.origin == Origin::Interpolated && step != Origin::Base);
+            let told = matches!(pixel.origin, Origin::Interpolated | Origin::Postcorrected);
+            let fits = pixel.origin == step || (told && step != Origin::Base);
             assert!(fits, "{what} ({x}, {y}): {:?} where {step:?} belongs", pixel.origin);
             let checked = pixel.failed == 0 || pixel.origin == step;
             assert!(checked, "{what} ({x}, {y}): interpolated though checks {:#b} fail", pixel.failed);

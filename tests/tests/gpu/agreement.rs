@@ -79,6 +79,7 @@ fn agree(name: &str, scene: Scene, size: [u32; 2], settings: Settings) {
 fn agree_in_adaptive_frames(name: &str, pair: &Pair) {
     let adaptive = pair.frames(Method::Adaptive);
     adaptive.decisions().check(&format!("{name}, adaptive, checks"), SHARES);
+    adaptive.corrections().check(&format!("{name}, adaptive, postcorrection"), SHARES);
     adaptive.adaptive_hits().check(&format!("{name}, adaptive, attributes"), SHARES);
     adaptive.adaptive_colors().check(&format!("{name}, adaptive, radiance"), SHARES);
     let checkerboard = pair.frames(Method::Checkerboard);

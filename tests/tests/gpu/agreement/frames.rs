@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 use glimpse::{
-    Inspection, LinearImage, Method, PixelRecord, Renderer, Settings,
+    Inspection, LinearImage, Method, Origin, PixelRecord, Postcorrect, Renderer, Settings,
     reference::{Attributes, Frame, Ray, Reference, Rounding},
     scene::OCTAHEDRAL_ERROR,
 };
@@ -25,7 +25,7 @@ pub struct Frames<'a> {
 
 impl Pair {
     pub fn frames(&self, method: Method) -> Frames<'_> {
-        let settings = Settings { method, ..self.settings };
+        let settings = Settings { method, postcorrect: Postcorrect::On, ..self.settings };
         let (stage, turn) = (&self.stage, turn());
         let mut renderer =
             Renderer::new(gpu(), &stage.scene, self.size, &settings).expect("the kernels compile");
@@ -115,6 +115,16 @@ impl Frames<'_> {
         })
     }
 
+    /// Which pixels postcorrection traces, given how they and their neighbours came to be.
+    pub fn corrections(&self) -> Tally {
+        self.tally(|p| {
+            let bit = |corrects| Answer::<0> { labels: [u32::from(corrects), 0], values: [], tolerances: [] };
+            judge(&bit(self.record(p).origin == Origin::Postcorrected), |r| {
+                bit(self.frame.postcorrects(p, &|q| self.record(q).origin, r))
+            })
+        })
+    }
+
     pub fn adaptive_hits(&self) -> Tally {
         self.tally(|p| {
             judge(&self.found_hit(p), |r| {
@@ -138,7 +148,11 @@ impl Frames<'_> {
     /// The adaptive frame that the reference makes on its own: pixels that came to be in another way.
     pub fn other_origins(&self) -> usize {
         let other = self.tally(|p| {
-            let same = self.frame.adaptive(p, None, &mut Rounding::none()).origin == self.record(p).origin;
+            let found = match self.record(p).origin {
+                Origin::Postcorrected => Origin::Interpolated,
+                origin => origin,
+            };
+            let same = self.frame.adaptive(p, None, &mut Rounding::none()).origin == found;
             if same { Outcome::Same(0.0) } else { Outcome::Wrong(String::new()) }
         });
         other.wrong.len()

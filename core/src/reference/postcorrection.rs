@@ -1,0 +1,62 @@
+//! Postcorrection (Kim 2016, section 4): from traced pixels into interpolated neighbours that differ from them.
+
+use std::collections::BTreeSet;
+
+use super::{Attributes, Frame, Rounding};
+use crate::{Origin, Postcorrect};
+
+impl Frame<'_> {
+    /// The pixels that postcorrection traces, where `decided` says how pixels came to be before: the least set that holds
+    /// every interpolated neighbour that differs from a traced pixel or from one of the set.
+    #[must_use]
+    pub fn postcorrection(&self, decided: &dyn Fn([u32; 2]) -> Origin) -> BTreeSet<[u32; 2]> {
+        let [width, height] = self.size;
+        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
+        let mut open: Vec<_> = pixels.filter(|p| decided(*p) != Origin::Interpolated).collect();
+        let mut found = BTreeSet::new();
+        while let Some(pixel) = open.pop() {
+            let seen = self.traced(pixel, &mut Rounding::none()).attributes;
+            for next in self.neighbours(pixel).filter(|next| decided(*next) == Origin::Interpolated) {
+                let told = self.adaptive(next, Some(decided), &mut Rounding::none()).attributes;
+                if self.differ(&seen, &told) && found.insert(next) {
+                    open.push(next);
+                }
+            }
+        }
+        found
+    }
+
+    /// Whether postcorrection traces a pixel, where `decided` says how it and its neighbours came to be in the end.
+    #[must_use]
+    pub fn postcorrects(
+        &self,
+        pixel: [u32; 2],
+        decided: &dyn Fn([u32; 2]) -> Origin,
+        rounding: &mut Rounding,
+    ) -> bool {
+        let before = |p| before(decided(p));
+        if before(pixel) != Origin::Interpolated {
+            return false;
+        }
+        let told = self.adaptive(pixel, Some(&before), rounding).attributes;
+        self.neighbours(pixel)
+            .filter(|next| decided(*next) != Origin::Interpolated)
+            .any(|next| self.differ(&self.traced(next, rounding).attributes, &told))
+    }
+
+    fn differ(&self, a: &Attributes, b: &Attributes) -> bool {
+        let shadows = self.settings.postcorrect != Postcorrect::Objects;
+        a.object != b.object || (shadows && a.shadow != b.shadow)
+    }
+
+    fn neighbours(&self, [x, y]: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
+        let [width, height] = self.size;
+        let around = [[x.wrapping_sub(1), y], [x + 1, y], [x, y.wrapping_sub(1)], [x, y + 1]];
+        around.into_iter().filter(move |[x, y]| *x < width && *y < height)
+    }
+}
+
+/// How a pixel had come to be before postcorrection.
+pub(super) fn before(origin: Origin) -> Origin {
+    if origin == Origin::Postcorrected { Origin::Interpolated } else { origin }
+}
