@@ -31,7 +31,9 @@ fn material_at(object: u32, texcoord: vec2f, color: vec3f) -> Material {
             m.roughness *= surface.g;
             m.metallic *= surface.b;
         }
-        m.weights = objects[object].weights;
+        if material_is(m, OBJECT_WEIGHTS) {
+            m.weights = objects[object].weights;
+        }
         m.transmission = objects[object].transmission;
         m.ior = objects[object].ior;
     }

@@ -21,8 +21,10 @@ fn texture_fold_axis(x: f32, wrap: u32) -> f32 {
     return select(select(clamped, mirrored, wrap == WRAP_MIRROR), repeated, wrap == WRAP_REPEAT);
 }
 
+// Folded coordinates lead at most one texel beside the image (two where its weight is zero): no division is needed.
 fn texture_wrap_axis(i: i32, size: i32, wrap: u32) -> i32 {
-    return select(clamp(i, 0, size - 1), ((i % size) + size) % size, wrap == WRAP_REPEAT);
+    let repeated = select(select(i, i - size, i >= size), i + size, i < 0);
+    return select(clamp(i, 0, size - 1), repeated, wrap == WRAP_REPEAT);
 }
 
 fn texture_footprint(place: vec3u, texcoord: vec2f) -> Footprint {
