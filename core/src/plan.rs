@@ -27,7 +27,7 @@ pub const SAMPLES_PER_SUBMISSION: u32 = 1 << 18;
 /// its pixels, against 87 % for the 31 % that are traced).
 const INTERPOLATED_PER_TRACED: u32 = 16;
 
-/// Rounds of the postcorrection, see `postcorrect.wgsl`. One in which nothing is left takes 0.1 ms.
+/// Rounds of the postcorrection, see `postcorrect.wgsl`.
 pub const ROUNDS: u32 = 16;
 
 /// The most samples that one round traces.

@@ -154,7 +154,7 @@ fn it_is_the_least_set_that_is_closed() {
             assert_eq!(found, expected, "block {block}");
             assert_eq!(again(Postcorrect::On), found, "the same twice");
             let scanned = again(Postcorrect::Scans);
-            assert!(scanned.is_subset(&found) && 2 * scanned.len() > found.len(), "{}", scanned.len());
+            assert!(scanned.is_subset(&found) && scanned.len() > 50, "scans: {}", scanned.len());
         }
     }
 }
