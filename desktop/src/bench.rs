@@ -24,8 +24,8 @@ pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> 
         let stage = Stage::set(&gpu, name, &options.frame, &progress)?;
         let runs = plan.measure(&stage, &progress)?;
         let of_row = |(row, run): (&Row, &Run)| {
-            let full = runs.iter().find(|run| run.settings == row.baseline);
-            Ok((row.name.clone(), Statistics::of(&stage, size, run, full)?))
+            let full = rows.iter().position(|full| full.settings == row.baseline);
+            Ok((row.name.clone(), Statistics::of(&stage, size, run, full.map(|index| &runs[index]))?))
         };
         let statistics = rows.iter().zip(&runs).map(of_row).collect::<glimpse::Result<Vec<_>>>()?;
         drop(progress);
