@@ -65,6 +65,7 @@ pub struct GpuScene {
     vertices: wgpu::Buffer,
     objects: wgpu::Buffer,
     lights: wgpu::Buffer,
+    landmarks: wgpu::Buffer,
     atlas: Atlas,
     pub(crate) bvh_stack: u32,
     pub(crate) light_count: u32,
@@ -103,6 +104,7 @@ impl GpuScene {
         gpu.check_binding("primitives", (primitive_count * size_of::<[f32; 9]>()) as u64)?;
         let features = Features::of(&scene);
         let thinness = Thinness::of(&scene);
+        let landmarks: Vec<[f32; 3]> = thinness.landmarks().iter().map(|p| p.to_array()).collect();
         let bvh = Bvh::build(&scene);
         let atlas = Atlas::upload(gpu, &mut scene)?;
         let nodes = gpu.storage("nodes", &bvh.nodes)?;
@@ -130,6 +132,7 @@ impl GpuScene {
             shading,
             vertices,
             objects: gpu.storage("objects", &objects)?,
+            landmarks: gpu.storage("landmarks", &landmarks)?,
             lights: gpu.filled("lights", &lights, wgpu::BufferUsages::UNIFORM)?,
             atlas,
             bvh_stack: stack,
@@ -158,6 +161,12 @@ impl GpuScene {
         self.thinness.is_thin(rows, block)
     }
 
+    /// How many points of thin things are known: [`Thinness::landmarks`].
+    #[must_use]
+    pub fn landmark_count(&self) -> u32 {
+        self.thinness.landmarks().len() as u32
+    }
+
     /// The box around everything.
     #[must_use]
     pub fn bounds(&self) -> (Vec3, Vec3) {
@@ -179,6 +188,7 @@ impl GpuScene {
             ("vertices", self.vertices.as_entire_binding()),
             ("objects", self.objects.as_entire_binding()),
             ("lights", self.lights.as_entire_binding()),
+            ("landmarks", self.landmarks.as_entire_binding()),
             ("atlas_color", wgpu::BindingResource::TextureView(&self.atlas.color)),
             ("atlas_data", wgpu::BindingResource::TextureView(&self.atlas.data)),
         ]
@@ -187,7 +197,8 @@ impl GpuScene {
     /// Bytes of everything but the acceleration structure, and of the latter.
     #[must_use]
     pub fn bytes(&self) -> (u64, u64) {
-        let buffers = [&self.primitives, &self.shading, &self.vertices, &self.objects, &self.lights];
+        let buffers =
+            [&self.primitives, &self.shading, &self.vertices, &self.objects, &self.lights, &self.landmarks];
         let scene = buffers.iter().map(|b| b.size()).sum::<u64>() + self.atlas.bytes();
         (scene, self.nodes.size())
     }

@@ -110,6 +110,8 @@ pub struct Shape {
     pub band: u32,
     /// What is traced again.
     pub postcorrect: Postcorrect,
+    /// Points of thin things.
+    pub landmarks: u32,
 }
 
 impl Plan {
@@ -170,6 +172,10 @@ impl Plan {
                 self.longest_list = self.longest_list.max(samples);
                 self.push(once(Stage::CompactSeed, rows));
                 self.push(chunks(Stage::PostcorrectSeed, samples, rows));
+                if shape.landmarks > 0 {
+                    let groups = [shape.landmarks.div_ceil(TRACE_GROUP), 1];
+                    self.push(one(Stage::PostcorrectLandmarks, rows, groups));
+                }
                 for _ in 0..ROUNDS {
                     self.push(once(Stage::CompactPostcorrect, rows));
                     self.push(chunks(Stage::Postcorrect, samples.min(ROUND_SAMPLES), rows));
@@ -220,7 +226,12 @@ impl Plan {
 
 /// A stage of one workgroup.
 fn once(stage: Stage, rows: Rows) -> Vec<Part> {
-    let extent = Extent::Groups([1, 1]);
+    one(stage, rows, [1, 1])
+}
+
+/// A stage of one dispatch that traces nothing.
+fn one(stage: Stage, rows: Rows, groups: [u32; 2]) -> Vec<Part> {
+    let extent = Extent::Groups(groups);
     vec![Part { stage, rows, pass: 0, first: 0, step: [0; 2], extent, bounds: [true, true], samples: 0 }]
 }
 

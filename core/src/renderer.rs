@@ -34,7 +34,7 @@ impl<'a> Renderer<'a> {
         settings.validate()?;
         let settings = resolved(settings, scene, size);
         let variant = Variant::new(scene, &settings);
-        let targets = Targets::new(gpu, &variant, &settings, size)?;
+        let targets = Targets::new(gpu, scene, &variant, &settings, size)?;
         let passes = Passes::new(gpu, scene, &targets, &variant, &targets.display, None)?;
         Ok(Self { gpu, scene, settings, targets, passes, inspecting: None, linear: None })
     }

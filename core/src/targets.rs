@@ -42,7 +42,13 @@ impl Targets {
     ///
     /// # Errors
     /// A size that is not a frame's, or a device that cannot hold it.
-    pub fn new(gpu: &Gpu, variant: &Variant, settings: &Settings, size: [u32; 2]) -> Result<Self> {
+    pub fn new(
+        gpu: &Gpu,
+        scene: &GpuScene,
+        variant: &Variant,
+        settings: &Settings,
+        size: [u32; 2],
+    ) -> Result<Self> {
         let grid = grid(gpu, size, settings.sampling)?;
         let adaptive = settings.method == Method::Adaptive;
         // Of every second row.
@@ -61,6 +67,7 @@ impl Targets {
             block: settings.block,
             band,
             postcorrect: settings.postcorrect,
+            landmarks: scene.landmark_count(),
         };
         let plan = Plan::new(settings.method, &shape);
         let rows = u64::from(plan.stored_rows);

@@ -12,6 +12,7 @@
 //! | trace_a2 | Kim 2016, Step-III-c | `passes/trace.wgsl` |
 //! | compact_seed | Kim 2016, 4; Step-IV | `passes/compact.wgsl` |
 //! | postcorrect_seed | Kim 2016, 4; Step-IV | `passes/postcorrect_seed.wgsl` |
+//! | postcorrect_landmarks | ours | `passes/postcorrect_landmarks.wgsl` |
 //! | compact_postcorrect | Kim 2016, 4; Step-IV | `passes/compact.wgsl` |
 //! | postcorrect | Kim 2016, 4; Step-IV | `passes/postcorrect.wgsl` |
 //! | postcorrect_scan | Kim 2016, 5; Step-IV | `passes/postcorrect_scan.wgsl` |
@@ -68,6 +69,8 @@ pub enum Stage {
     CompactSeed,
     /// Step-IV: neighbours of what was listed.
     PostcorrectSeed,
+    /// Step-IV: what has no traced neighbour.
+    PostcorrectLandmarks,
     /// Step-IV: the next round.
     CompactPostcorrect,
     /// Step-IV: neighbours of neighbours.
@@ -84,7 +87,7 @@ pub enum Stage {
 
 impl Stage {
     /// Every stage.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -95,6 +98,7 @@ impl Stage {
         Self::TraceA2,
         Self::CompactSeed,
         Self::PostcorrectSeed,
+        Self::PostcorrectLandmarks,
         Self::CompactPostcorrect,
         Self::Postcorrect,
         Self::PostcorrectScan,
@@ -117,6 +121,7 @@ impl Stage {
             Self::TraceA2 => "trace_a2",
             Self::CompactSeed => "compact_seed",
             Self::PostcorrectSeed => "postcorrect_seed",
+            Self::PostcorrectLandmarks => "postcorrect_landmarks",
             Self::CompactPostcorrect => "compact_postcorrect",
             Self::Postcorrect => "postcorrect",
             Self::PostcorrectScan => "postcorrect_scan",
@@ -135,6 +140,7 @@ impl Stage {
                 wgsl!("passes/compact.wgsl")
             }
             Self::PostcorrectSeed => wgsl!("passes/postcorrect_seed.wgsl"),
+            Self::PostcorrectLandmarks => wgsl!("passes/postcorrect_landmarks.wgsl"),
             Self::Postcorrect => wgsl!("passes/postcorrect.wgsl"),
             Self::PostcorrectScan => wgsl!("passes/postcorrect_scan.wgsl"),
             Self::SimilarityA2 => wgsl!("passes/similarity_a2.wgsl"),

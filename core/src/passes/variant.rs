@@ -178,7 +178,7 @@ impl Variant {
                 sources
             }
             Stage::TraceA1 | Stage::TraceA2 => self.tracing_sources([wgsl!("wgsl/list.wgsl"), stage.entry()]),
-            Stage::PostcorrectSeed => {
+            Stage::PostcorrectSeed | Stage::PostcorrectLandmarks => {
                 let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_claims.wgsl"));
                 sources.extend(postcorrect_sources(stage));
                 sources

@@ -27,6 +27,7 @@ fn shapes() -> impl Iterator<Item = Shape> {
                     4 => Postcorrect::Off,
                     _ => Postcorrect::Scans,
                 },
+                landmarks: 2000,
             },
         )
     };
@@ -155,8 +156,14 @@ fn bands_hold_whole_blocks_and_whole_pixels() {
 #[test]
 fn small_frames_are_one_submission_of_one_dispatch_a_stage() {
     for (method, stages) in [(Method::Full, 1), (Method::Adaptive, 7), (Method::Checkerboard, 2)] {
-        let shape =
-            Shape { grid: [450, 450], sampling: 1, block: 2, band: 1024, postcorrect: Postcorrect::Off };
+        let shape = Shape {
+            grid: [450, 450],
+            sampling: 1,
+            block: 2,
+            band: 1024,
+            postcorrect: Postcorrect::Off,
+            landmarks: 0,
+        };
         let submissions = Plan::new(method, &shape).submissions();
         assert_eq!(submissions.iter().map(Vec::len).collect::<Vec<_>>(), [stages], "{method:?}");
     }

@@ -8,7 +8,7 @@
 //! | [`Reference::sample`] | `sample.wgsl`, `bounce_*.wgsl` |
 //! | [`Frame::ray`], [`Frame::traced`], [`Frame::adaptive`], [`Frame::checkerboard`] | `frame.wgsl`, the passes |
 //! | [`Frame::failed`], [`Frame::interpolated`], [`Frame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes_planes.wgsl` |
-//! | [`Frame::postcorrection`] | `postcorrect_seed.wgsl`, `postcorrect.wgsl`, `postcorrect_scan.wgsl` |
+//! | [`Frame::postcorrection`] | `postcorrect_seed.wgsl`, `postcorrect_landmarks.wgsl`, `postcorrect.wgsl`, `postcorrect_scan.wgsl` |
 //!
 //! Shared with what it judges: the [`Scene`] in main memory (with its normals in octahedral words, for that is what the
 //! scene holds), the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), and the Rust functions that pack and
@@ -53,13 +53,14 @@ pub use surface::Surface;
 pub use texture::Encoding;
 pub use traversal::{Hit, Tracer};
 
-use crate::{Features, Scene};
+use crate::{Features, Scene, scene::Thinness};
 
 /// A scene that is asked in f64.
 pub struct Reference {
     scene: Scene,
     tracer: Tracer,
     features: Features,
+    thinness: Thinness,
     bounds: (DVec3, DVec3),
     /// The linear value of each byte of sRGB.
     srgb: [f64; 256],
@@ -73,6 +74,7 @@ impl Reference {
         Self {
             tracer: Tracer::new(scene),
             features: Features::of(scene),
+            thinness: Thinness::of(scene),
             bounds: (low.as_dvec3(), high.as_dvec3()),
             srgb: texture::srgb_table(),
             scene: scene.clone(),

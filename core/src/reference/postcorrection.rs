@@ -2,18 +2,28 @@
 
 use std::collections::BTreeSet;
 
-use super::{Attributes, Frame, Rounding};
+use glam::{DVec2, DVec3, Vec3};
+
+use super::{Attributes, Cause, Frame, Rounding};
 use crate::{Origin, Postcorrect};
 
 impl Frame<'_> {
     /// The pixels that postcorrection traces, where `decided` says how pixels came to be before: the least set that holds
-    /// every interpolated neighbour that differs from a traced pixel or from one of the set.
+    /// every interpolated pixel where a thing's landmark is seen, and every interpolated neighbour that differs from a
+    /// traced pixel or from one of the set.
     #[must_use]
     pub fn postcorrection(&self, decided: &dyn Fn([u32; 2]) -> Origin) -> BTreeSet<[u32; 2]> {
         let [width, height] = self.size;
         let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
         let mut open: Vec<_> = pixels.filter(|p| decided(*p) != Origin::Interpolated).collect();
-        let mut found = BTreeSet::new();
+        let marked = self
+            .reference
+            .thinness
+            .landmarks()
+            .iter()
+            .filter_map(|point| self.pixel_at(self.place(point.as_dvec3(), &mut Rounding::none())));
+        let mut found: BTreeSet<_> = marked.filter(|p| decided(*p) == Origin::Interpolated).collect();
+        open.extend(&found);
         while let Some(pixel) = open.pop() {
             let seen = self.traced(pixel, &mut Rounding::none()).attributes;
             for next in self.neighbours(pixel).filter(|next| decided(*next) == Origin::Interpolated) {
@@ -38,10 +48,36 @@ impl Frame<'_> {
         if before(pixel) != Origin::Interpolated {
             return false;
         }
+        let marked = |point: &Vec3| self.pixel_at(self.place(point.as_dvec3(), rounding)) == Some(pixel);
+        if self.reference.thinness.landmarks().iter().any(marked) {
+            return true;
+        }
         let told = self.adaptive(pixel, Some(&before), rounding).attributes;
         self.neighbours(pixel)
             .filter(|next| decided(*next) != Origin::Interpolated)
             .any(|next| self.differ(&self.traced(next, rounding).attributes, &told))
+    }
+
+    /// The place in the image, in pixels from the upper left, where a point is seen; negative behind the camera.
+    fn place(&self, point: DVec3, rounding: &mut Rounding) -> DVec2 {
+        let camera = &self.camera;
+        let [width, height] = self.size.map(f64::from);
+        let away = point - camera.origin.as_dvec3();
+        let along = |axis: Vec3| away.dot(axis.as_dvec3()) / axis.as_dvec3().length_squared();
+        let depth = along(camera.forward);
+        if depth <= 0.0 {
+            return DVec2::NEG_ONE;
+        }
+        let depth = if camera.orthographic { 1.0 } else { depth };
+        let middle = DVec2::new(along(camera.right), -along(camera.up)) / depth;
+        rounding.pair(Cause::Storage, 0.5 * (DVec2::new(width, height) + middle * height), width.max(height))
+    }
+
+    fn pixel_at(&self, place: DVec2) -> Option<[u32; 2]> {
+        let inside = place.cmpge(DVec2::ZERO).all()
+            && place.x < f64::from(self.size[0])
+            && place.y < f64::from(self.size[1]);
+        inside.then_some([place.x as u32, place.y as u32])
     }
 
     fn differ(&self, a: &Attributes, b: &Attributes) -> bool {

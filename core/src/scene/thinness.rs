@@ -12,12 +12,16 @@
 //! samples are no reason to look for them in every frame, and a hundred short ones count as a long one does. The camera
 //! is not known when a scene is loaded; what a sample is wide is taken at a distance of the scene's longest side.
 
+//!
+//! Beside that, points on things are kept that may be small in a frame: their *landmarks*. Postcorrection goes from traced
+//! pixels to their neighbours; what lies between the samples as a whole has none, and is found through these.
+
 #[cfg(test)]
 mod tests;
 
 use glam::{DMat3, DVec3, Vec3};
 
-use super::Scene;
+use super::{Scene, Sphere};
 
 /// Widths are told apart by half octaves, the last one from 2^-15.5 of the longest side down.
 const BINS: usize = 32;
@@ -31,11 +35,22 @@ const FRAME_HEIGHT: f32 = 1.0;
 /// How long all thin things must be together, in units of the scene's longest side.
 const LEAST_LENGTH: f32 = 1.0;
 
+/// Thicker things have no landmarks, in units of the longest side: ten pixels of 1,440 rows at half that distance.
+const LANDMARK_THICKNESS: f64 = 1.0 / 256.0;
+
+/// The most landmarks of a thing: a long one is met by samples somewhere.
+const LANDMARKS_PER_THING: usize = 8;
+
+/// The most landmarks of a scene: as many rays at most are traced for nothing.
+const MAX_LANDMARKS: usize = 1 << 16;
+
 /// How much of what thickness there is.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Thinness {
     /// The length of all things by thickness, in units of the longest side: bin i has those from `2^(-i/2)` of it down.
     lengths: [f32; BINS],
+    /// Points of thin things, in world space.
+    landmarks: Vec<Vec3>,
 }
 
 impl Thinness {
@@ -46,22 +61,31 @@ impl Thinness {
         let Some((low, high)) = scene.bounds() else { return thinness };
         let longest = f64::from((high - low).max_element());
         if longest > 0.0 {
-            let spheres = scene.spheres.iter().map(|s| [2.0 * f64::from(s.radius); 2]);
-            for [thickness, length] in spheres {
-                thinness.add(thickness / longest, length / longest);
+            for sphere in &scene.spheres {
+                thinness.add(&Thing::sphere(sphere), longest);
             }
             each_component(scene, |triangles| {
-                let [thickness, length] = measure(triangles.iter().map(|t| &scene.positions[*t as usize]));
-                thinness.add(thickness / longest, length / longest);
+                thinness.add(&Thing::of(triangles.iter().map(|t| &scene.positions[*t as usize])), longest);
             });
+            let every = thinness.landmarks.len().div_ceil(MAX_LANDMARKS).max(1);
+            thinness.landmarks = thinness.landmarks.into_iter().step_by(every).collect();
         }
         thinness
     }
 
-    fn add(&mut self, thickness: f64, length: f64) {
+    fn add(&mut self, thing: &Thing, longest: f64) {
         // Zero goes to the last bin.
-        let bin = (-2.0 * thickness.log2()).clamp(0.0, (BINS - 1) as f64);
-        self.lengths[bin as usize] += length as f32;
+        let bin = (-2.0 * (thing.thickness / longest).log2()).clamp(0.0, (BINS - 1) as f64);
+        self.lengths[bin as usize] += (thing.length / longest) as f32;
+        if thing.thickness < LANDMARK_THICKNESS * longest {
+            self.landmarks.extend(thing.landmarks.iter().map(|point| point.as_vec3()));
+        }
+    }
+
+    /// Points of things that may be small in a frame, in world space.
+    #[must_use]
+    pub fn landmarks(&self) -> &[Vec3] {
+        &self.landmarks
     }
 
     /// The length of all things thinner than `width`, both in units of the scene's longest side; `width` is rounded up
@@ -81,8 +105,43 @@ impl Thinness {
     }
 }
 
-/// Thickness and length of the thing with these triangles.
-fn measure<'a>(triangles: impl Iterator<Item = &'a [Vec3; 3]> + Clone) -> [f64; 2] {
+/// What is known of a thing, in the scene's unit of length.
+struct Thing {
+    thickness: f64,
+    length: f64,
+    /// Points of it, spread over its length.
+    landmarks: Vec<DVec3>,
+}
+
+impl Thing {
+    fn sphere(sphere: &Sphere) -> Self {
+        let width = 2.0 * f64::from(sphere.radius);
+        Self { thickness: width, length: width, landmarks: vec![sphere.center.as_dvec3()] }
+    }
+
+    /// The thing with these triangles.
+    fn of<'a>(triangles: impl Iterator<Item = &'a [Vec3; 3]> + Clone) -> Self {
+        let (center, axes, extents, area) = box_around(triangles.clone());
+        let mut order = [0, 1, 2];
+        order.sort_by(|i, j| extents[*i].total_cmp(&extents[*j]));
+        let [_, b, a] = order.map(|axis| extents[axis]);
+        if area < SPARSE * a * b {
+            // Its middle may be empty.
+            let middles: Vec<_> =
+                triangles.map(|t| t.map(|p| p.as_dvec3())).map(|[a, b, c]| (a + b + c) / 3.0).collect();
+            let every = middles.len().div_ceil(LANDMARKS_PER_THING).max(1);
+            let landmarks = middles.into_iter().step_by(every).collect();
+            return Self { thickness: (area / (4.0 * (a + b))).min(b), length: a, landmarks };
+        }
+        let count = if b > 0.0 { (a / (LANDMARKS_PER_THING as f64 * b)).ceil() } else { 1.0 };
+        let count = count.clamp(1.0, LANDMARKS_PER_THING as f64);
+        let along = |i: usize| center + ((i as f64 + 0.5) / count - 0.5) * a * axes.col(order[2]);
+        Self { thickness: b, length: a, landmarks: (0..count as usize).map(along).collect() }
+    }
+}
+
+/// The middle of a thing's box along its principal axes, these, its extents along them, and the thing's area.
+fn box_around<'a>(triangles: impl Iterator<Item = &'a [Vec3; 3]> + Clone) -> (DVec3, DMat3, [f64; 3], f64) {
     let corners = || triangles.clone().flatten().map(|p| p.as_dvec3());
     let origin = corners().next().unwrap_or_default();
     // Of the surface, so that it does not matter how it is divided: the second moment of a triangle is
@@ -102,11 +161,7 @@ fn measure<'a>(triangles: impl Iterator<Item = &'a [Vec3; 3]> + Clone) -> [f64; 
         let along = axes.transpose() * (p - origin);
         (low, high) = (low.min(along), high.max(along));
     }
-    let mut extents = (high - low).to_array();
-    extents.sort_by(f64::total_cmp);
-    let [_, b, a] = extents;
-    let sparse = area < SPARSE * a * b;
-    [if sparse { (area / (4.0 * (a + b))).min(b) } else { b }, a]
+    (origin + axes * (0.5 * (low + high)), axes, (high - low).to_array(), area)
 }
 
 fn square(v: DVec3) -> DMat3 {

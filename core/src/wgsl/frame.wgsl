@@ -64,6 +64,20 @@ fn frame_ray(pixel: vec2u) -> Ray {
     );
 }
 
+// The place in the image, in samples from the upper left, where a point is seen; negative behind the camera.
+fn frame_place(point: vec3f) -> vec2f {
+    let size = vec2f(frame.size);
+    let away = point - frame.origin;
+    let depth = dot(away, frame.forward) / dot(frame.forward, frame.forward);
+    let x = dot(away, frame.right) / dot(frame.right, frame.right);
+    let y = dot(away, frame.up) / dot(frame.up, frame.up);
+    let along = select(depth, 1.0, frame.orthographic != 0.0);
+    if !(depth > 0.0) {
+        return vec2f(-1.0);
+    }
+    return 0.5 * (size + vec2f(x, -y) / along * size.y);
+}
+
 // Where a row of the frame is stored in the band.
 fn frame_folded(y: u32) -> u32 {
     return u32(abs(i32(y) - i32(frame.turn)));

@@ -104,6 +104,33 @@ fn a_wire_that_is_lost_in_parts_comes_back() {
     }
 }
 
+/// Squares little more than a pixel wide, each around a pixel whose row and column have no base samples.
+fn confetti() -> Scene {
+    let mut builder = Builder::new();
+    let wall = builder.object(unlit(Vec3::splat(0.2)));
+    builder.quad(wall, vec3(-4.0, -4.0, -0.5), 8.0 * Vec3::X, 8.0 * Vec3::Y);
+    let object = builder.object(unlit(Vec3::ONE));
+    let side = 1.2 * PIXEL;
+    for i in 0..20 {
+        let center = PIXEL * vec3(-37.5 + 4.0 * i as f32, 2.5 - 4.0 * (i % 3) as f32, 0.0);
+        builder.quad(object, center - 0.5 * vec3(side, side, 0.0), side * Vec3::X, side * Vec3::Y);
+    }
+    builder.seen_by(front_camera())
+}
+
+#[test]
+fn what_lies_between_the_samples_as_a_whole_is_found_by_its_landmarks() {
+    let stage = Stage::new(confetti());
+    let seen = |settings: &Settings| with_object(&stage.inspect(SIZE, settings), 1);
+    let full = seen(&Settings { method: Method::Full, ..Settings::default() });
+    assert_eq!(full.len(), 20, "each is one pixel");
+    for block in [2, 8] {
+        let by = |postcorrect| seen(&Settings { block, ..settings(postcorrect) });
+        assert_eq!(by(Postcorrect::On), full, "block {block}");
+        assert!(by(Postcorrect::Scans).is_empty(), "block {block}: no traced pixel is beside them");
+    }
+}
+
 #[test]
 fn a_missing_shadow_is_found_by_its_bits_alone() {
     let stage = Stage::new(thin_shadow());
