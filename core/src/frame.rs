@@ -20,7 +20,7 @@ gpu_struct! {
         truncated: [f32; 3], depth: u32,
         size: [u32; 2], inverse_height: f32, first: u32,
         stride: u32, row: u32, end: u32, turn: u32,
-        step: [i32; 2], padding: [u32; 2],
+        step: [i32; 2], walk: u32, padding: u32,
     }
 }
 
@@ -61,7 +61,8 @@ impl Frame {
             end: 0,
             turn: 0,
             step: [0; 2],
-            padding: [0; 2],
+            walk: 0,
+            padding: 0,
         }
     }
 }
@@ -188,6 +189,7 @@ fn in_strides(parts: &[Part], constants: &Frame, tolerances: &Tolerances) -> Vec
             end,
             turn,
             step: part.step,
+            walk: part.walk,
             ..*constants
         };
         bytes.extend_from_slice(bytemuck::bytes_of(&of_part));

@@ -27,8 +27,11 @@ pub const SAMPLES_PER_SUBMISSION: u32 = 1 << 18;
 /// its pixels, against 87 % for the 31 % that are traced).
 const INTERPOLATED_PER_TRACED: u32 = 16;
 
-/// Rounds of the postcorrection, see `postcorrect.wgsl`.
-pub const ROUNDS: u32 = 16;
+/// Rounds of the postcorrection. In the first ones a thread traces one sample: most of what is found is near, and threads
+/// that walk on stay in step with each other no longer. In the others they walk, together twice as far as the longest
+/// straight run of a band.
+const SHORT_ROUNDS: u32 = 6;
+const LONG_ROUNDS: u32 = 10;
 
 /// The most samples that one round traces.
 pub const ROUND_SAMPLES: u32 = SAMPLES_PER_SUBMISSION / 4;
@@ -70,6 +73,8 @@ pub struct Part {
     pub first: u32,
     /// From one sample to the next of a scan.
     pub step: [i32; 2],
+    /// The most samples that a thread of the postcorrection traces.
+    pub walk: u32,
     /// How much of the pass it does.
     pub extent: Extent,
     /// Whether its pass begins and whether it ends with it.
@@ -176,9 +181,12 @@ impl Plan {
                     let groups = [shape.landmarks.div_ceil(TRACE_GROUP), 1];
                     self.push(one(Stage::PostcorrectLandmarks, rows, groups));
                 }
-                for _ in 0..ROUNDS {
+                let far = 2 * (shape.grid[0] + rows.count()) / LONG_ROUNDS + 1;
+                for round in 0..SHORT_ROUNDS + LONG_ROUNDS {
+                    let walk = if round < SHORT_ROUNDS { 1 } else { far };
                     self.push(once(Stage::CompactPostcorrect, rows));
-                    self.push(chunks(Stage::Postcorrect, samples.min(ROUND_SAMPLES), rows));
+                    let parts = chunks(Stage::Postcorrect, samples.min(ROUND_SAMPLES), rows);
+                    self.push(parts.into_iter().map(|part| Part { walk, ..part }).collect());
                 }
             }
         }
@@ -232,7 +240,17 @@ fn once(stage: Stage, rows: Rows) -> Vec<Part> {
 /// A stage of one dispatch that traces nothing.
 fn one(stage: Stage, rows: Rows, groups: [u32; 2]) -> Vec<Part> {
     let extent = Extent::Groups(groups);
-    vec![Part { stage, rows, pass: 0, first: 0, step: [0; 2], extent, bounds: [true, true], samples: 0 }]
+    vec![Part {
+        stage,
+        rows,
+        pass: 0,
+        first: 0,
+        step: [0; 2],
+        walk: 0,
+        extent,
+        bounds: [true, true],
+        samples: 0,
+    }]
 }
 
 /// A stage that treats a grid of samples, in groups of rows of workgroups; a stage without rows is no part.
@@ -251,6 +269,7 @@ fn tiles(stage: Stage, columns: u32, rows: Rows) -> Vec<Part> {
             pass: 0,
             first,
             step: [0; 2],
+            walk: 0,
             extent: Extent::Groups([across, count]),
             bounds: [first == 0, first + count == down],
             samples: count * row_samples,
@@ -271,6 +290,7 @@ fn chunks(stage: Stage, longest: u32, rows: Rows) -> Vec<Part> {
             pass: 0,
             first,
             step: [0; 2],
+            walk: 0,
             extent: Extent::Chunk(chunk),
             bounds: [chunk == 0, chunk + 1 == count],
             samples: SAMPLES_PER_SUBMISSION.min(longest - first) / per_sample,
@@ -290,6 +310,7 @@ fn lines(stage: Stage, columns: u32, rows: Rows, step: [i32; 2]) -> Vec<Part> {
         pass: 0,
         first,
         step,
+        walk: 0,
         extent: Extent::Groups([groups, 1]),
         bounds: [first == 0, first + at_once >= count],
         samples: at_once * length,

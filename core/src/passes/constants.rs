@@ -119,7 +119,6 @@ impl Variant {
             ("ORIGIN_TRACED_A2", Origin::TracedA2 as u32),
             ("ORIGIN_INTERPOLATED", Origin::Interpolated as u32),
             ("ORIGIN_POSTCORRECTED", Origin::Postcorrected as u32),
-            ("ROUNDS", plan::ROUNDS),
             ("ROUND_SAMPLES", plan::ROUND_SAMPLES),
             ("TEXTURE_NEAREST", atlas::TEXTURE_NEAREST),
             ("TEXTURE_PRESENT", atlas::TEXTURE_PRESENT),

@@ -18,7 +18,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     var heading = vec2u(0u);
     // All threads together trace no more than a round may.
     let share = ROUND_SAMPLES / (list.end - list.begin);
-    for (var steps = clamp(share, 1u, postcorrect_steps()); steps > 0u && entry != NOWHERE; steps -= 1u) {
+    for (var steps = clamp(share, 1u, frame.walk); steps > 0u && entry != NOWHERE; steps -= 1u) {
         let pixel = list_pixel(entry);
         let traced = sample_trace(pixel);
         output(pixel, traced.color);
@@ -59,9 +59,4 @@ fn postcorrect_list(entry: u32) {
     if entry != NOWHERE {
         list_append(list_pixel(entry));
     }
-}
-
-// In all rounds together twice the longest straight run of a band.
-fn postcorrect_steps() -> u32 {
-    return 2u * (frame.size.x + frame.end - frame.row) / ROUNDS + 1u;
 }

@@ -28,7 +28,9 @@ struct Frame {
     turn: u32,
     // Where a scan goes.
     step: vec2i,
-    padding: vec2u,
+    // The most samples that a thread of the postcorrection traces.
+    walk: u32,
+    padding: u32,
 }
 
 var<uniform> frame: Frame;

@@ -1,0 +1,45 @@
+//! What separate lists could save where a sample fails the shadow check or the check of mirrored colours alone, so that
+//! its shadow rays or its secondary rays were enough (Kim 2016, section 5, traces everything):
+//! `cargo run --release -p glimpse-tests --example split_failures -- SCENE.glb...`
+//!
+//! Of one adaptive frame of 1024x1024, the shares of the traced samples and of the traversal's work in samples that fail
+//! nothing else. The work is an upper bound on what can be saved: some of it are the rays that are still needed.
+
+use std::error::Error;
+
+use glimpse::{CHECK_NAMES, Gpu, GpuScene, Origin, PixelRecord, Renderer, Scene, Settings};
+
+const SIZE: [u32; 2] = [1024, 1024];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let gpu = Gpu::headless(None)?;
+    println!("{:<32}{:>22}{:>22}{:>22}", "samples %, work %", "shadow alone", "gcol alone", "both alone");
+    for path in std::env::args().skip(1) {
+        let scene = Scene::from_gltf(&std::fs::read(&path)?, &mut |uri| Err(format!("refers to {uri}")))?;
+        let camera = *scene.camera(None)?;
+        let scene = GpuScene::upload(&gpu, scene)?;
+        let pixels = Renderer::new(&gpu, &scene, SIZE, &Settings::default())?.inspect(&camera)?.pixels;
+        let traced: Vec<_> = pixels.iter().filter(|pixel| pixel.origin != Origin::Interpolated).collect();
+        let columns: Vec<_> = [bit("shadow"), bit("gcol"), bit("shadow") | bit("gcol")]
+            .map(|failed| shares(&traced, failed))
+            .iter()
+            .map(|[samples, work]| format!("{:>22}", format!("{samples:.1}, {work:.1}")))
+            .collect();
+        println!("{:<32}{}", path.rsplit('/').next().unwrap_or(&path), columns.concat());
+    }
+    Ok(())
+}
+
+fn bit(check: &str) -> u32 {
+    CHECK_NAMES.iter().position(|name| *name == check).map_or(0, |i| 1 << i)
+}
+
+/// Percent of the samples that fail exactly these checks, and of the work in them.
+fn shares(traced: &[&PixelRecord], failed: u32) -> [f64; 2] {
+    let work = |pixels: &mut dyn Iterator<Item = &&PixelRecord>| -> f64 {
+        pixels.map(|pixel| f64::from(pixel.cost)).sum()
+    };
+    let alone = || traced.iter().filter(|pixel| pixel.failed == failed);
+    let samples = alone().count() as f64 / traced.len() as f64;
+    [100.0 * samples, 100.0 * work(&mut alone()) / work(&mut traced.iter())]
+}
