@@ -35,7 +35,7 @@ struct Saved {
     bindings: Vec<String>,
     /// Of how many.
     bindings_of: usize,
-    /// Bytes of attributes of a stored sample.
+    /// Bytes of attributes of two samples, one below the other.
     attribute_bytes: usize,
     /// Of how many.
     attribute_bytes_of: usize,
@@ -177,7 +177,7 @@ impl Saved {
         let stem = |file: &&str| file.rsplit('/').next().unwrap_or(file).trim_end_matches(".wgsl").to_owned();
         let files: Vec<_> = self.files.iter().map(stem).collect();
         format!(
-            "{} of {} WGSL files{}, {} of {} bindings{}, {} of {} bytes of attributes a sample",
+            "{} of {} WGSL files{}, {} of {} bindings{}, {} of {} bytes of attributes every two samples",
             files.len(),
             self.files_of,
             names(&files),
@@ -255,7 +255,7 @@ mod tests {
             "scene     ball.glb: 0 triangles, 1 sphere, 1 object, 1 light, 0 textures",
             "linked    glossy, spheres, reflection, lights",
             "texture_atlas, vertex_attributes), 3 of ",
-            "bindings (atlas_color, atlas_data, vertices), 16 of 32 bytes of attributes a sample",
+            "bindings (atlas_color, atlas_data, vertices), 24 of 40 bytes of attributes every two samples",
             "bounds    (0, 1, 2) to (2, 3, 4), sides (2, 2, 2)",
             "camera    0 (front) at",
             "light     directional along (0, -1, 0), intensity (1, 0.5, 0.25)",
@@ -273,7 +273,7 @@ mod tests {
         assert_eq!(json["cameras"][0]["name"], "front");
         assert_eq!(json["light_list"][0]["kind"], "directional");
         assert!(json["left_out"].as_array().unwrap().contains(&"textures".into()));
-        assert_eq!(json["saved"]["attribute_bytes"], 16);
+        assert_eq!(json["saved"]["attribute_bytes"], 24);
         assert!(Info::of("", Scene::default()).unwrap().text().contains("bounds    empty"));
     }
 }

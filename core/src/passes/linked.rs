@@ -3,16 +3,24 @@
 use std::collections::BTreeSet;
 
 use super::{Stage, Variant};
-use crate::{Linking, Result, Scene, gpu::shader::link};
+use crate::{
+    Linking, Method, Postcorrect, Result, Scene, Settings,
+    gpu::shader::link,
+    plan::{Plan, Shape},
+    scene::Thinness,
+};
 
-/// Everything that is linked into the kernels of a scene.
+/// The frame that is asked about; its size matters to `--postcorrect auto` alone.
+const SIZE: [u32; 2] = [2560, 1440];
+
+/// Everything that is linked into the kernels of an adaptive frame of 2560x1440 with default settings.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Linked {
     /// WGSL files.
     pub files: BTreeSet<&'static str>,
     /// Buffers and images that some kernel binds.
     pub bindings: BTreeSet<String>,
-    /// Bytes of the attributes that are stored of a sample.
+    /// Bytes of the attributes that are stored of two samples, one below the other.
     pub attribute_bytes: usize,
 }
 
@@ -22,13 +30,26 @@ impl Linked {
     /// # Errors
     /// [`crate::Error::Shader`] where a kernel does not link.
     pub fn of(scene: &Scene, linking: Linking) -> Result<Self> {
-        let variant = Variant::of_scene(scene, linking);
+        let settings = Settings { features: linking, ..Settings::default() };
+        let thin = || Thinness::of(scene).is_thin(SIZE[1], settings.block);
+        // Everything is more than a scene without thin things would link of it.
+        let corrects = linking == Linking::All || thin();
+        let postcorrect = if corrects { Postcorrect::On } else { Postcorrect::Off };
+        let variant = Variant::of_scene(scene, &Settings { postcorrect, ..settings });
         let mut linked = Self {
             files: BTreeSet::new(),
             bindings: BTreeSet::new(),
             attribute_bytes: size_of::<u32>() * variant.planes().len(),
         };
-        for stage in Stage::ALL {
+        let shape = Shape {
+            grid: SIZE,
+            sampling: settings.sampling,
+            block: settings.block,
+            band: SIZE[1],
+            postcorrect,
+        };
+        let passes = Plan::new(Method::Adaptive, &shape).passes();
+        for stage in Stage::ALL.into_iter().filter(|stage| passes.contains(stage)) {
             let sources = variant.sources(stage);
             let kernel = link(&sources)?;
             linked.bindings.extend(kernel.used_resources().map(|(name, ..)| name.to_owned()));
@@ -51,9 +72,34 @@ mod tests {
         let spared: Vec<_> = all.bindings.difference(&auto.bindings).map(String::as_str).collect();
         assert_eq!(spared, ["atlas_color", "atlas_data", "vertices"]);
         assert!(auto.bindings.is_subset(&all.bindings));
-        assert_eq!((auto.attribute_bytes, all.attribute_bytes), (12, 32));
+        assert_eq!((auto.attribute_bytes, all.attribute_bytes), (16, 40));
         for file in ["wgsl/texture_atlas.wgsl", "wgsl/bounce_glass.wgsl", "wgsl/sphere_analytic.wgsl"] {
             assert!(all.files.contains(file) && !auto.files.contains(file), "{file}");
+        }
+    }
+
+    #[test]
+    fn postcorrection_is_linked_where_it_is_on() {
+        let files = |name, linking| Linked::of(&builtin(name).expect(name), linking).expect("links").files;
+        let of_postcorrection = ["passes/postcorrect.wgsl", "passes/postcorrect_seed.wgsl"];
+        for (name, linking, corrects) in [
+            ("wires", Linking::Auto, true),
+            ("cornell", Linking::Auto, false),
+            ("cornell", Linking::All, true),
+        ] {
+            let files = files(name, linking);
+            assert!(
+                of_postcorrection.iter().all(|file| files.contains(file) == corrects),
+                "{name}, {linking:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn other_frames_are_not_counted() {
+        let all = Linked::of(&builtin("room").expect("room"), Linking::All).expect("links").files;
+        for other in ["full", "checkerboard", "fill", "resolve", "postcorrect_scan"] {
+            assert!(!all.contains(format!("passes/{other}.wgsl").as_str()), "{other}");
         }
     }
 

@@ -90,7 +90,7 @@ impl Variant {
     }
 
     /// Timed frames of a scene that is not on a device; its tree is not built and may be any.
-    pub(super) fn of_scene(scene: &Scene, linking: Linking) -> Self {
+    pub(super) fn of_scene(scene: &Scene, settings: &Settings) -> Self {
         let features = Features::of(scene);
         Self {
             features,
@@ -101,15 +101,15 @@ impl Variant {
             on_cpu: false,
             inspect: false,
             output: Output::Display,
-            sampling: 1,
-            postcorrect: Postcorrect::On,
+            sampling: settings.sampling,
+            postcorrect: settings.postcorrect,
             bvh_stack: MAX_STACK,
-            depth: 1,
+            depth: settings.depth,
             lights: scene.lights.len() as u32,
             objects: scene.objects.len() as u32,
             robustness: Robustness::default(),
         }
-        .linked(linking)
+        .linked(settings.features)
     }
 
     fn linked(self, linking: Linking) -> Self {
