@@ -147,7 +147,7 @@ pub struct ReportOptions {
     /// The folder for report.html, report.csv, the plots, and what was measured, from which an interrupted run goes on
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,
-    /// Frame size of the plots and of table 4, in pixels
+    /// Frame size of the plots and of the tables 4 and missing, in pixels
     #[arg(long, value_name = "WxH", default_value = "960x540")]
     pub size: Size,
     /// A camera of each scene, by index or name [default: the first]
@@ -162,7 +162,7 @@ pub struct ReportOptions {
     /// Warm frames of each setting
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: u32,
-    /// The tables of Kim 2016 to measure, for each scene
+    /// The tables to measure for each scene: those of Kim 2016, and missing objects
     #[arg(
         long,
         value_enum,
@@ -199,6 +199,9 @@ pub enum TableName {
     /// Resolution and sampling
     #[value(name = "5")]
     Resolutions,
+    /// Objects that are lost, by block, without and with postcorrection
+    #[value(name = "missing")]
+    Missing,
 }
 
 /// `glimpse stress`

@@ -112,7 +112,8 @@ fn compare_prints_the_errors() {
 #[test]
 fn a_report_is_complete_and_is_not_measured_again() {
     let folder = tempfile::tempdir().unwrap();
-    let line = "report builtin:minray -o out/new --size 32x24 --frames 1 --tables 5 --table5-sizes 16";
+    let line =
+        "report builtin:minray -o out/new --size 32x24 --frames 1 --tables 5,missing --table5-sizes 16";
     let run = || {
         let output = glimpse(folder.path(), line);
         assert_eq!(output.status.code(), Some(0), "{output:?}");
@@ -124,7 +125,11 @@ fn a_report_is_complete_and_is_not_measured_again() {
     let (said, first) = run();
     assert!(!said.contains("already") && said.contains("builtin:minray: "), "{said}");
     let rows = first[0].lines().count() - 1;
-    assert!(rows > 20 && first[0].lines().filter(|l| l.contains(",tables,")).count() == 6, "{}", first[0]);
+    assert!(
+        rows > 20 && first[0].lines().filter(|l| l.contains(",tables,")).count() == 6 + 7,
+        "{}",
+        first[0]
+    );
     assert!(first[1].contains("Table 5: resolution and sampling") && first[1].contains(">16x16<"));
     let (said, again) = run();
     assert!(said.starts_with(&format!("{rows} of {rows} measurements are in out/new already")), "{said}");
@@ -132,10 +137,17 @@ fn a_report_is_complete_and_is_not_measured_again() {
     // What is broken is made again, and nothing else.
     let measured = folder.path().join("out/new/measured");
     let record = std::fs::read_dir(measured).unwrap().map(|e| e.unwrap().path());
-    let record = record.filter(|path| path.extension().is_some_and(|e| e == "json")).min().unwrap();
+    let mut records = record.filter(|path| path.extension().is_some_and(|e| e == "json"));
+    let missing = |path: &std::path::PathBuf| -> serde_json::Value {
+        serde_json::from_slice::<serde_json::Value>(&std::fs::read(path).unwrap()).unwrap()["missing"].take()
+    };
+    // One that needs what full tracing shows, which is not kept.
+    let record = records.find(|path| missing(path).is_object()).unwrap();
+    let lost = missing(&record);
     std::fs::write(&record, "{").unwrap();
     let output = glimpse(folder.path(), line);
     let said = String::from_utf8(output.stdout).unwrap();
     assert!(said.starts_with(&format!("{} of {rows} measurements", rows - 1)), "{said}");
     assert!(String::from_utf8(output.stderr).unwrap().contains("is made again"));
+    assert_eq!(missing(&record), lost);
 }

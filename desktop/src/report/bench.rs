@@ -1,7 +1,9 @@
 //! The measuring itself: what is not kept yet is rendered.
 
+use std::cell::OnceCell;
+
 use anyhow::Context;
-use glimpse::{DisplayImage, Gpu, Renderer, Settings, metrics};
+use glimpse::{DisplayImage, Gpu, Missing, Renderer, Settings, metrics};
 
 use super::complete::complete;
 use super::job::Job;
@@ -63,8 +65,9 @@ impl Bench<'_> {
         let converged =
             job.is_ladder().then(|| job.converged(&self.program, scene, &self.base)).transpose()?;
         let picture = |identity: &str| self.store.picture(identity, job.shown).is_some();
-        let recalled = identities.iter().zip(&job.rungs).map(|(identity, rung)| {
-            self.store.record(identity).filter(|_| !rung.keeps_picture || picture(identity))
+        let recalled = identities.iter().zip(&job.rungs).enumerate().map(|(index, (identity, rung))| {
+            let complete = |r: &Record| job.accepts(index, r) && (!rung.keeps_picture || picture(identity));
+            self.store.record(identity).filter(complete)
         });
         let recalled = recalled.collect();
         let has_converged = converged.as_ref().is_none_or(|(_, identity)| picture(identity));
@@ -79,6 +82,7 @@ impl Bench<'_> {
         known: Known,
         progress: &Progress,
     ) -> anyhow::Result<Measured> {
+        let lacks_objects = known.lacks_objects();
         let Known { job, identities, converged, recalled, has_converged } = known;
         let done = has_converged && recalled.iter().all(|r| lacking(r.as_ref(), self.frames) == 0);
         let converged_identity = converged.as_ref().map(|(_, identity)| identity.clone());
@@ -99,6 +103,15 @@ impl Bench<'_> {
             None => (index > 0).then(|| &identities[0]),
         };
         let camera = job.camera(scene);
+        // What full tracing shows, which every other setting is searched for.
+        let objects = if lacks_objects {
+            progress.doing(&format!("{}: objects of {}", scene.name, job.rungs[0].name));
+            let inspection = self.warm(subject, scene, &job, &job.rungs[0])?.inspect(&camera)?;
+            progress.steps((1 + LOOK) * job.rungs[0].samples());
+            OnceCell::from(inspection.pixels)
+        } else {
+            OnceCell::new()
+        };
         let records = complete(
             self.store,
             recalled,
@@ -123,7 +136,12 @@ impl Bench<'_> {
                 let inspection = renderer.inspect(&camera)?;
                 progress.steps(LOOK * rung.samples());
                 let identity = identities[index].clone();
-                Ok(Record::new(identity, job.shown, &inspection, &subject.reflects, error))
+                let record = Record::new(identity, job.shown, &inspection, &subject.reflects, error);
+                let missing = objects.get().and_then(|full| Missing::of(full, &inspection.pixels));
+                if job.counts_missing() {
+                    objects.get_or_init(|| inspection.pixels);
+                }
+                Ok(Record { missing, ..record })
             },
             |index, renderer| {
                 let (frame, ms) = timed(|| renderer.render(&camera))?;
@@ -164,12 +182,21 @@ impl Known {
         [complete.count(), self.recalled.len()]
     }
 
+    /// Settings are still to be searched for objects, but full tracing, which shows these, is not to be looked at for
+    /// its own sake.
+    fn lacks_objects(&self) -> bool {
+        let [full, others @ ..] = self.recalled.as_slice() else { return false };
+        self.job.counts_missing() && full.is_some() && others.iter().any(Option::is_none)
+    }
+
     /// Samples that are still to be rendered.
     pub fn work(&self, frames: usize) -> u64 {
         let converged = self.converged.as_ref().filter(|_| !self.has_converged);
         let rungs = self.job.rungs.iter().zip(&self.recalled);
+        let objects = self.job.rungs.first().filter(|_| self.lacks_objects());
         rungs.map(|(rung, recalled)| rung.samples() * lacking(recalled.as_ref(), frames)).sum::<u64>()
             + converged.map_or(0, |(rung, _)| rung.samples())
+            + objects.map_or(0, |rung| (1 + LOOK) * rung.samples())
     }
 }
 

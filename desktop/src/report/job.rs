@@ -4,6 +4,8 @@ use glimpse::{Camera, Method, Settings};
 
 use super::identity::Identity;
 use super::ladder::{self, Family, Rung};
+use super::missing;
+use super::record::Record;
 use super::subject::{Prepared, SHARES, TABLE_SIDE, Variant, turned};
 use crate::args::{ReportOptions, TableName};
 
@@ -70,6 +72,11 @@ impl Job {
                 let sizes = options.table5_sizes.iter();
                 sizes.flat_map(|side| SAMPLINGS.map(|n| pair(Variant::AsIs, 0.0, [*side; 2], n))).collect()
             }
+            TableName::Missing => {
+                let size = options.size.0;
+                let rungs = missing::rungs(base, size);
+                vec![Self { tables: vec![table], variant: Variant::AsIs, turn: 0.0, shown: size, rungs }]
+            }
         }
     }
 
@@ -83,6 +90,16 @@ impl Job {
         self.tables.is_empty()
     }
 
+    /// The rungs are searched for the objects that the first one shows.
+    pub fn counts_missing(&self) -> bool {
+        self.tables.contains(&TableName::Missing)
+    }
+
+    /// Whether a record has all that is shown of a rung.
+    pub fn accepts(&self, index: usize, record: &Record) -> bool {
+        index == 0 || record.missing.is_some() || !self.counts_missing()
+    }
+
     /// The view.
     pub fn camera(&self, scene: &Prepared) -> Camera {
         if self.turn == 0.0 { scene.camera } else { turned(&scene.camera, self.turn) }
@@ -93,6 +110,7 @@ impl Job {
         let of = |(index, rung): (usize, &Rung)| {
             let against = match index {
                 _ if self.is_ladder() => "converged",
+                _ if self.counts_missing() => "full and its objects",
                 0 => "nothing",
                 _ => "full",
             };
@@ -168,9 +186,11 @@ impl Rung {
 #[cfg(test)]
 mod tests {
     use clap::Parser;
+    use glimpse::Missing;
 
     use super::*;
     use crate::args::{Arguments, Command};
+    use crate::report::record::tests::example;
 
     fn jobs(line: &str, scene: &str) -> Vec<Job> {
         let line = format!("glimpse report {scene} -o out {line}");
@@ -203,9 +223,29 @@ mod tests {
     }
 
     #[test]
+    fn missing_objects_are_one_job_of_the_reports_size() {
+        let jobs = jobs("--tables missing,5 --size 64x32 --table5-sizes 64", "a.glb");
+        let counting: Vec<_> = jobs.iter().filter(|job| job.counts_missing()).collect();
+        assert_eq!((jobs.len(), counting.len()), (1 + 1 + 3, 1));
+        assert_eq!((counting[0].shown, counting[0].rungs.len()), ([64, 32], 1 + 2 * 3));
+        assert!(!counting[0].is_ladder() && counting[0].variant == Variant::AsIs);
+    }
+
+    #[test]
+    fn records_that_count_no_missing_objects_are_no_use_where_those_are_shown() {
+        let without = example("r", 10.0, Some(40.0));
+        let with = Record { missing: Some(Missing::default()), ..without.clone() };
+        let jobs = jobs("--tables missing,3a", "a.glb");
+        let [ladder, counting, kernels] = jobs.as_slice() else { panic!("{jobs:?}") };
+        assert!(counting.accepts(0, &without), "full tracing is what objects are counted against");
+        assert!(counting.accepts(1, &with) && !counting.accepts(1, &without));
+        assert!(ladder.accepts(1, &without) && kernels.accepts(1, &without));
+    }
+
+    #[test]
     fn every_setting_has_an_identity_of_its_own() {
         let scene = Prepared::new("builtin:minray", None).unwrap();
-        let mut all: Vec<_> = jobs("--tables 3a,3b,3c,4,5", "hairball.glb")
+        let mut all: Vec<_> = jobs("--tables 3a,3b,3c,4,5,missing", "hairball.glb")
             .iter()
             .flat_map(|job| job.identities("p", "a", &scene).unwrap())
             .collect();

@@ -5,6 +5,7 @@ mod complete;
 mod identity;
 mod job;
 mod ladder;
+mod missing;
 mod page;
 mod paper;
 mod pareto;

@@ -140,9 +140,11 @@ fn paper_table(table: &Table) -> Markup {
             div class="wide" { table {
                 thead { tr { @for head in &table.head { th { (head) } } } }
                 tbody { @for row in &table.ours { (cells(row)) } }
-                tbody class="paper" {
-                    tr { td colspan=(table.head.len()) { "The paper's own figures: " (paper::CITATION) } }
-                    @for row in &table.paper { (cells(row)) }
+                @if !table.paper.is_empty() {
+                    tbody class="paper" {
+                        tr { td colspan=(table.head.len()) { "The paper's own figures: " (paper::CITATION) } }
+                        @for row in &table.paper { (cells(row)) }
+                    }
                 }
             } }
         }
@@ -159,13 +161,13 @@ fn cells(row: &[String]) -> Markup {
 
 #[cfg(test)]
 mod tests {
-    use glimpse::DisplayImage;
+    use glimpse::{DisplayImage, Missing};
 
     use super::*;
     use crate::args::TableName;
     use crate::report::bench::Measured;
     use crate::report::job::Job;
-    use crate::report::record::tests::example;
+    use crate::report::record::{Record, tests::example};
     use crate::report::rows::tests::ladder;
     use crate::report::subject::Prepared;
 
@@ -178,10 +180,13 @@ mod tests {
             TableName::Views,
             TableName::Hairball,
             TableName::Resolutions,
+            TableName::Missing,
         ] {
             let Measured { job, .. } = ladder();
             let job = Job { tables: vec![table], rungs: job.rungs[..2].to_vec(), ..job };
-            let records = vec![example("full", 20.0, None), example("adaptive", 8.0, Some(41.5))];
+            let missing = (table == TableName::Missing).then(Missing::default);
+            let adaptive = Record { missing, ..example("adaptive", 8.0, Some(41.5)) };
+            let records = vec![example("full", 20.0, None), adaptive];
             measured.push(Measured { job, identities: vec![], converged: None, records });
         }
         let picture = DisplayImage::from_pixel(10, 10, [9, 9, 9, 255].into());
@@ -223,7 +228,12 @@ mod tests {
                 assert!(page.contains(&cells), "{row:?}");
             }
         }
-        assert_eq!(tables::all(&scenes).len(), 5);
+        assert_eq!(tables::all(&scenes).len(), 6);
+        assert_eq!(
+            page.matches(paper::CITATION.split('"').next().unwrap()).count(),
+            5,
+            "not of missing objects"
+        );
         for text in ["Card (vulkan, D 1)", "commit abc", "glimpse report &lt;b&gt;", "&lt;b&gt;&amp;scene"] {
             assert!(page.contains(text), "{text}");
         }

@@ -1,7 +1,7 @@
 //! One measurement: a setting of a scene, its frames and its error.
 
 use glimpse::metrics::ErrorReport;
-use glimpse::{FrameTime, Inspection};
+use glimpse::{FrameTime, Inspection, Missing};
 use serde::{Deserialize, Serialize};
 
 use crate::statistics::Spread;
@@ -21,6 +21,8 @@ pub struct Record {
     pub reflective_share: f64,
     /// Against the reference; none for a reference itself.
     pub error: Option<ErrorReport>,
+    /// What full tracing shows of objects and this does not; none where nobody asked.
+    pub missing: Option<Missing>,
     /// The warm frames.
     pub frames: Vec<Frame>,
 }
@@ -58,6 +60,7 @@ impl Record {
             rt_ratio: inspection.counts.rt_ratio(),
             reflective_share: mirrors as f64 / inspection.pixels.len().max(1) as f64,
             error,
+            missing: None,
             frames: Vec::new(),
         }
     }
@@ -117,6 +120,7 @@ pub mod tests {
             rt_ratio: 0.34,
             reflective_share: 0.25,
             error: psnr_db.map(error),
+            missing: None,
             frames: vec![Frame {
                 ms,
                 passes: vec![("base".into(), 0.75 * ms), ("trace_a1".into(), 0.25 * ms)],

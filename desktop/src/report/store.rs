@@ -93,6 +93,8 @@ fn kept<T>(path: &Path, parse: impl FnOnce(Vec<u8>) -> anyhow::Result<T>) -> Opt
 
 #[cfg(test)]
 mod tests {
+    use glimpse::Missing;
+
     use super::*;
     use crate::report::record::tests::example;
 
@@ -109,6 +111,21 @@ mod tests {
         store.keep_picture("one", &picture).unwrap();
         assert_eq!(store.picture("one", [2, 1]), Some(picture));
         assert!(store.picture("one", [1, 2]).is_none() && store.picture("two", [2, 1]).is_none());
+    }
+
+    #[test]
+    fn missing_objects_are_kept_and_files_that_do_not_speak_of_them_are_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let store = Store::open(folder.path()).unwrap();
+        let missing =
+            Missing { objects_shown: 3, objects_lost: 1, mean_share_lost: 0.5, ..Missing::default() };
+        let record = Record { missing: Some(missing), ..example("one", 10.0, Some(40.0)) };
+        store.keep(&record).unwrap();
+        assert_eq!(store.record("one"), Some(record.clone()));
+        let mut older = serde_json::to_value(&record).unwrap();
+        older.as_object_mut().unwrap().remove("missing").unwrap();
+        fs::write(store.path("one", "json"), older.to_string()).unwrap();
+        assert_eq!(store.record("one"), Some(Record { missing: None, ..record }));
     }
 
     #[test]

@@ -1,9 +1,9 @@
-//! The tables of Kim 2016: rows of text, measured and printed.
+//! The tables: rows of text, measured here and printed in Kim 2016.
 
 use super::SceneReport;
 use super::bench::Measured;
-use super::paper;
 use super::record::Record;
+use super::{missing, paper};
 use crate::args::TableName;
 use crate::output::grouped;
 
@@ -17,14 +17,15 @@ pub struct Table {
     pub head: Vec<&'static str>,
     /// Measured here.
     pub ours: Vec<Vec<String>>,
-    /// Printed in the paper.
+    /// Printed in the paper; empty where it has no such figures.
     pub paper: Vec<Vec<String>>,
 }
 
 /// Every table that something was measured for.
 pub fn all(scenes: &[SceneReport]) -> Vec<Table> {
-    let tables = [resolutions(scenes), kernels(scenes), reflective(scenes), views(scenes), hairball(scenes)];
-    tables.into_iter().filter(|table| !table.ours.is_empty()).collect()
+    let of_paper = [resolutions, kernels, reflective, views, hairball];
+    let tables = of_paper.into_iter().chain([missing::table as fn(&_) -> _]).map(|table| table(scenes));
+    tables.filter(|table| !table.ours.is_empty()).collect()
 }
 
 fn resolutions(scenes: &[SceneReport]) -> Table {
@@ -137,7 +138,8 @@ fn views(scenes: &[SceneReport]) -> Table {
     }
 }
 
-fn of(scenes: &[SceneReport], table: TableName) -> impl Iterator<Item = (&SceneReport, &Measured)> {
+/// What was measured for a table.
+pub fn of(scenes: &[SceneReport], table: TableName) -> impl Iterator<Item = (&SceneReport, &Measured)> {
     let measured = scenes.iter().flat_map(|scene| scene.measured.iter().map(move |m| (scene, m)));
     measured.filter(move |(_, measured)| measured.job.tables.contains(&table))
 }
