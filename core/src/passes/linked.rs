@@ -31,9 +31,10 @@ impl Linked {
     /// [`crate::Error::Shader`] where a kernel does not link.
     pub fn of(scene: &Scene, linking: Linking) -> Result<Self> {
         let settings = Settings { features: linking, ..Settings::default() };
-        let thin = || Thinness::of(scene).is_thin(SIZE[1], settings.block);
+        let thinness = Thinness::of(scene);
         // Everything is more than a scene without thin things would link of it.
-        let corrects = linking == Linking::All || thin();
+        let everything = linking == Linking::All;
+        let corrects = everything || thinness.is_thin(SIZE[1], settings.block);
         let postcorrect = if corrects { Postcorrect::On } else { Postcorrect::Off };
         let variant = Variant::of_scene(scene, &Settings { postcorrect, ..settings });
         let mut linked = Self {
@@ -47,6 +48,7 @@ impl Linked {
             block: settings.block,
             band: SIZE[1],
             postcorrect,
+            landmarks: thinness.landmarks().len().max(usize::from(everything)) as u32,
         };
         let passes = Plan::new(Method::Adaptive, &shape).passes();
         for stage in Stage::ALL.into_iter().filter(|stage| passes.contains(stage)) {
