@@ -58,6 +58,16 @@ pub struct Row {
     pub flip_p99: Option<f64>,
     /// In levels of 0 to 255.
     pub worst_tile_rmse: Option<f64>,
+    /// Objects that full tracing shows; where missing objects are counted, as what follows.
+    pub objects_shown: Option<u64>,
+    /// Those that no pixel shows.
+    pub objects_lost: Option<u64>,
+    /// Pixels in which full tracing shows an object.
+    pub pixels_shown: Option<u64>,
+    /// Those that show another object, or none.
+    pub pixels_lost: Option<u64>,
+    /// The lost part of an object's pixels, averaged over objects.
+    pub mean_share_lost: Option<f64>,
     /// 1 / (MSE x seconds).
     pub efficiency: Option<f64>,
     /// On the Pareto front of PSNR against time, of the ladder.
@@ -112,7 +122,7 @@ fn row(scene: &str, measured: &Measured, index: usize) -> Row {
         Some(_) if job.is_ladder() => "256 samples a pixel",
         Some(_) => "full",
     };
-    let error = record.error.as_ref();
+    let (error, missing) = (record.error.as_ref(), record.missing.as_ref());
     let time = record.time();
     Row {
         scene: scene.to_owned(),
@@ -143,6 +153,11 @@ fn row(scene: &str, measured: &Measured, index: usize) -> Row {
         flip_mean: error.and_then(|e| e.flip_mean),
         flip_p99: error.and_then(|e| e.flip_p99),
         worst_tile_rmse: error.map(|e| e.worst_tile_rmse),
+        objects_shown: missing.map(|m| m.objects_shown),
+        objects_lost: missing.map(|m| m.objects_lost),
+        pixels_shown: missing.map(|m| m.pixels_shown),
+        pixels_lost: missing.map(|m| m.pixels_lost),
+        mean_share_lost: missing.map(|m| m.mean_share_lost),
         efficiency: record.efficiency(),
         front_time: false,
         front_rays: false,
@@ -183,7 +198,7 @@ pub fn verdict(rows: &[Row]) -> String {
 
 #[cfg(test)]
 pub mod tests {
-    use glimpse::Settings;
+    use glimpse::{Missing, Settings};
 
     use super::*;
     use crate::report::job::Job;
@@ -204,12 +219,22 @@ pub mod tests {
 
     #[test]
     fn csv_parses_back() {
-        let mut rows = of("a, \"b\".glb", &[ladder()]);
+        let mut measured = ladder();
+        measured.records[2].missing = Some(Missing {
+            objects_shown: 5,
+            objects_lost: 4,
+            pixels_shown: 3,
+            pixels_lost: 2,
+            mean_share_lost: 0.5,
+        });
+        let mut rows = of("a, \"b\".glb", &[measured]);
         rows[1].psnr_db = None;
         let bytes = csv(&rows.iter().collect::<Vec<_>>()).unwrap();
         let parsed: Vec<Row> =
             csv::Reader::from_reader(bytes.as_slice()).deserialize().map(Result::unwrap).collect();
         assert_eq!(parsed, rows);
+        let lost = |row: &Row| [row.objects_shown, row.objects_lost, row.pixels_shown, row.pixels_lost];
+        assert_eq!((lost(&parsed[2]), parsed[2].mean_share_lost), ([5, 4, 3, 2].map(Some), Some(0.5)));
         let head = String::from_utf8(bytes).unwrap();
         assert!(head.starts_with("scene,part,changed,setting,baseline,width,height,"), "{head}");
         assert_eq!(parsed.last().unwrap().psnr_db, Some(f64::INFINITY));
