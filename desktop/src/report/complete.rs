@@ -39,7 +39,9 @@ pub fn complete<S>(
         }
         unfinished.retain(|(index, _)| records[*index].frames.len() < frames);
     }
-    Ok(records)
+    // As they are read, which may differ in a last bit: so a report is the same whether it was interrupted or not.
+    let as_kept = |record: Record| store.record(&record.identity).unwrap_or(record);
+    Ok(records.into_iter().map(as_kept).collect())
 }
 
 #[cfg(test)]
