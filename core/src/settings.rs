@@ -189,3 +189,36 @@ impl Default for Robustness {
         Self { watertight: true, boxes: true, offset: true }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tolerances_are_those_of_every_second_sample() {
+        let strange = Tolerances { pos: 0.7, norm: -0.5, tex: 0.2, gcol: 3.0 };
+        for tolerances in [Tolerances::default(), strange] {
+            assert_eq!(tolerances.at(2), tolerances);
+        }
+    }
+
+    #[test]
+    fn references_that_lie_further_apart_may_differ_less() {
+        let tolerances = Tolerances::default();
+        for (stride, norm, gcol) in [(4, 0.975, 0.15 / 16.0), (8, 0.993_75, 0.15 / 256.0)] {
+            let further = tolerances.at(stride);
+            assert_eq!((further.pos, further.tex), (tolerances.pos, tolerances.tex));
+            assert!((further.norm - norm).abs() < 1e-6, "{stride}: {further:?}");
+            assert!((further.gcol - gcol).abs() < 1e-6, "{stride}: {further:?}");
+        }
+    }
+
+    /// What traces everything still does: no pair is closer than 0, no cosine above 1.
+    #[test]
+    fn the_strictest_tolerances_stay_so() {
+        let strictest = Tolerances { pos: 0.0, norm: 1.0, tex: 0.5, gcol: 0.0 };
+        for stride in [2, 4, 8] {
+            assert_eq!(strictest.at(stride), strictest);
+        }
+    }
+}

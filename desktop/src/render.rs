@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use glimpse::{Gpu, Method, to_exr, to_png};
+use glimpse::{Gpu, Method, Settings, to_exr, to_png};
 
 use crate::args::{FrameOptions, MethodName, PictureFile, RenderOptions, Show, Size};
 use crate::measure::{Plan, Run, Stage};
@@ -34,9 +34,7 @@ pub fn view(scene: Option<&str>, adapter: Option<&str>) -> anyhow::Result<()> {
 /// `glimpse render`
 pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()> {
     let settings = options.frame.settings(options.method)?;
-    if options.output.linear && options.show != Show::Final {
-        return Err(glimpse::Error::setting("--show", "expected an output that ends in .png").into());
-    }
+    check_show(options, &settings)?;
     scene_file::check(&options.scene)?;
     let outputs = std::iter::once(&options.output.path).chain(&options.stats);
     files::check(outputs.map(PathBuf::as_path), Path::new(&options.scene))?;
@@ -64,6 +62,24 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
     text += &legend;
     text += &summary::row("wrote", &options.output.path.display().to_string());
     output::print(&text)
+}
+
+/// Is there something known of every pixel to show?
+fn check_show(options: &RenderOptions, settings: &Settings) -> glimpse::Result<()> {
+    let expected = match options.show {
+        Show::Final => return Ok(()),
+        _ if options.output.linear => "an output that ends in .png".to_owned(),
+        _ if settings.sampling > 1 => {
+            format!("final with --sampling {}: the others are about pixels of one sample", settings.sampling)
+        }
+        Show::Check(_) | Show::Depth | Show::Normal | Show::Oid
+            if settings.method == Method::Checkerboard =>
+        {
+            "final, origin or cost with --method checkerboard: no surface belongs to an average".to_owned()
+        }
+        _ => return Ok(()),
+    };
+    Err(glimpse::Error::setting("--show", format!("expected {expected}")))
 }
 
 /// Writes what `--show` asks for; returns its legend.

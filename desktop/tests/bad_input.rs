@@ -323,7 +323,7 @@ fn sizes_that_cannot_be() {
 #[test]
 fn options_that_do_not_exist() {
     let bench = Bench::new();
-    let bad: [&[&str]; 21] = [
+    let bad: [&[&str]; 28] = [
         &["--wish", "1"],
         &["--method", "magic"],
         &["--show", "everything"],
@@ -345,6 +345,13 @@ fn options_that_do_not_exist() {
         &["--frames=-1"],
         &["--frames", "100001"],
         &["--depth", "4294967296"],
+        &["--block", "3"],
+        &["--sampling", "0"],
+        &["--sampling", "17"],
+        &["--sampling", "2", "--method", "checkerboard"],
+        &["--postcorrect", "maybe"],
+        &["--show", "origin", "--sampling", "4"],
+        &["--show", "depth", "--method", "checkerboard"],
     ];
     for options in bad {
         let arguments =
@@ -354,6 +361,13 @@ fn options_that_do_not_exist() {
     }
     bench.refused(&["render", "builtin:furnace"], USAGE, &["-o"]);
     bench.refused(&["paint"], USAGE, &["paint"]);
+    bench.refused(&["report", "builtin:furnace"], USAGE, &["--output"]);
+    for vary in ["block", "nonsense=1"] {
+        bench.refused(&["bench", "builtin:furnace", "--vary", vary], USAGE, &["--vary", vary]);
+    }
+    let huge = ["--size", "16384x16384", "--sampling", "16"];
+    let render = ["render", "builtin:furnace", "-o", "out.png"];
+    bench.refused(&[&render[..], &huge].concat(), USAGE, &["--sampling 16", "16384x16384"]);
 }
 
 #[test]
@@ -395,6 +409,11 @@ fn outputs_are_checked_before_the_work() {
     render(&["-o", "out.png", "--stats", "./out.png"], &["out.png: the command names that file twice"]);
     render(&["-o", "out.png", "--stats", "scene.glb"], &["scene.glb: the command names that file twice"]);
     render(&["-o", "out.png", "--stats", "."], &["it is a folder"]);
+    bench.refused(
+        &["report", "builtin:furnace", "-o", "locked.png"],
+        FAILED,
+        &["locked.png: expected a folder"],
+    );
     assert_eq!(fs::read(&scene).unwrap(), b"this is no scene at all");
     assert_eq!(fs::read(&picture).unwrap(), b"precious");
     #[cfg(target_os = "linux")]

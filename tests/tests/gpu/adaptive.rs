@@ -183,12 +183,18 @@ fn averaged(large: &LinearImage, sampling: u32) -> Vec<u32> {
 #[test]
 fn a_sampling_grid_is_a_larger_frame_averaged() {
     let room = Stage::builtin("room");
-    for (settings, sampling) in [(full(), 2), (full(), 3), (Settings::default(), 2), (Settings::default(), 4)]
-    {
+    let adaptive = |block, postcorrect| Settings { block, postcorrect, ..Settings::default() };
+    for (settings, sampling) in [
+        (full(), 2),
+        (full(), 3),
+        (adaptive(2, Postcorrect::Off), 4),
+        (adaptive(2, Postcorrect::On), 2),
+        (adaptive(8, Postcorrect::On), 2),
+    ] {
         let size = [31, 18];
         let large = room.frame(size.map(|side| sampling * side), &settings).linear;
         let frame = room.frame(size, &Settings { sampling, ..settings }).linear;
-        assert!(bits(&frame) == averaged(&large, sampling), "{:?}, {sampling}", settings.method);
+        assert!(bits(&frame) == averaged(&large, sampling), "{settings:?}, {sampling}");
     }
 }
 

@@ -165,7 +165,7 @@ fn it_is_the_least_set_that_is_closed() {
     for scene in [wire(), thin_shadow()] {
         let reference = Reference::new(&scene);
         let stage = Stage::new(scene);
-        for block in [2, 8] {
+        for block in [2, 4, 8] {
             let settings = |postcorrect| Settings { block, ..settings(postcorrect) };
             let before = stage.inspect(SIZE, &settings(Postcorrect::Off));
             let again = |postcorrect| corrected(&stage.inspect(SIZE, &settings(postcorrect)));
