@@ -69,14 +69,14 @@ pub fn run(options: &ReportOptions, adapter: Option<&str>) -> anyhow::Result<()>
             names.push(name);
         }
     }
-    let store = Store::open(&options.output)?;
-    let stems = stems(&names);
-    let outputs: Vec<_> = outputs(&stems).into_iter().map(|name| options.output.join(name)).collect();
-    files::check(outputs.iter().map(AsRef::as_ref), Path::new(""))?;
     let scenes = names
         .iter()
         .map(|name| Prepared::new(name, options.camera.as_deref()))
         .collect::<anyhow::Result<Vec<_>>>()?;
+    let store = Store::open(&options.output)?;
+    let stems = stems(&names);
+    let outputs: Vec<_> = outputs(&stems).into_iter().map(|name| options.output.join(name)).collect();
+    files::check(outputs.iter().map(AsRef::as_ref), Path::new(""))?;
     let gpu = Gpu::headless(adapter)?;
     let header = Header::new(&gpu);
     let bench = Bench {
