@@ -9,7 +9,8 @@ use serde::Serialize;
 use crate::measure::{Run, Stage};
 
 /// The passes that trace rays; every other one is overhead of the adaptive method.
-const TRACING_PASSES: [&str; 6] = ["base", "trace_a1", "trace_a2", "postcorrect", "full", "checkerboard"];
+const TRACING_PASSES: [&str; 7] =
+    ["base", "trace_a1", "trace_a2", "postcorrect", "postcorrect_scan", "full", "checkerboard"];
 
 /// One method on one scene.
 #[derive(Clone, Debug, Serialize)]
