@@ -1,7 +1,13 @@
-//! What the phone and the desktop will share: camera and gestures, overlay, choice of scene, frame governor, life
-//! cycle, in words of its own (neither winit's nor Android's).
-//!
-//! None of that is there yet. What is there is the list of scenes to choose from.
+//! What the phone and the desktop share: camera and gestures, overlay, choice of scene, frame governor, life cycle, in
+//! words of its own (neither winit's nor Android's).
+
+mod choices;
+mod hud;
+mod readings;
+
+pub use choices::{Choices, FrameRate, Navigation, Overlay, SCALES, Show, TEXT_SCALES, Vsync};
+pub use hud::{Hud, Wish};
+pub use readings::{Busy, HISTORY, Readings};
 
 /// The scenes that can be chosen without a file, as `builtin:NAME`, in the order in which they are offered.
 pub fn scenes() -> impl Iterator<Item = String> {
