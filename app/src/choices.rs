@@ -1,6 +1,6 @@
 //! What a person has chosen: everything that the overlay changes and a frame is made by.
 
-use glimpse::{CHECK_NAMES, Settings};
+use glimpse::{Settings, Show};
 
 /// Everything that can be chosen while a scene is shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -110,61 +110,5 @@ impl Overlay {
             Self::Brief => Self::Full,
             Self::Full => Self::Hidden,
         }
-    }
-}
-
-/// What a picture shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Show {
-    /// The frame.
-    Final,
-    /// How each pixel came to be.
-    Origin,
-    /// The pixels that fail a check, by its index in [`CHECK_NAMES`].
-    Check(usize),
-    /// Traversal work.
-    Cost,
-    /// Distance of the first hit.
-    Depth,
-    /// Normal of the first hit.
-    Normal,
-    /// Object of the first hit.
-    Oid,
-}
-
-impl Show {
-    /// All of them, in the order in which they are offered.
-    pub fn all() -> impl Iterator<Item = Self> {
-        [Self::Final, Self::Origin].into_iter().chain((0..CHECK_NAMES.len()).map(Self::Check)).chain([
-            Self::Cost,
-            Self::Depth,
-            Self::Normal,
-            Self::Oid,
-        ])
-    }
-
-    /// Its name on the command line.
-    #[must_use]
-    pub fn name(self) -> String {
-        match self {
-            Self::Final => "final".to_owned(),
-            Self::Origin => "origin".to_owned(),
-            Self::Check(check) => format!("check:{}", CHECK_NAMES[check]),
-            Self::Cost => "cost".to_owned(),
-            Self::Depth => "depth".to_owned(),
-            Self::Normal => "normal".to_owned(),
-            Self::Oid => "oid".to_owned(),
-        }
-    }
-}
-
-impl std::str::FromStr for Show {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        Self::all().find(|show| show.name() == text).ok_or_else(|| {
-            let names: Vec<_> = Self::all().map(Self::name).collect();
-            format!("expected one of {}", names.join(", "))
-        })
     }
 }

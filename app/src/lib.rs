@@ -1,13 +1,23 @@
 //! What the phone and the desktop share: camera and gestures, overlay, choice of scene, frame governor, life cycle, in
 //! words of its own (neither winit's nor Android's).
 
+mod change;
 mod choices;
 mod hud;
+mod painter;
 mod readings;
+pub mod script;
+mod studio;
+mod worker;
 
-pub use choices::{Choices, FrameRate, Navigation, Overlay, SCALES, Show, TEXT_SCALES, Vsync};
+pub use change::{Change, Setting};
+pub use choices::{Choices, FrameRate, Navigation, Overlay, SCALES, TEXT_SCALES, Vsync};
+pub use glimpse::Show;
 pub use hud::{Hud, Wish};
+pub use painter::{Painter, Painting};
 pub use readings::{Busy, HISTORY, Readings};
+pub use studio::{Counted, Frame, Job};
+pub use worker::{Files, News, SceneFacts, Wake, Worker};
 
 /// The scenes that can be chosen without a file, as `builtin:NAME`, in the order in which they are offered.
 pub fn scenes() -> impl Iterator<Item = String> {

@@ -61,6 +61,18 @@ impl Camera {
         }
     }
 
+    /// Origin and direction (of any length) of the ray through a point of the frame: x right and y up, in units of half
+    /// of the frame's height from its centre.
+    #[must_use]
+    pub fn through(&self, [x, y]: [f32; 2]) -> (Vec3, Vec3) {
+        let spread = x * self.right + y * self.up;
+        if self.orthographic {
+            (self.origin + spread, self.forward)
+        } else {
+            (self.origin, self.forward + spread)
+        }
+    }
+
     /// A camera at `eye` that looks at `target`, world Y up, with a vertical field of view in radians.
     ///
     /// # Errors

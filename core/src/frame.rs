@@ -2,7 +2,7 @@
 
 use crate::{
     Camera, Gpu, GpuScene, Result, Settings, Tolerances,
-    gpu::{Bound, Kernel, Timer, mirror::gpu_struct, shader::Source},
+    gpu::{Bound, Kernels, Timer, mirror::gpu_struct},
     passes::{Output, Stage, Variant},
     plan::{Extent, Part, Rows},
     targets::{DISPATCH_BYTES, LIST_HEADER, Targets},
@@ -81,22 +81,15 @@ impl Passes {
         scene: &GpuScene,
         targets: &Targets,
         variant: &Variant,
+        kernels: &mut Kernels,
         color: &wgpu::Texture,
         inspection: Option<&wgpu::Buffer>,
     ) -> Result<Self> {
         let passes = targets.plan.passes();
-        // Several passes may be one kernel.
-        let mut kernels: Vec<(Vec<Source>, Kernel)> = Vec::new();
-        let mut kernel_of = Vec::new();
-        for stage in &passes {
-            let sources = variant.sources(*stage);
-            let known = kernels.iter().position(|(known, _)| *known == sources);
-            kernel_of.push(known.unwrap_or(kernels.len()));
-            if known.is_none() {
-                let kernel = Kernel::new(gpu, stage.name(), &sources)?;
-                kernels.push((sources, kernel));
-            }
-        }
+        let kernels = passes
+            .iter()
+            .map(|stage| kernels.get(gpu, stage.name(), variant.sources(*stage)))
+            .collect::<Result<Vec<_>>>()?;
         let color = color.create_view(&wgpu::TextureViewDescriptor::default());
         let mut resources = scene.resources();
         resources.extend([
@@ -115,7 +108,7 @@ impl Passes {
         let mut bound = Vec::with_capacity(targets.plan.parts.len());
         for (index, part) in targets.plan.parts.iter().enumerate() {
             resources.push(("frame", targets.constants(index)));
-            bound.push(kernels[kernel_of[part.pass]].1.bind(&gpu.device, &resources)?);
+            bound.push(kernels[part.pass].bind(&gpu.device, &resources)?);
             resources.pop();
         }
         let names: Vec<_> = passes.iter().map(|stage| stage.name()).collect();
@@ -132,12 +125,39 @@ impl Passes {
         targets: &Targets,
         constants: &Frame,
         tolerances: &Tolerances,
-        mut cleared: Option<&wgpu::Buffer>,
+        cleared: Option<&wgpu::Buffer>,
     ) -> Result<()> {
+        gpu.submit_all_and_wait(self.submissions(gpu, targets, constants, tolerances, cleared))
+    }
+
+    /// As [`Passes::run`], given up between two submissions once `cancelled` says so; tells whether it was finished.
+    ///
+    /// # Errors
+    /// A device that failed.
+    pub fn run_until(
+        &self,
+        gpu: &Gpu,
+        targets: &Targets,
+        constants: &Frame,
+        tolerances: &Tolerances,
+        cancelled: &dyn Fn() -> bool,
+    ) -> Result<bool> {
+        gpu.submit_until(self.submissions(gpu, targets, constants, tolerances, None), cancelled)
+    }
+
+    /// The commands of a frame, recorded as they are asked for.
+    fn submissions(
+        &self,
+        gpu: &Gpu,
+        targets: &Targets,
+        constants: &Frame,
+        tolerances: &Tolerances,
+        mut cleared: Option<&wgpu::Buffer>,
+    ) -> impl Iterator<Item = wgpu::CommandEncoder> {
         gpu.queue.write_buffer(&targets.frame, 0, &in_strides(&targets.plan.parts, constants, tolerances));
         let submissions = targets.plan.submissions();
         let count = submissions.len();
-        gpu.submit_all_and_wait(submissions.into_iter().enumerate().map(|(index, parts)| {
+        submissions.into_iter().enumerate().map(move |(index, parts)| {
             let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             if let Some(buffer) = cleared.take() {
                 encoder.clear_buffer(buffer, 0, None);
@@ -149,7 +169,7 @@ impl Passes {
                 self.timer.resolve(&mut encoder);
             }
             encoder
-        }))
+        })
     }
 
     /// The timestamps of the frame that has just been waited for.

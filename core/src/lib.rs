@@ -43,6 +43,7 @@ pub mod reference;
 mod renderer;
 pub mod scene;
 mod settings;
+pub mod show;
 mod stats;
 pub mod stress;
 mod targets;
@@ -60,6 +61,7 @@ pub use scene::{Features, Scene};
 pub use settings::{
     Linking, MAX_DEPTH, MAX_RAYS, MAX_SAMPLING, Method, Postcorrect, Robustness, Settings, Tolerances,
 };
+pub use show::Show;
 pub use stats::{
     CHECK_NAMES, Cost, Counts, FailedChecks, FrameTime, Inspection, Memory, Origin, PassTime, PixelRecord,
     Rays, Samples,

@@ -6,6 +6,7 @@ use crate::{
     Camera, Cost, Counts, DisplayImage, Error, FailedChecks, FrameTime, Gpu, GpuScene, Inspection,
     LinearImage, Memory, Method, Origin, PixelRecord, Postcorrect, Rays, Result, Samples, Settings,
     frame::{self, Frame, Passes},
+    gpu::Kernels,
     passes::{
         COUNTER_CLAIMED, COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS,
         COUNTER_RAYS, COUNTER_WORDS, Output, Variant,
@@ -20,6 +21,7 @@ pub struct Renderer<'a> {
     scene: &'a GpuScene,
     settings: Settings,
     targets: Targets,
+    kernels: Kernels,
     passes: Passes,
     inspecting: Option<(Passes, wgpu::Buffer)>,
     linear: Option<(Passes, wgpu::Texture)>,
@@ -35,8 +37,31 @@ impl<'a> Renderer<'a> {
         let settings = resolved(settings, scene, size);
         let variant = Variant::new(scene, &settings);
         let targets = Targets::new(gpu, scene, &variant, &settings, size)?;
-        let passes = Passes::new(gpu, scene, &targets, &variant, &targets.display, None)?;
-        Ok(Self { gpu, scene, settings, targets, passes, inspecting: None, linear: None })
+        let mut kernels = Kernels::default();
+        let passes = Passes::new(gpu, scene, &targets, &variant, &mut kernels, &targets.display, None)?;
+        Ok(Self { gpu, scene, settings, targets, kernels, passes, inspecting: None, linear: None })
+    }
+
+    /// Goes on with another size or other settings: what was compiled is kept. On an error everything is as before.
+    ///
+    /// # Errors
+    /// As [`Renderer::new`].
+    pub fn change(&mut self, size: [u32; 2], settings: &Settings) -> Result<()> {
+        settings.validate()?;
+        let settings = resolved(settings, self.scene, size);
+        let Settings { tolerances, min_weight, .. } = settings;
+        // Those are constants of a frame and no more.
+        if size != self.targets.size || settings != (Settings { tolerances, min_weight, ..self.settings }) {
+            let variant = Variant::new(self.scene, &settings);
+            let targets = Targets::new(self.gpu, self.scene, &variant, &settings, size)?;
+            let kernels = &mut self.kernels;
+            self.passes =
+                Passes::new(self.gpu, self.scene, &targets, &variant, kernels, &targets.display, None)?;
+            self.targets = targets;
+            (self.inspecting, self.linear) = (None, None);
+        }
+        self.settings = settings;
+        Ok(())
     }
 
     /// What frames are made by: as wished, with what `auto` has come to.
@@ -54,6 +79,28 @@ impl<'a> Renderer<'a> {
         self.passes.times(self.gpu)
     }
 
+    /// As [`Renderer::render`], given up between two submissions once `cancelled` says so: `None`, and what
+    /// [`Renderer::display`] holds is part of one frame and part of another.
+    ///
+    /// # Errors
+    /// A device that failed.
+    pub fn render_until(
+        &mut self,
+        camera: &Camera,
+        cancelled: &dyn Fn() -> bool,
+    ) -> Result<Option<FrameTime>> {
+        let constants = self.constants(camera);
+        let tolerances = &self.settings.tolerances;
+        let done = self.passes.run_until(self.gpu, &self.targets, &constants, tolerances, cancelled)?;
+        done.then(|| self.passes.times(self.gpu)).transpose()
+    }
+
+    /// The frame on the device: sRGB, 8 bits a channel, the encoding undone nowhere.
+    #[must_use]
+    pub fn display(&self) -> &wgpu::Texture {
+        &self.targets.display
+    }
+
     /// Renders the same frame with counting kernels (they are linked on the first call).
     ///
     /// # Errors
@@ -67,7 +114,8 @@ impl<'a> Renderer<'a> {
                 if self.settings.sampling > 1 {
                     variant.output = Output::Nowhere;
                 }
-                (self.link(&variant, &self.targets.display, Some(&buffer))?, buffer)
+                let display = self.targets.display.clone();
+                (self.link(&variant, &display, Some(&buffer))?, buffer)
             }
         };
         self.submit(&passes, camera, Some(&buffer))?;
@@ -126,16 +174,21 @@ impl<'a> Renderer<'a> {
     }
 
     fn link(
-        &self,
+        &mut self,
         variant: &Variant,
         color: &wgpu::Texture,
         inspection: Option<&wgpu::Buffer>,
     ) -> Result<Passes> {
-        Passes::new(self.gpu, self.scene, &self.targets, variant, color, inspection)
+        let Self { gpu, scene, targets, kernels, .. } = self;
+        Passes::new(gpu, scene, targets, variant, kernels, color, inspection)
+    }
+
+    fn constants(&self, camera: &Camera) -> Frame {
+        Frame::new(self.scene, &self.settings, self.targets.grid, camera)
     }
 
     fn submit(&self, passes: &Passes, camera: &Camera, cleared: Option<&wgpu::Buffer>) -> Result<()> {
-        let constants = Frame::new(self.scene, &self.settings, self.targets.grid, camera);
+        let constants = self.constants(camera);
         passes.run(self.gpu, &self.targets, &constants, &self.settings.tolerances, cleared)
     }
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use glimpse::{CHECK_NAMES, Linking, Method, Postcorrect, Settings, Tolerances};
+use glimpse::{Linking, Method, Postcorrect, Settings, Show, Tolerances};
 
 #[path = "vary.rs"]
 mod vary;
@@ -420,48 +420,6 @@ impl FromStr for PictureFile {
             Some("exr") => Ok(Self { path, linear: true }),
             _ => Err("expected a name that ends in .png or .exr".to_owned()),
         }
-    }
-}
-
-/// `--show`
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Show {
-    /// The frame.
-    Final,
-    /// How each pixel came to be.
-    Origin,
-    /// The pixels that fail a check, by its index in [`CHECK_NAMES`].
-    Check(usize),
-    /// Traversal work.
-    Cost,
-    /// Distance of the first hit.
-    Depth,
-    /// Normal of the first hit.
-    Normal,
-    /// Object of the first hit.
-    Oid,
-}
-
-impl FromStr for Show {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let check = |name| CHECK_NAMES.iter().position(|n| *n == name).map(Self::Check);
-        let show = match text {
-            "final" => Some(Self::Final),
-            "origin" => Some(Self::Origin),
-            "cost" => Some(Self::Cost),
-            "depth" => Some(Self::Depth),
-            "normal" => Some(Self::Normal),
-            "oid" => Some(Self::Oid),
-            _ => text.strip_prefix("check:").and_then(check),
-        };
-        show.ok_or_else(|| {
-            format!(
-                "expected final, origin, cost, depth, normal, oid or check:NAME with one of {}",
-                CHECK_NAMES.join(", ")
-            )
-        })
     }
 }
 

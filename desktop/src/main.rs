@@ -12,7 +12,6 @@ mod progress;
 mod render;
 mod report;
 mod scene_file;
-mod show;
 mod statistics;
 mod stress;
 mod summary;

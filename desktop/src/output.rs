@@ -3,6 +3,7 @@
 use std::io::{ErrorKind, Write};
 
 use anyhow::Context;
+pub use glimpse::show::grouped;
 use serde::Serialize;
 
 /// Prints a text; a reader that has gone away (`| head`) is no failure.
@@ -17,19 +18,6 @@ pub fn print(text: &str) -> anyhow::Result<()> {
 /// JSON as this program writes it everywhere: indented, with a line end.
 pub fn json(value: &impl Serialize) -> anyhow::Result<String> {
     Ok(serde_json::to_string_pretty(value).context("JSON")? + "\n")
-}
-
-/// 1234567 as `1,234,567`.
-pub fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
 }
 
 /// Bytes in a unit that fits.

@@ -2,14 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use glimpse::{Gpu, Method, Settings, to_exr, to_png};
+use glimpse::{Gpu, Method, Settings, Show, show, to_exr, to_png};
 
-use crate::args::{FrameOptions, MethodName, PictureFile, RenderOptions, Show, Size};
+use crate::args::{FrameOptions, MethodName, PictureFile, RenderOptions, Size};
 use crate::measure::{Plan, Run, Stage};
 use crate::output;
 use crate::progress::Progress;
 use crate::statistics::Statistics;
-use crate::{files, scene_file, show, summary};
+use crate::{files, scene_file, summary};
 
 const DEFAULT_SCENE: &str = "builtin:room";
 const VIEW_PICTURE: &str = "glimpse.png";

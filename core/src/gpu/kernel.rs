@@ -1,12 +1,36 @@
 //! Compute pipelines whose resources are bound by the names they have in WGSL.
 
-use std::{borrow::Cow, collections::HashMap};
+use std::{
+    borrow::Cow,
+    collections::{HashMap, hash_map::Entry},
+    sync::Arc,
+};
 
 use super::{
     Gpu,
     shader::{Linked, ShaderError, Source, link},
 };
 use crate::{Error, Result};
+
+/// Kernels by what they are made of: compiled once, bound as often as frames change.
+#[derive(Default)]
+pub struct Kernels(HashMap<Vec<Source>, Arc<Kernel>>);
+
+impl Kernels {
+    /// The kernel of these sources, compiled if it is new.
+    ///
+    /// # Errors
+    /// As [`Kernel::new`].
+    pub fn get(&mut self, gpu: &Gpu, label: &str, sources: Vec<Source>) -> Result<Arc<Kernel>> {
+        match self.0.entry(sources) {
+            Entry::Occupied(known) => Ok(known.get().clone()),
+            Entry::Vacant(new) => {
+                let kernel = Arc::new(Kernel::new(gpu, label, new.key())?);
+                Ok(new.insert(kernel).clone())
+            }
+        }
+    }
+}
 
 /// A compute pipeline with entry point `main`.
 pub struct Kernel {

@@ -17,7 +17,7 @@ use std::{
 
 use health::Health;
 
-pub use kernel::{Bound, Kernel};
+pub use kernel::{Bound, Kernel, Kernels};
 pub use timer::Timer;
 
 use crate::{Error, Result};
@@ -54,6 +54,7 @@ impl AdapterFacts {
 pub struct Gpu {
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
+    adapter: wgpu::Adapter,
     facts: AdapterFacts,
     health: Arc<Health>,
     patience: Duration,
@@ -71,36 +72,35 @@ impl Gpu {
         Self::from_instance(&instance(), wanted)
     }
 
+    /// As [`Gpu::from_instance`], of the adapters that can show pictures on a surface, and with no more than `limits`
+    /// whatever the adapter offers (the phone that is emulated).
+    ///
+    /// # Errors
+    /// [`Error::NoAdapter`] lists what there is; [`Error::Missing`] names the limit that is too low.
+    pub fn for_surface(
+        instance: &wgpu::Instance,
+        wanted: Option<&str>,
+        surface: Option<&wgpu::Surface<'_>>,
+        limits: Option<&wgpu::Limits>,
+    ) -> Result<Self> {
+        let shows = |adapter: &wgpu::Adapter| surface.is_none_or(|s| adapter.is_surface_supported(s));
+        Self::from_adapter(best_adapter(instance, wanted, shows)?, limits)
+    }
+
     /// As [`Gpu::headless`], from an instance of the caller's (tests with the noop backend and chosen limits).
     ///
     /// # Errors
     /// [`Error::NoAdapter`] lists what there is.
     pub fn from_instance(instance: &wgpu::Instance, wanted: Option<&str>) -> Result<Self> {
-        let mut adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
-        let names: Vec<_> = adapters.iter().map(|a| a.get_info().name).collect();
-        adapters
-            .retain(|a| wanted.is_none_or(|w| a.get_info().name.to_lowercase().contains(&w.to_lowercase())));
-        adapters.sort_by_key(|a| match a.get_info().device_type {
-            wgpu::DeviceType::DiscreteGpu => 0,
-            wgpu::DeviceType::IntegratedGpu => 1,
-            wgpu::DeviceType::VirtualGpu => 2,
-            wgpu::DeviceType::Cpu => 3,
-            wgpu::DeviceType::Other => 4,
-        });
-        let adapter = adapters.first().ok_or_else(|| {
-            Error::NoAdapter(match wanted {
-                Some(wanted) if !names.is_empty() => {
-                    format!("none has `{wanted}` in its name; there is {}", names.join(", "))
-                }
-                _ => "no Vulkan driver was found; `sh desktop/setup.sh` installs a software one".to_owned(),
-            })
-        })?;
-        Self::from_adapter(adapter)
+        Self::for_surface(instance, wanted, None, None)
     }
 
-    fn from_adapter(adapter: &wgpu::Adapter) -> Result<Self> {
-        let facts = AdapterFacts::of(adapter);
-        let offered = &facts.limits;
+    fn from_adapter(adapter: wgpu::Adapter, most: Option<&wgpu::Limits>) -> Result<Self> {
+        let facts = AdapterFacts::of(&adapter);
+        let offered = match most {
+            Some(most) => facts.limits.clone().or_worse_values_from(most),
+            None => facts.limits.clone(),
+        };
         // The WebGPU defaults, with as much memory as there is: large scenes and frames are checked against it.
         let limits = wgpu::Limits {
             max_buffer_size: offered.max_buffer_size,
@@ -109,7 +109,7 @@ impl Gpu {
             max_texture_array_layers: offered.max_texture_array_layers,
             ..wgpu::Limits::default()
         };
-        let failed: Vec<_> = missing_limits(&limits, offered);
+        let failed: Vec<_> = missing_limits(&limits, &offered);
         if let Some((what, need, have)) = failed.first() {
             return Err(Error::Missing {
                 what: format!("Glimpse ({what})"),
@@ -135,7 +135,7 @@ impl Gpu {
             facts.info.driver_info
         );
         let health = Health::watch(&device);
-        Ok(Self { device, queue, facts, health, patience: PATIENCE, turn: Mutex::new(()) })
+        Ok(Self { device, queue, adapter, facts, health, patience: PATIENCE, turn: Mutex::new(()) })
     }
 
     /// Waits at most that long for a frame or a readback ([`PATIENCE`]).
@@ -164,6 +164,24 @@ impl Gpu {
         &self.facts
     }
 
+    /// The device, for what shows the frames.
+    #[must_use]
+    pub fn device(&self) -> &wgpu::Device {
+        &self.device
+    }
+
+    /// Its queue: what is submitted to it comes between the submissions of a frame.
+    #[must_use]
+    pub fn queue(&self) -> &wgpu::Queue {
+        &self.queue
+    }
+
+    /// The adapter, which knows the formats of a surface.
+    #[must_use]
+    pub fn adapter(&self) -> &wgpu::Adapter {
+        &self.adapter
+    }
+
     /// The limits that this device enforces.
     #[must_use]
     pub fn limits(&self) -> wgpu::Limits {
@@ -175,6 +193,33 @@ fn instance() -> wgpu::Instance {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
     descriptor.backends &= wgpu::Backends::PRIMARY;
     wgpu::Instance::new(descriptor)
+}
+
+/// Hardware before software, among those whose name contains `wanted` and that `serve`.
+fn best_adapter(
+    instance: &wgpu::Instance,
+    wanted: Option<&str>,
+    serves: impl Fn(&wgpu::Adapter) -> bool,
+) -> Result<wgpu::Adapter> {
+    let mut adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
+    adapters.retain(serves);
+    let names: Vec<_> = adapters.iter().map(|a| a.get_info().name).collect();
+    adapters.retain(|a| wanted.is_none_or(|w| a.get_info().name.to_lowercase().contains(&w.to_lowercase())));
+    adapters.sort_by_key(|a| match a.get_info().device_type {
+        wgpu::DeviceType::DiscreteGpu => 0,
+        wgpu::DeviceType::IntegratedGpu => 1,
+        wgpu::DeviceType::VirtualGpu => 2,
+        wgpu::DeviceType::Cpu => 3,
+        wgpu::DeviceType::Other => 4,
+    });
+    adapters.into_iter().next().ok_or_else(|| {
+        Error::NoAdapter(match wanted {
+            Some(wanted) if !names.is_empty() => {
+                format!("none has `{wanted}` in its name; there is {}", names.join(", "))
+            }
+            _ => "no Vulkan driver was found; `sh desktop/setup.sh` installs a software one".to_owned(),
+        })
+    })
 }
 
 /// The limits that an adapter does not reach: name, needed, had.

@@ -23,6 +23,30 @@ impl Gpu {
         self.submitted(encoders, &self.turn())
     }
 
+    /// As [`Gpu::submit_all_and_wait`] with at most two submissions before the device at a time; submits no more once
+    /// `cancelled` says so, and tells whether all were.
+    pub(crate) fn submit_until(
+        &self,
+        encoders: impl IntoIterator<Item = wgpu::CommandEncoder>,
+        cancelled: &dyn Fn() -> bool,
+    ) -> Result<bool> {
+        let turn = self.turn();
+        let mut before = None;
+        for encoder in encoders {
+            if cancelled() {
+                self.wait_for(None)?;
+                return Ok(false);
+            }
+            let last = self.queue.submit([encoder.finish()]);
+            self.check_health()?;
+            if let Some(before) = before.replace(last) {
+                self.wait_for(Some(before))?;
+            }
+        }
+        self.submitted([], &turn)?;
+        Ok(true)
+    }
+
     /// Copies a buffer (made with `COPY_SRC`) to main memory.
     pub(crate) fn read_buffer(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>> {
         self.read(buffer.size(), |encoder, staging| {
@@ -103,7 +127,12 @@ impl Gpu {
             last = Some(self.queue.submit([encoder.finish()]));
             self.check_health()?;
         }
-        let wait = wgpu::PollType::Wait { submission_index: last, timeout: Some(self.patience) };
+        self.wait_for(last)
+    }
+
+    /// Waits for a submission, or for all.
+    fn wait_for(&self, submission: Option<wgpu::SubmissionIndex>) -> Result<()> {
+        let wait = wgpu::PollType::Wait { submission_index: submission, timeout: Some(self.patience) };
         // wgpu 30 panics where the driver reports the loss during the wait ("Error in Device::poll"), holding no lock
         // and after it has called back.
         let polled = catch_unwind(AssertUnwindSafe(|| self.device.poll(wait)));

@@ -1,13 +1,66 @@
 //! Pictures of what is known about the pixels, made from an inspection.
 
-use glimpse::{CHECK_NAMES, DisplayImage, PixelRecord};
+use crate::{CHECK_NAMES, DisplayImage, PixelRecord};
 
-use crate::args::Show;
-use crate::output::grouped;
+/// What a picture shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Show {
+    /// The frame.
+    Final,
+    /// How each pixel came to be.
+    Origin,
+    /// The pixels that fail a check, by its index in [`CHECK_NAMES`].
+    Check(usize),
+    /// Traversal work.
+    Cost,
+    /// Distance of the first hit.
+    Depth,
+    /// Normal of the first hit.
+    Normal,
+    /// Object of the first hit.
+    Oid,
+}
+
+impl Show {
+    /// All of them, in the order in which they are offered.
+    pub fn all() -> impl Iterator<Item = Self> {
+        [Self::Final, Self::Origin].into_iter().chain((0..CHECK_NAMES.len()).map(Self::Check)).chain([
+            Self::Cost,
+            Self::Depth,
+            Self::Normal,
+            Self::Oid,
+        ])
+    }
+
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> String {
+        match self {
+            Self::Final => "final".to_owned(),
+            Self::Origin => "origin".to_owned(),
+            Self::Check(check) => format!("check:{}", CHECK_NAMES[check]),
+            Self::Cost => "cost".to_owned(),
+            Self::Depth => "depth".to_owned(),
+            Self::Normal => "normal".to_owned(),
+            Self::Oid => "oid".to_owned(),
+        }
+    }
+}
+
+impl std::str::FromStr for Show {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        Self::all().find(|show| show.name() == text).ok_or_else(|| {
+            let names: Vec<_> = Self::all().map(Self::name).collect();
+            format!("expected one of {}", names.join(", "))
+        })
+    }
+}
 
 type Rgb = [u8; 3];
 
-/// The colours of [`glimpse::Origin`], in its order.
+/// The colours of [`crate::Origin`], in its order.
 const ORIGINS: [(&str, &str, Rgb); 5] = [
     ("base", "white", [240, 240, 240]),
     ("traced in A1", "orange", [240, 150, 30]),
@@ -21,6 +74,7 @@ const NOTHING: Rgb = [0, 0, 0];
 const RAMP: [Rgb; 5] = [[10, 10, 40], [60, 40, 160], [200, 50, 110], [250, 150, 40], [255, 255, 200]];
 
 /// The picture and its legend in one line. `pixels` are those of `frame`, row by row.
+#[must_use]
 pub fn picture(show: Show, frame: &DisplayImage, pixels: &[PixelRecord]) -> (DisplayImage, String) {
     match show {
         Show::Final => (frame.clone(), String::new()),
@@ -37,6 +91,20 @@ pub fn picture(show: Show, frame: &DisplayImage, pixels: &[PixelRecord]) -> (Dis
             (painted(frame, pixels, |_, p| p.object.map_or(NOTHING, hashed)), legend)
         }
     }
+}
+
+/// 1234567 as `1,234,567`.
+#[must_use]
+pub fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
 }
 
 fn origin(frame: &DisplayImage, pixels: &[PixelRecord]) -> (DisplayImage, String) {
@@ -137,7 +205,7 @@ fn hashed(object: u32) -> Rgb {
 
 #[cfg(test)]
 mod tests {
-    use glimpse::Origin;
+    use crate::Origin;
 
     use super::*;
 

@@ -1,0 +1,89 @@
+//! Puts what egui made of a moment on a surface or into an image.
+
+use glimpse::Gpu;
+
+/// What one view of the app looks like now.
+pub struct Painting {
+    /// Triangles and their textures.
+    pub jobs: Vec<egui::ClippedPrimitive>,
+    /// What became of the overlay's own textures.
+    pub textures: egui::TexturesDelta,
+    /// Pixels of the view for a point of the overlay.
+    pub pixels_per_point: f32,
+}
+
+/// The overlay's pipelines and textures on one device, for targets of one format.
+pub struct Painter {
+    renderer: egui_wgpu::Renderer,
+}
+
+impl Painter {
+    /// For targets of that format, whose values are taken as sRGB-encoded.
+    #[must_use]
+    pub fn new(gpu: &Gpu, format: wgpu::TextureFormat) -> Self {
+        // Without dithering: pixels of the frame reach the screen as they are.
+        let options = egui_wgpu::RendererOptions { dithering: false, ..Default::default() };
+        Self { renderer: egui_wgpu::Renderer::new(gpu.device(), format, options) }
+    }
+
+    /// The picture as a texture of the overlay, in the place of `known` if that is one. Pixels are repeated where the
+    /// picture is shown as large as it is, and interpolated elsewhere.
+    pub fn register(
+        &mut self,
+        gpu: &Gpu,
+        picture: &wgpu::Texture,
+        exact: bool,
+        known: Option<egui::TextureId>,
+    ) -> egui::TextureId {
+        let view = picture.create_view(&wgpu::TextureViewDescriptor::default());
+        let filter = if exact { wgpu::FilterMode::Nearest } else { wgpu::FilterMode::Linear };
+        match known {
+            None => self.renderer.register_native_texture(gpu.device(), &view, filter),
+            Some(id) => {
+                self.renderer.update_egui_texture_from_wgpu_texture(gpu.device(), &view, filter, id);
+                id
+            }
+        }
+    }
+
+    /// Takes over the overlay's new textures: to be called with every painting, shown or not.
+    pub fn update(&mut self, gpu: &Gpu, painting: &mut Painting) {
+        let textures = std::mem::take(&mut painting.textures);
+        for (id, deltas) in &textures.set {
+            for delta in deltas {
+                self.renderer.update_texture(gpu.device(), gpu.queue(), *id, delta);
+            }
+        }
+        for id in &textures.free {
+            self.renderer.free_texture(id);
+        }
+    }
+
+    /// Draws and submits.
+    pub fn paint(&mut self, gpu: &Gpu, painting: &Painting, target: &wgpu::TextureView, size: [u32; 2]) {
+        let (device, queue) = (gpu.device(), gpu.queue());
+        let mut encoder =
+            device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("painter") });
+        let screen =
+            egui_wgpu::ScreenDescriptor { size_in_pixels: size, pixels_per_point: painting.pixels_per_point };
+        let before = self.renderer.update_buffers(device, queue, &mut encoder, &painting.jobs, &screen);
+        let mut pass = encoder
+            .begin_render_pass(&wgpu::RenderPassDescriptor {
+                label: Some("painter"),
+                color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                    view: target,
+                    depth_slice: None,
+                    resolve_target: None,
+                    ops: wgpu::Operations {
+                        load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                        store: wgpu::StoreOp::Store,
+                    },
+                })],
+                ..Default::default()
+            })
+            .forget_lifetime();
+        self.renderer.render(&mut pass, &painting.jobs, &screen);
+        drop(pass);
+        queue.submit(before.into_iter().chain([encoder.finish()]));
+    }
+}

@@ -1,0 +1,337 @@
+//! Plays a script: a step each frame, at 60 frames a second of a clock of its own.
+
+use std::{
+    collections::BTreeMap,
+    path::{Path, PathBuf},
+    sync::Arc,
+    time::Duration,
+};
+
+use egui::{Event, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase};
+
+use super::{Finger, Script, ShellEvent, Step, Stroke, Value};
+use crate::Change;
+
+/// Between two frames.
+const FRAME: Duration = Duration::from_nanos(16_666_667);
+
+/// A view that has not come to rest after so many seconds never will.
+const PATIENCE: f64 = 120.0;
+
+/// What a step asks of the app or of the shell.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Ask {
+    /// To open a scene.
+    Open(String),
+    /// To choose something.
+    Set(Change),
+    /// To take frames to need that many nanoseconds a pixel.
+    Cost(f64),
+    /// To save the frame.
+    Screenshot(PathBuf),
+    /// To save what the window shows.
+    Window(PathBuf),
+    /// Something befalls the window or the phone.
+    Shell(ShellEvent),
+    /// The end.
+    Quit,
+}
+
+/// A script that is being played.
+pub struct Player {
+    script: Script,
+    next: usize,
+    now: Duration,
+    /// What lasts until when.
+    lasting: Option<Lasting>,
+    pointer: [f32; 2],
+    fingers: BTreeMap<u64, [f32; 2]>,
+}
+
+/// A file that is dropped on the view.
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        Err("scenes are read by their name".to_owned())
+    }
+}
+
+enum Lasting {
+    Pause { until: Duration },
+    Rest { until: Duration },
+    Motion { finger: Option<u64>, from: [f32; 2], to: [f32; 2], began: Duration, seconds: f64 },
+}
+
+impl Player {
+    /// From the first step.
+    #[must_use]
+    pub fn new(script: Script) -> Self {
+        Self {
+            script,
+            next: 0,
+            now: Duration::ZERO,
+            lasting: None,
+            pointer: [0.5; 2],
+            fingers: BTreeMap::new(),
+        }
+    }
+
+    /// The time of this frame.
+    #[must_use]
+    pub fn now(&self) -> Duration {
+        self.now
+    }
+
+    /// Plays a frame: fills in the input of a view that large in points, and returns what else the step asks for.
+    /// `rests` tells whether the view rests with its frame complete, `look` what is known by a name.
+    ///
+    /// # Errors
+    /// `FILE:LINE: expected ..., found ...`.
+    pub fn frame(
+        &mut self,
+        input: &mut egui::RawInput,
+        view: Rect,
+        rests: bool,
+        look: &dyn Fn(&str) -> Option<Value>,
+    ) -> Result<Option<Ask>, String> {
+        self.now += FRAME;
+        if let Some(lasting) = self.lasting.take() {
+            self.lasting = self.go_on(lasting, input, view, rests)?;
+            if self.lasting.is_some() {
+                return Ok(None);
+            }
+        }
+        let Some((line, step)) = self.script.steps.get(self.next).cloned() else {
+            return Ok(Some(Ask::Quit));
+        };
+        self.next += 1;
+        self.step(step, input, view, look).map_err(|reason| format!("{}:{line}: {reason}", self.script.file))
+    }
+
+    fn step(
+        &mut self,
+        step: Step,
+        input: &mut egui::RawInput,
+        view: Rect,
+        look: &dyn Fn(&str) -> Option<Value>,
+    ) -> Result<Option<Ask>, String> {
+        let events = &mut input.events;
+        match step {
+            Step::Open(scene) => return Ok(Some(Ask::Open(scene))),
+            Step::Set(change) => return Ok(Some(Ask::Set(change))),
+            Step::Cost(cost) => return Ok(Some(Ask::Cost(cost))),
+            Step::Screenshot(file) => return Ok(Some(Ask::Screenshot(file))),
+            Step::Window(file) => return Ok(Some(Ask::Window(file))),
+            Step::Shell(event) => return Ok(Some(Ask::Shell(event))),
+            Step::Quit => return Ok(Some(Ask::Quit)),
+            Step::Expect(expectation) => expectation.check(look(expectation.name()).as_ref())?,
+            Step::Drop(path) => {
+                input.dropped_files.push(Arc::new(Dropped(path)));
+            }
+            Step::Move(to, seconds) => {
+                self.lasting = Some(self.motion(None, self.pointer, to, seconds));
+            }
+            Step::Button(button, pressed) => {
+                let modifiers = egui::Modifiers::NONE;
+                events.push(Event::PointerButton {
+                    pos: within(view, self.pointer),
+                    button,
+                    pressed,
+                    modifiers,
+                });
+            }
+            Step::Scroll(notches) => events.push(Event::MouseWheel {
+                unit: egui::MouseWheelUnit::Line,
+                delta: egui::vec2(0.0, notches),
+                phase: TouchPhase::Move,
+                source: egui::MouseWheelSource::Unknown,
+                modifiers: egui::Modifiers::NONE,
+            }),
+            Step::Pinch(factor) => events.push(Event::Zoom(factor)),
+            Step::Touch(finger, phase) => self.touch(finger, phase, events, view)?,
+            Step::Key(key, modifiers, stroke) => {
+                let mut push = |pressed| {
+                    events.push(Event::Key { key, physical_key: None, pressed, repeat: false, modifiers });
+                };
+                if stroke != Stroke::Let {
+                    push(true);
+                }
+                if stroke != Stroke::Hold {
+                    push(false);
+                }
+            }
+            Step::Wait(seconds) => {
+                self.lasting = Some(Lasting::Pause { until: self.now + Duration::from_secs_f64(seconds) });
+            }
+            Step::Settle => {
+                self.lasting = Some(Lasting::Rest { until: self.now + Duration::from_secs_f64(PATIENCE) });
+            }
+        }
+        Ok(None)
+    }
+
+    fn motion(&self, finger: Option<u64>, from: [f32; 2], to: [f32; 2], seconds: f64) -> Lasting {
+        Lasting::Motion { finger, from, to, began: self.now, seconds }
+    }
+
+    /// What is left of what lasts.
+    fn go_on(
+        &mut self,
+        lasting: Lasting,
+        input: &mut egui::RawInput,
+        view: Rect,
+        rests: bool,
+    ) -> Result<Option<Lasting>, String> {
+        match lasting {
+            Lasting::Pause { until } => Ok((self.now < until).then_some(lasting)),
+            Lasting::Rest { .. } if rests => Ok(None),
+            Lasting::Rest { until } if self.now < until => Ok(Some(lasting)),
+            Lasting::Rest { .. } => {
+                let line = self.script.steps[self.next - 1].0;
+                Err(format!("{}:{line}: expected rest within {PATIENCE} s, found none", self.script.file))
+            }
+            Lasting::Motion { finger, from, to, began, seconds } => {
+                let passed = (self.now - began).as_secs_f64();
+                let part = if passed >= seconds { 1.0 } else { (passed / seconds) as f32 };
+                let at = [0, 1].map(|i| from[i] + part * (to[i] - from[i]));
+                match finger {
+                    None => {
+                        self.pointer = at;
+                        input.events.push(Event::PointerMoved(within(view, at)));
+                    }
+                    Some(finger) => {
+                        self.fingers.insert(finger, at);
+                        input.events.push(touch(finger, TouchPhase::Move, within(view, at)));
+                    }
+                }
+                Ok((part < 1.0).then_some(lasting))
+            }
+        }
+    }
+
+    fn touch(
+        &mut self,
+        finger: u64,
+        phase: Finger,
+        events: &mut Vec<Event>,
+        view: Rect,
+    ) -> Result<(), String> {
+        let down = self.fingers.get(&finger).copied();
+        match (phase, down) {
+            (Finger::Begin(at), None) => {
+                self.fingers.insert(finger, at);
+                events.push(touch(finger, TouchPhase::Start, within(view, at)));
+                if self.fingers.len() == 1 {
+                    // One finger is a pointer too.
+                    self.pointer = at;
+                    events.extend(pointer(within(view, at), true));
+                }
+            }
+            (Finger::Move(to, seconds), Some(from)) => {
+                self.lasting = Some(self.motion(Some(finger), from, to, seconds));
+            }
+            (Finger::End, Some(at)) => {
+                self.fingers.remove(&finger);
+                events.push(touch(finger, TouchPhase::End, within(view, at)));
+                if self.fingers.is_empty() {
+                    events.extend(pointer(within(view, at), false));
+                    events.push(Event::PointerGone);
+                }
+            }
+            (Finger::Begin(_), Some(_)) => return Err(format!("expected finger {finger} up, found it down")),
+            (_, None) => return Err(format!("expected finger {finger} down, found it up")),
+        }
+        Ok(())
+    }
+}
+
+fn within(view: Rect, [x, y]: [f32; 2]) -> Pos2 {
+    view.lerp_inside(egui::vec2(x, y))
+}
+
+fn touch(finger: u64, phase: TouchPhase, pos: Pos2) -> Event {
+    Event::Touch { device_id: TouchDeviceId(0), id: TouchId(finger), phase, pos, force: None }
+}
+
+fn pointer(pos: Pos2, pressed: bool) -> [Event; 2] {
+    let button = egui::PointerButton::Primary;
+    let modifiers = egui::Modifiers::NONE;
+    [Event::PointerMoved(pos), Event::PointerButton { pos, button, pressed, modifiers }]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const VIEW: Rect = Rect { min: Pos2::ZERO, max: egui::pos2(200.0, 100.0) };
+
+    fn player(text: &str) -> Player {
+        Player::new(Script::parse("a.script", text).expect("a script"))
+    }
+
+    /// Plays to the end; each frame's events and ask.
+    fn played(text: &str, rests: bool) -> Result<Vec<(Vec<Event>, Option<Ask>)>, String> {
+        let mut player = player(text);
+        let mut frames = Vec::new();
+        loop {
+            let mut input = egui::RawInput::default();
+            let ask = player
+                .frame(&mut input, VIEW, rests, &|name| (name == "rays").then_some(Value::Number(3.0)))?;
+            let quit = ask == Some(Ask::Quit);
+            frames.push((input.events, ask));
+            if quit {
+                return Ok(frames);
+            }
+        }
+    }
+
+    #[test]
+    fn a_script_ends_where_its_lines_do() {
+        assert_eq!(played("", true).expect("played"), [(vec![], Some(Ask::Quit))]);
+    }
+
+    #[test]
+    fn a_motion_takes_its_time_and_arrives() {
+        let frames = played("move 1,0 over 0.5\npress", true).expect("played");
+        let moves: Vec<_> = frames
+            .iter()
+            .flat_map(|(events, _)| events)
+            .filter_map(|event| if let Event::PointerMoved(at) = event { Some(*at) } else { None })
+            .collect();
+        assert_eq!(moves.len(), 30);
+        assert!(moves.windows(2).all(|pair| pair[0].x < pair[1].x && pair[0].y > pair[1].y));
+        assert_eq!(moves.last(), Some(&egui::pos2(200.0, 0.0)));
+    }
+
+    #[test]
+    fn waiting_takes_its_frames_and_settling_its_rest() {
+        assert_eq!(played("wait 1", true).expect("played").len(), 62);
+        assert_eq!(played("settle", true).expect("played").len(), 2);
+        let error = played("\nsettle", false).unwrap_err();
+        assert_eq!(error, "a.script:2: expected rest within 120 s, found none");
+    }
+
+    #[test]
+    fn expectations_name_their_line() {
+        assert!(played("expect rays = 3", true).is_ok());
+        let error = played("wait 0\nexpect rays > 3", true).unwrap_err();
+        assert_eq!(error, "a.script:2: expected rays > 3, found 3");
+        let error = played("expect cats > 3", true).unwrap_err();
+        assert_eq!(error, "a.script:1: expected cats > 3, found nothing");
+    }
+
+    #[test]
+    fn one_finger_is_a_pointer_and_the_second_is_not() {
+        let frames = played("touch 0 begin 0.5,0.5\ntouch 1 begin 0.6,0.5\ntouch 1 end\ntouch 0 end", true);
+        let counts: Vec<_> = frames.expect("played").iter().map(|(events, _)| events.len()).collect();
+        assert_eq!(counts, [3, 1, 1, 4, 0]);
+        assert!(played("touch 0 end", true).unwrap_err().contains("expected finger 0 down"));
+        assert!(played("touch 0 begin 0,0\ntouch 0 begin 0,0", true).unwrap_err().contains("finger 0 up"));
+    }
+}

@@ -1,0 +1,232 @@
+//! One scene on the device, and what makes frames of it.
+
+use std::sync::Arc;
+
+use glam::Vec3;
+use glimpse::{
+    Camera, Counts, DisplayImage, Error, Gpu, GpuScene, Memory, Method, PassTime, Renderer, Result,
+    Robustness, Settings, Show, metrics,
+    probe::{Probe, ProbeHit, ProbeRay},
+    show,
+};
+
+use crate::worker::{News, Office, Order, Teller};
+
+/// A frame to be made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Job {
+    /// From where.
+    pub camera: Camera,
+    /// Pixels.
+    pub size: [u32; 2],
+    /// How.
+    pub settings: Settings,
+    /// What the picture shows.
+    pub show: Show,
+    /// With a picture of full ray tracing beside it.
+    pub split: bool,
+    /// Of a view that rests: it is counted too, and given up where the view moves on.
+    pub still: bool,
+}
+
+/// A frame that was made.
+pub struct Frame {
+    /// The number of its job.
+    pub number: u64,
+    /// Its job.
+    pub job: Job,
+    /// The picture: sRGB, 8 bits a channel.
+    pub picture: Arc<wgpu::Texture>,
+    /// The same by full ray tracing.
+    pub full: Option<Arc<wgpu::Texture>>,
+    /// Milliseconds on the device.
+    pub ms: f64,
+    /// Its passes.
+    pub passes: Vec<PassTime>,
+    /// Bytes on the device.
+    pub memory: Memory,
+    /// The legend of what is shown.
+    pub legend: String,
+}
+
+/// What is counted in a still frame after it has been shown.
+#[derive(Clone, Debug)]
+pub struct Counted {
+    /// Rays, samples, checks.
+    pub counts: Counts,
+    /// PSNR against full ray tracing where that is shown too; infinite where they are equal.
+    pub psnr_db: Option<f64>,
+}
+
+/// Makes frames of one scene.
+pub(crate) struct Studio<'a> {
+    gpu: &'a Gpu,
+    scene: &'a GpuScene,
+    shown: Option<Renderer<'a>>,
+    full: Option<Renderer<'a>>,
+    /// Pictures that were handed out; those that came back are used again.
+    pictures: Vec<Arc<wgpu::Texture>>,
+}
+
+impl<'a> Studio<'a> {
+    pub fn new(gpu: &'a Gpu, scene: &'a GpuScene) -> Self {
+        Self { gpu, scene, shown: None, full: None, pictures: Vec::new() }
+    }
+
+    /// Works until it is told to leave; fails where the device is lost.
+    pub fn serve(mut self, office: &Office, teller: &Teller) -> std::result::Result<(), String> {
+        loop {
+            let (number, result) = match office.next() {
+                Order::Leave => return Ok(()),
+                Order::Frame(number, job) => (number, self.frame(number, job, office, teller)),
+                Order::Capture(job) => {
+                    let captured = self.capture(&job);
+                    (0, captured.map(|image| teller.tell(News::Captured(Box::new((job, image))))))
+                }
+                Order::Pick(camera, at) => {
+                    (0, self.pick(&camera, at).map(|point| teller.tell(News::Picked(point))))
+                }
+            };
+            match result {
+                Ok(()) => {}
+                Err(error @ (Error::Lost { .. } | Error::Timeout { .. })) => return Err(error.to_string()),
+                Err(error) => teller.tell(News::Failed(number, error.to_string())),
+            }
+        }
+    }
+
+    fn frame(&mut self, number: u64, job: Job, office: &Office, teller: &Teller) -> Result<()> {
+        let cancelled = || job.still && office.is_urgent();
+        let renderer = changed(&mut self.shown, self.gpu, self.scene, job.size, &job.settings)?;
+        let Some(time) = renderer.render_until(&job.camera, &cancelled)? else { return Ok(()) };
+        let memory = renderer.memory();
+        let (picture, legend) = if job.show == Show::Final {
+            (self.handed_out(false)?, String::new())
+        } else {
+            let inspection = renderer.inspect(&job.camera)?;
+            let (picture, legend) = show::picture(job.show, &renderer.display_image()?, &inspection.pixels);
+            (self.uploaded(&picture), legend)
+        };
+        let full = if job.split {
+            let settings = Settings { method: Method::Full, ..job.settings };
+            let renderer = changed(&mut self.full, self.gpu, self.scene, job.size, &settings)?;
+            if renderer.render_until(&job.camera, &cancelled)?.is_none() {
+                return Ok(());
+            }
+            Some(self.handed_out(true)?)
+        } else {
+            None
+        };
+        let (camera, still, split) = (job.camera, job.still, job.split);
+        let (ms, passes) = (time.ms, time.passes);
+        teller.tell(News::Frame(Box::new(Frame { number, job, picture, full, ms, passes, memory, legend })));
+        if still && !office.is_urgent() {
+            let counted = self.count(&camera, split)?;
+            teller.tell(News::Counted(number, Box::new(counted)));
+        }
+        Ok(())
+    }
+
+    /// Counts the last frame.
+    fn count(&mut self, camera: &Camera, split: bool) -> Result<Counted> {
+        let psnr_db = match (&self.shown, &self.full) {
+            (Some(shown), Some(full)) if split => {
+                let rmse = metrics::rmse(&shown.display_image()?, &full.display_image()?)?;
+                Some(metrics::psnr_db(rmse).unwrap_or(f64::INFINITY))
+            }
+            _ => None,
+        };
+        let counts = match &mut self.shown {
+            Some(renderer) => renderer.inspect(camera)?.counts,
+            None => Counts::default(),
+        };
+        Ok(Counted { counts, psnr_db })
+    }
+
+    fn capture(&mut self, job: &Job) -> Result<DisplayImage> {
+        let renderer = changed(&mut self.shown, self.gpu, self.scene, job.size, &job.settings)?;
+        renderer.render(&job.camera)?;
+        let image = renderer.display_image()?;
+        if job.show == Show::Final {
+            return Ok(image);
+        }
+        let inspection = renderer.inspect(&job.camera)?;
+        Ok(show::picture(job.show, &image, &inspection.pixels).0)
+    }
+
+    fn pick(&self, camera: &Camera, at: [f32; 2]) -> Result<Option<Vec3>> {
+        let (origin, direction) = camera.through(at);
+        let ray = ProbeRay {
+            origin: origin.into(),
+            t_max: f32::MAX,
+            direction: direction.into(),
+            ..ProbeRay::default()
+        };
+        let (hits, _) = Probe::new(self.gpu, self.scene, Robustness::default()).trace(&[ray])?;
+        let hit = hits.first().filter(|hit| hit.primitive != ProbeHit::MISS);
+        Ok(hit.map(|hit| origin + hit.t * direction))
+    }
+
+    /// A copy of what a renderer has made.
+    fn handed_out(&mut self, full: bool) -> Result<Arc<wgpu::Texture>> {
+        let Some(renderer) = (if full { &self.full } else { &self.shown }) else {
+            return Err(Error::Device("no frame was made".to_owned()));
+        };
+        let source = renderer.display().clone();
+        let picture = self.picture(source.width(), source.height());
+        let mut encoder = self.gpu.device().create_command_encoder(&Default::default());
+        encoder.copy_texture_to_texture(source.as_image_copy(), picture.as_image_copy(), source.size());
+        self.gpu.queue().submit([encoder.finish()]);
+        Ok(picture)
+    }
+
+    fn uploaded(&mut self, image: &DisplayImage) -> Arc<wgpu::Texture> {
+        let picture = self.picture(image.width(), image.height());
+        self.gpu.queue().write_texture(
+            picture.as_image_copy(),
+            image.as_raw(),
+            wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(4 * image.width()),
+                rows_per_image: None,
+            },
+            picture.size(),
+        );
+        picture
+    }
+
+    /// A picture that nobody looks at.
+    fn picture(&mut self, width: u32, height: u32) -> Arc<wgpu::Texture> {
+        self.pictures.retain(|p| (p.width(), p.height()) == (width, height));
+        if let Some(free) = self.pictures.iter().find(|p| Arc::strong_count(p) == 1) {
+            return free.clone();
+        }
+        let picture = Arc::new(self.gpu.device().create_texture(&wgpu::TextureDescriptor {
+            label: Some("picture"),
+            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: wgpu::TextureFormat::Rgba8Unorm,
+            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+            view_formats: &[],
+        }));
+        self.pictures.push(picture.clone());
+        picture
+    }
+}
+
+/// The renderer, for that size and those settings.
+fn changed<'r, 'a>(
+    renderer: &'r mut Option<Renderer<'a>>,
+    gpu: &'a Gpu,
+    scene: &'a GpuScene,
+    size: [u32; 2],
+    settings: &Settings,
+) -> Result<&'r mut Renderer<'a>> {
+    if let Some(renderer) = renderer {
+        renderer.change(size, settings)?;
+        return Ok(renderer);
+    }
+    Ok(renderer.insert(Renderer::new(gpu, scene, size, settings)?))
+}

@@ -1,0 +1,296 @@
+//! The thread that makes frames. It holds the scene on the device and the renderers, always takes the newest job, and
+//! gives up one that nobody waits for any more. Scenes are loaded by threads of their own meanwhile.
+
+use std::{
+    sync::{
+        Arc, Condvar, Mutex, MutexGuard, PoisonError,
+        mpsc::{Receiver, Sender, TryRecvError, channel},
+    },
+    thread,
+};
+
+use glam::Vec3;
+use glimpse::{Camera, DisplayImage, Gpu, GpuScene, Scene};
+
+use crate::studio::{Counted, Frame, Job, Studio};
+
+/// Gives the scene of a name: `builtin:NAME`, or what a shell calls a file. Called on threads of the app's.
+pub type Files = Arc<dyn Fn(&str) -> Result<Scene, String> + Send + Sync>;
+
+/// Tells the shell that there is news.
+pub type Wake = Arc<dyn Fn() + Send + Sync>;
+
+/// What is known of a scene that was loaded.
+#[derive(Clone, Debug)]
+pub struct SceneFacts {
+    /// As it was asked for.
+    pub name: String,
+    /// Triangles and spheres.
+    pub primitives: u64,
+    /// Its cameras; one at least.
+    pub cameras: Vec<(String, Camera)>,
+    /// The box around it, world space.
+    pub bounds: (Vec3, Vec3),
+    /// What the importer left out or replaced.
+    pub warnings: Vec<String>,
+    /// Every feature, and whether the scene needs it.
+    pub features: Vec<(&'static str, bool)>,
+}
+
+/// What became of what was ordered.
+pub enum News {
+    /// That much of a scene has been done: what, and which step of how many.
+    Loading(String, [u32; 2]),
+    /// The scene is on the device; frames are of it from now on.
+    Opened(Box<SceneFacts>),
+    /// It cannot be shown; the one before stays.
+    NotOpened(String),
+    /// A frame.
+    Frame(Box<Frame>),
+    /// What was counted in it.
+    Counted(u64, Box<Counted>),
+    /// The frame that was asked for in main memory, with its job.
+    Captured(Box<(Job, DisplayImage)>),
+    /// The surface point that was asked for, world space; `None` where the ray meets nothing.
+    Picked(Option<Vec3>),
+    /// The job of that number failed; the next one may not.
+    Failed(u64, String),
+    /// The device is gone, or the thread is: all that was made with it must be made again.
+    Lost(String),
+}
+
+/// What lies on the worker's desk. A newer order of a kind replaces the older.
+#[derive(Default)]
+struct Desk {
+    scene: Option<Loaded>,
+    job: Option<(u64, Job)>,
+    capture: Option<Job>,
+    pick: Option<(Camera, [f32; 2])>,
+    /// The number of the last scene that was asked for: loads that are late are thrown away.
+    asked: u64,
+    stop: bool,
+}
+
+struct Loaded {
+    scene: GpuScene,
+    facts: SceneFacts,
+}
+
+/// The desk and the bell on it.
+#[derive(Default)]
+pub(crate) struct Office {
+    desk: Mutex<Desk>,
+    bell: Condvar,
+}
+
+/// What is to be done next.
+pub(crate) enum Order {
+    Frame(u64, Job),
+    Capture(Job),
+    Pick(Camera, [f32; 2]),
+    /// Another scene, or the end.
+    Leave,
+}
+
+impl Office {
+    fn desk(&self) -> MutexGuard<'_, Desk> {
+        self.desk.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Waits for an order.
+    pub fn next(&self) -> Order {
+        let mut desk = self.desk();
+        loop {
+            if desk.stop || desk.scene.is_some() {
+                return Order::Leave;
+            }
+            if let Some((camera, at)) = desk.pick.take() {
+                return Order::Pick(camera, at);
+            }
+            if let Some(job) = desk.capture.take() {
+                return Order::Capture(job);
+            }
+            if let Some((number, job)) = desk.job.take() {
+                return Order::Frame(number, job);
+            }
+            desk = self.bell.wait(desk).unwrap_or_else(PoisonError::into_inner);
+        }
+    }
+
+    /// Whether something waits that is more urgent than a frame of a still view.
+    pub fn is_urgent(&self) -> bool {
+        let desk = self.desk();
+        desk.stop || desk.scene.is_some() || desk.job.is_some() || desk.pick.is_some()
+    }
+}
+
+/// The worker as the app sees it.
+pub struct Worker {
+    gpu: Arc<Gpu>,
+    files: Files,
+    wake: Wake,
+    office: Arc<Office>,
+    news: Receiver<News>,
+    sender: Sender<News>,
+    thread: Option<thread::JoinHandle<()>>,
+    jobs: u64,
+}
+
+impl Worker {
+    /// Starts the thread.
+    ///
+    /// # Errors
+    /// A system that gives no thread.
+    pub fn start(gpu: Arc<Gpu>, files: Files, wake: Wake) -> std::io::Result<Self> {
+        let office = Arc::new(Office::default());
+        let (sender, news) = channel();
+        let thread = {
+            let (gpu, office) = (gpu.clone(), office.clone());
+            let teller = Teller { sender: sender.clone(), wake: wake.clone() };
+            thread::Builder::new()
+                .name("glimpse-frames".to_owned())
+                .spawn(move || work(&gpu, &office, &teller))?
+        };
+        Ok(Self { gpu, files, wake, office, news, sender, thread: Some(thread), jobs: 0 })
+    }
+
+    /// Begins to load a scene. Frames go on meanwhile.
+    pub fn open(&mut self, name: &str) {
+        let asked = {
+            let mut desk = self.office.desk();
+            desk.asked += 1;
+            desk.asked
+        };
+        let (gpu, files, office) = (self.gpu.clone(), self.files.clone(), self.office.clone());
+        let teller = Teller { sender: self.sender.clone(), wake: self.wake.clone() };
+        let owned = name.to_owned();
+        let spawned = thread::Builder::new().name("glimpse-load".to_owned()).spawn(move || {
+            let loaded = load(&gpu, &files, &owned, &teller);
+            let mut desk = office.desk();
+            match loaded {
+                _ if desk.asked != asked => {}
+                Ok(loaded) => {
+                    desk.scene = Some(loaded);
+                    office.bell.notify_one();
+                }
+                Err(line) => teller.tell(News::NotOpened(line)),
+            }
+        });
+        if let Err(error) = spawned {
+            // The receiver is this worker's own.
+            let _ = self.sender.send(News::NotOpened(format!("{name}: {error}")));
+        }
+    }
+
+    /// Orders a frame, in place of one that was ordered and not begun; returns its number.
+    pub fn order(&mut self, job: Job) -> u64 {
+        self.jobs += 1;
+        self.office.desk().job = Some((self.jobs, job));
+        self.office.bell.notify_one();
+        self.jobs
+    }
+
+    /// Orders a frame in main memory.
+    pub fn capture(&self, job: Job) {
+        self.office.desk().capture = Some(job);
+        self.office.bell.notify_one();
+    }
+
+    /// Asks what lies at a point of the view, as [`Camera::through`] takes it.
+    pub fn pick(&self, camera: Camera, at: [f32; 2]) {
+        self.office.desk().pick = Some((camera, at));
+        self.office.bell.notify_one();
+    }
+
+    /// What has been told since; does not wait.
+    pub fn news(&mut self) -> Option<News> {
+        match self.news.try_recv() {
+            Ok(news) => Some(news),
+            // This worker holds a sender.
+            Err(TryRecvError::Empty | TryRecvError::Disconnected) => None,
+        }
+    }
+
+    /// The next that is told, waited for.
+    pub fn wait(&mut self) -> Option<News> {
+        self.news.recv().ok()
+    }
+}
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        self.office.desk().stop = true;
+        self.office.bell.notify_one();
+        if let Some(thread) = self.thread.take() {
+            // It told what it died of.
+            let _ = thread.join();
+        }
+    }
+}
+
+/// Tells news and wakes the shell.
+#[derive(Clone)]
+pub(crate) struct Teller {
+    sender: Sender<News>,
+    wake: Wake,
+}
+
+impl Teller {
+    pub fn tell(&self, news: News) {
+        // Where nobody listens any more, the worker is being dropped.
+        let _ = self.sender.send(news);
+        (self.wake)();
+    }
+}
+
+fn load(gpu: &Gpu, files: &Files, name: &str, teller: &Teller) -> Result<Loaded, String> {
+    teller.tell(News::Loading(format!("reading {name}"), [1, 3]));
+    let mut scene = files(name)?;
+    let features = glimpse::Features::of(&scene).list().to_vec();
+    let facts = SceneFacts {
+        name: name.to_owned(),
+        primitives: (scene.triangle_objects.len() + scene.spheres.len()) as u64,
+        cameras: scene.cameras.clone(),
+        bounds: scene.bounds().unwrap_or_default(),
+        warnings: std::mem::take(&mut scene.warnings),
+        features,
+    };
+    teller.tell(News::Loading(format!("building {name}"), [2, 3]));
+    let scene = GpuScene::upload(gpu, scene).map_err(|error| format!("{name}: {error}"))?;
+    Ok(Loaded { scene, facts })
+}
+
+/// The thread: a scene after the other.
+fn work(gpu: &Gpu, office: &Office, teller: &Teller) {
+    // A panic must not leave the app waiting for ever.
+    let ended = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+        while let Some(Loaded { scene, facts }) = next_scene(office) {
+            teller.tell(News::Loading(format!("compiling for {}", facts.name), [3, 3]));
+            teller.tell(News::Opened(Box::new(facts)));
+            if let Err(reason) = Studio::new(gpu, &scene).serve(office, teller) {
+                return teller.tell(News::Lost(reason));
+            }
+        }
+    }));
+    if ended.is_err() {
+        teller.tell(News::Lost("a frame could not be made: this is a bug, please report it".to_owned()));
+    }
+}
+
+fn next_scene(office: &Office) -> Option<Loaded> {
+    loop {
+        {
+            let mut desk = office.desk();
+            if desk.stop {
+                return None;
+            }
+            if let Some(loaded) = desk.scene.take() {
+                // Jobs were of the scene before.
+                desk.job = None;
+                return Some(loaded);
+            }
+        }
+        // There is no scene to serve orders with: they are dropped.
+        office.next();
+    }
+}
