@@ -311,7 +311,7 @@ mod tests {
 
     #[test]
     fn waiting_takes_its_frames_and_settling_its_rest() {
-        assert_eq!(played("wait 1", true).expect("played").len(), 62);
+        assert_eq!(played("wait 1", true).expect("played").len(), 61);
         assert_eq!(played("settle", true).expect("played").len(), 2);
         let error = played("\nsettle", false).unwrap_err();
         assert_eq!(error, "a.script:2: expected rest within 120 s, found none");
