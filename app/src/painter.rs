@@ -46,6 +46,11 @@ impl Painter {
         }
     }
 
+    /// The texture is not shown any more.
+    pub fn forget(&mut self, texture: egui::TextureId) {
+        self.renderer.free_texture(&texture);
+    }
+
     /// Takes over the overlay's new textures: to be called with every painting, shown or not.
     pub fn update(&mut self, gpu: &Gpu, painting: &mut Painting) {
         let textures = std::mem::take(&mut painting.textures);

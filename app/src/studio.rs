@@ -76,21 +76,20 @@ impl<'a> Studio<'a> {
     /// Works until it is told to leave; fails where the device is lost.
     pub fn serve(mut self, office: &Office, teller: &Teller) -> std::result::Result<(), String> {
         loop {
-            let (number, result) = match office.next() {
+            let result = match office.next() {
                 Order::Leave => return Ok(()),
-                Order::Frame(number, job) => (number, self.frame(number, job, office, teller)),
+                Order::Frame(number, job) => self.frame(number, job, office, teller),
                 Order::Capture(job) => {
-                    let captured = self.capture(&job);
-                    (0, captured.map(|image| teller.tell(News::Captured(Box::new((job, image))))))
+                    self.capture(&job).map(|image| teller.tell(News::Captured(Box::new((job, image)))))
                 }
                 Order::Pick(camera, at) => {
-                    (0, self.pick(&camera, at).map(|point| teller.tell(News::Picked(point))))
+                    self.pick(&camera, at).map(|point| teller.tell(News::Picked(point)))
                 }
             };
             match result {
                 Ok(()) => {}
                 Err(error @ (Error::Lost { .. } | Error::Timeout { .. })) => return Err(error.to_string()),
-                Err(error) => teller.tell(News::Failed(number, error.to_string())),
+                Err(error) => teller.tell(News::Failed(error.to_string())),
             }
         }
     }
@@ -98,7 +97,10 @@ impl<'a> Studio<'a> {
     fn frame(&mut self, number: u64, job: Job, office: &Office, teller: &Teller) -> Result<()> {
         let cancelled = || job.still && office.is_urgent();
         let renderer = changed(&mut self.shown, self.gpu, self.scene, job.size, &job.settings)?;
-        let Some(time) = renderer.render_until(&job.camera, &cancelled)? else { return Ok(()) };
+        let Some(time) = renderer.render_until(&job.camera, &cancelled)? else {
+            teller.tell(News::GivenUp(number));
+            return Ok(());
+        };
         let memory = renderer.memory();
         let (picture, legend) = if job.show == Show::Final {
             (self.handed_out(false)?, String::new())
@@ -111,6 +113,7 @@ impl<'a> Studio<'a> {
             let settings = Settings { method: Method::Full, ..job.settings };
             let renderer = changed(&mut self.full, self.gpu, self.scene, job.size, &settings)?;
             if renderer.render_until(&job.camera, &cancelled)?.is_none() {
+                teller.tell(News::GivenUp(number));
                 return Ok(());
             }
             Some(self.handed_out(true)?)
@@ -120,9 +123,12 @@ impl<'a> Studio<'a> {
         let (camera, still, split) = (job.camera, job.still, job.split);
         let (ms, passes) = (time.ms, time.passes);
         teller.tell(News::Frame(Box::new(Frame { number, job, picture, full, ms, passes, memory, legend })));
-        if still && !office.is_urgent() {
-            let counted = self.count(&camera, split)?;
-            teller.tell(News::Counted(number, Box::new(counted)));
+        if still {
+            teller.tell(if office.is_urgent() {
+                News::GivenUp(number)
+            } else {
+                News::Counted(number, Box::new(self.count(&camera, split)?))
+            });
         }
         Ok(())
     }

@@ -47,14 +47,16 @@ pub enum News {
     NotOpened(String),
     /// A frame.
     Frame(Box<Frame>),
+    /// The frame of that number will not come, or not what is counted in it: something is more urgent.
+    GivenUp(u64),
     /// What was counted in it.
     Counted(u64, Box<Counted>),
     /// The frame that was asked for in main memory, with its job.
     Captured(Box<(Job, DisplayImage)>),
     /// The surface point that was asked for, world space; `None` where the ray meets nothing.
     Picked(Option<Vec3>),
-    /// The job of that number failed; the next one may not.
-    Failed(u64, String),
+    /// What was ordered failed; the next may not.
+    Failed(String),
     /// The device is gone, or the thread is: all that was made with it must be made again.
     Lost(String),
 }

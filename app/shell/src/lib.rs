@@ -1,0 +1,60 @@
+//! The window around the app, on winit: what the desktop and Android have in common. No logic but the shell: how a frame is
+//! made and what a gesture means is the app's.
+
+mod offscreen;
+mod session;
+mod surface;
+mod window;
+
+use std::path::PathBuf;
+
+use glimpse::DisplayImage;
+use glimpse_app::{Choices, Files, script::Script};
+
+pub use offscreen::run as run_offscreen;
+pub use window::{Wakeup, run as run_window};
+
+/// Calls back with the file that a person has chosen, from whatever thread.
+pub type Chosen = Box<dyn FnOnce(PathBuf) + Send>;
+
+/// What the platform lends.
+pub struct Setup {
+    /// Reads scenes.
+    pub files: Files,
+    /// The scene to begin with.
+    pub scene: String,
+    /// Files that were opened before.
+    pub recent: Vec<String>,
+    /// What is chosen at first.
+    pub choices: Choices,
+    /// Part of the name of the adapter to use.
+    pub adapter: Option<String>,
+    /// No limits of the device are higher.
+    pub limits: Option<wgpu::Limits>,
+    /// The screen that is emulated, in portrait; else the window's own.
+    pub screen: Option<Screen>,
+    /// Pixels of the window at first.
+    pub size: [u32; 2],
+    /// What happens by itself.
+    pub script: Option<Script>,
+    /// Saves a picture under a name, or under one of its own; returns what to tell.
+    pub save: Box<dyn FnMut(Option<PathBuf>, &DisplayImage) -> Result<String, String>>,
+    /// Remembers files that were opened.
+    pub remember: Box<dyn FnMut(&[String])>,
+    /// Lets a person choose a file, without blocking.
+    pub open_dialog: Box<dyn FnMut(Chosen)>,
+}
+
+/// A screen that is emulated.
+#[derive(Clone, Copy, Debug)]
+pub struct Screen {
+    /// In portrait.
+    pub pixels: [u32; 2],
+    /// Pixels for a point of the overlay.
+    pub pixels_per_point: f32,
+    /// What the system and the shape of the screen take, in points: left, top, right, bottom, in portrait.
+    pub insets: [f32; 4],
+}
+
+/// What went wrong, in one line.
+pub type Result<T> = std::result::Result<T, String>;

@@ -1,0 +1,165 @@
+//! A frame of the app, whatever it is shown on: input in, picture out, and what was asked for done.
+
+use std::{
+    path::PathBuf,
+    sync::Arc,
+    time::{Duration, Instant},
+};
+
+use egui::{Rect, pos2, vec2};
+use glimpse::{DisplayImage, Gpu};
+use glimpse_app::{
+    App, Request, Update, Wake,
+    script::{Ask, Player, ShellEvent},
+};
+
+use crate::{Chosen, Result, Screen, Setup};
+
+/// The app, the script that plays it, and what the platform lends.
+pub struct Session {
+    pub app: App,
+    player: Option<Player>,
+    setup: Setup,
+    started: Instant,
+    /// The window is being turned: what is shown is as wide as the emulated screen is high.
+    turned: bool,
+}
+
+/// What a frame leaves to be done by what shows it.
+#[derive(Default)]
+pub struct Leftover {
+    /// What a script lets happen to the window.
+    pub event: Option<ShellEvent>,
+    /// A file for what the window shows.
+    pub window_shot: Option<PathBuf>,
+    /// The window as large as the screen, or not.
+    pub full_screen: bool,
+    /// The device is lost.
+    pub new_device: bool,
+    /// A person wants to choose a file.
+    pub dialog: bool,
+    /// The end.
+    pub quit: bool,
+}
+
+impl Session {
+    pub fn new(mut setup: Setup, wake: Wake) -> Self {
+        let recent = std::mem::take(&mut setup.recent);
+        let app = App::new(setup.files.clone(), wake, &setup.scene, recent, setup.choices);
+        let player = setup.script.take().map(Player::new);
+        Self { app, player, setup, started: Instant::now(), turned: false }
+    }
+
+    pub fn setup(&self) -> &Setup {
+        &self.setup
+    }
+
+    /// A script is being played: frames follow each other without pause.
+    pub fn is_scripted(&self) -> bool {
+        self.player.is_some()
+    }
+
+    pub fn attach(&mut self, gpu: &Arc<Gpu>, format: wgpu::TextureFormat) {
+        self.app.attach(gpu.clone(), format);
+    }
+
+    pub fn dialog(&mut self, chosen: Chosen) {
+        (self.setup.open_dialog)(chosen);
+    }
+
+    pub fn turn(&mut self) {
+        self.turned = !self.turned;
+    }
+
+    /// The screen that is emulated, as it is held now.
+    pub fn screen(&self) -> Option<Screen> {
+        let screen = self.setup.screen?;
+        if !self.turned {
+            return Some(screen);
+        }
+        let ([width, height], [left, top, right, bottom]) = (screen.pixels, screen.insets);
+        Some(Screen { pixels: [height, width], insets: [top, right, bottom, left], ..screen })
+    }
+
+    /// Fills in what the input does not know of a view of that many pixels, plays the script, updates the app.
+    ///
+    /// # Errors
+    /// A script that was not met.
+    pub fn frame(
+        &mut self,
+        mut input: egui::RawInput,
+        size: [u32; 2],
+        pixels_per_point: f32,
+    ) -> Result<(Update, Leftover)> {
+        let screen = self.screen();
+        self.app.set_view(screen.map(|screen| screen.pixels));
+        let native = match screen {
+            // As many points as on the phone, however large the window is.
+            Some(screen) => screen.pixels_per_point * size[0] as f32 / screen.pixels[0] as f32,
+            None => pixels_per_point,
+        };
+        if let Some(screen) = screen {
+            let [left, top, right, bottom] = screen.insets.map(|inset| inset as i8);
+            input.safe_area_insets = Some(egui::Margin { left, top, right, bottom }.into());
+        }
+        input.viewports.entry(input.viewport_id).or_default().native_pixels_per_point = Some(native);
+        let points = native * self.app.context().zoom_factor();
+        let view = Rect::from_min_size(pos2(0.0, 0.0), vec2(size[0] as f32, size[1] as f32) / points);
+        input.screen_rect = Some(view);
+        let mut leftover = Leftover::default();
+        let now = self.play(&mut input, view, &mut leftover)?;
+        input.time = Some(now.as_secs_f64());
+        let mut update = self.app.update(input, now);
+        if self.player.is_some() {
+            self.app.wait();
+            update.requests.extend(self.app.take_requests());
+        }
+        for request in std::mem::take(&mut update.requests) {
+            self.grant(request, &mut leftover)?;
+        }
+        Ok((update, leftover))
+    }
+
+    /// The time of this frame.
+    fn play(&mut self, input: &mut egui::RawInput, view: Rect, leftover: &mut Leftover) -> Result<Duration> {
+        let Some(player) = &mut self.player else { return Ok(self.started.elapsed()) };
+        let app = &mut self.app;
+        let rests = app.rests();
+        let ask = player.frame(input, view, rests, &|name| app.look(name))?;
+        match ask {
+            None => {}
+            Some(Ask::Open(scene)) => app.open(&scene),
+            Some(Ask::Set(change)) => app.change(&change)?,
+            Some(Ask::Cost(cost)) => app.set_cost(cost),
+            Some(Ask::Screenshot(file)) => app.screenshot(Some(file)),
+            Some(Ask::Window(file)) => leftover.window_shot = Some(file),
+            Some(Ask::Shell(ShellEvent::LowMemory)) => app.trim(),
+            Some(Ask::Shell(ShellEvent::Thermal(factor))) => app.set_thermal(factor),
+            Some(Ask::Shell(event)) => leftover.event = Some(event),
+            Some(Ask::Quit) => leftover.quit = true,
+        }
+        Ok(player.now())
+    }
+
+    fn grant(&mut self, request: Request, leftover: &mut Leftover) -> Result<()> {
+        match request {
+            Request::OpenDialog => leftover.dialog = true,
+            Request::Save(file, picture) => self.save(file, &picture)?,
+            Request::Remember(files) => (self.setup.remember)(&files),
+            Request::FullScreen => leftover.full_screen = true,
+            Request::NewDevice => leftover.new_device = true,
+            Request::Quit => leftover.quit = true,
+        }
+        Ok(())
+    }
+
+    /// Saves a picture; a script ends where that fails.
+    pub fn save(&mut self, file: Option<PathBuf>, picture: &DisplayImage) -> Result<()> {
+        match (self.setup.save)(file, picture) {
+            Ok(text) => self.app.notify(text),
+            Err(line) if self.player.is_some() => return Err(line),
+            Err(line) => self.app.complain(line),
+        }
+        Ok(())
+    }
+}

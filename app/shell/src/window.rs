@@ -1,0 +1,289 @@
+//! The window: winit's events to the app, the app's pictures to the window.
+
+use std::{path::PathBuf, sync::Arc, time::Instant};
+
+use glimpse::Gpu;
+use glimpse_app::{Choices, Wake, script::ShellEvent};
+use winit::{
+    application::ApplicationHandler,
+    dpi::PhysicalSize,
+    event::{StartCause, WindowEvent},
+    event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy},
+    window::{Fullscreen, Window, WindowAttributes, WindowId},
+};
+
+use crate::{
+    Result, Setup,
+    session::{Leftover, Session},
+    surface::{Acquired, Surface},
+};
+
+/// What wakes the event loop from outside.
+#[derive(Debug)]
+pub enum Wakeup {
+    /// The worker has news.
+    News,
+    /// A person has chosen a file.
+    Chosen(PathBuf),
+}
+
+/// Shows the window until it is closed or the script ends.
+///
+/// # Errors
+/// No display, no device, or a script that was not met.
+pub fn run(event_loop: EventLoop<Wakeup>, setup: Setup) -> Result<()> {
+    let proxy = event_loop.create_proxy();
+    let waker = proxy.clone();
+    // A loop that has ended needs no news.
+    let wake: Wake = Arc::new(move || drop(waker.send_event(Wakeup::News)));
+    let mut shell = Shell {
+        session: Session::new(setup, wake),
+        proxy,
+        instance: None,
+        window: None,
+        gpu: None,
+        surface: None,
+        input: None,
+        paused: false,
+        failed: None,
+    };
+    event_loop.run_app(&mut shell).map_err(|error| format!("the event loop failed: {error}"))?;
+    shell.failed.map_or(Ok(()), Err)
+}
+
+struct Shell {
+    session: Session,
+    proxy: EventLoopProxy<Wakeup>,
+    instance: Option<wgpu::Instance>,
+    window: Option<Arc<Window>>,
+    gpu: Option<Arc<Gpu>>,
+    surface: Option<Surface>,
+    input: Option<egui_winit::State>,
+    /// A script has taken the surface away.
+    paused: bool,
+    failed: Option<String>,
+}
+
+impl ApplicationHandler<Wakeup> for Shell {
+    fn resumed(&mut self, event_loop: &ActiveEventLoop) {
+        let made = self.make_window(event_loop).and_then(|()| self.make_surface());
+        self.end_on_failure(event_loop, made);
+    }
+
+    fn suspended(&mut self, _: &ActiveEventLoop) {
+        self.surface = None;
+    }
+
+    fn user_event(&mut self, _: &ActiveEventLoop, wakeup: Wakeup) {
+        if let Wakeup::Chosen(file) = wakeup {
+            self.session.app.open(&file.to_string_lossy());
+        }
+        self.redraw();
+    }
+
+    fn new_events(&mut self, _: &ActiveEventLoop, cause: StartCause) {
+        if matches!(cause, StartCause::ResumeTimeReached { .. }) {
+            self.redraw();
+        }
+    }
+
+    fn memory_warning(&mut self, _: &ActiveEventLoop) {
+        self.session.app.trim();
+    }
+
+    fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
+        let (Some(window), Some(input)) = (&self.window, &mut self.input) else { return };
+        match event {
+            WindowEvent::RedrawRequested => {
+                let drawn = self.frame(event_loop);
+                self.end_on_failure(event_loop, drawn);
+                return;
+            }
+            WindowEvent::CloseRequested => return event_loop.exit(),
+            _ => {}
+        }
+        // A script is not disturbed by a mouse that happens to be there.
+        let heard = self.session.is_scripted() || input.on_window_event(window, &event).repaint;
+        if heard || matches!(event, WindowEvent::Resized(_)) {
+            self.redraw();
+        }
+    }
+}
+
+impl Shell {
+    fn redraw(&self) {
+        if let Some(window) = &self.window {
+            window.request_redraw();
+        }
+    }
+
+    fn end_on_failure(&mut self, event_loop: &ActiveEventLoop, result: Result<()>) {
+        if let Err(line) = result {
+            self.failed.get_or_insert(line);
+            event_loop.exit();
+        }
+    }
+
+    fn make_window(&mut self, event_loop: &ActiveEventLoop) -> Result<()> {
+        if self.window.is_some() {
+            return Ok(());
+        }
+        let setup = self.session.setup();
+        let [width, height] = setup.screen.map_or(setup.size, |screen| fitting(event_loop, screen.pixels));
+        let attributes = WindowAttributes::default()
+            .with_title("Glimpse")
+            .with_inner_size(PhysicalSize::new(width, height))
+            .with_min_inner_size(PhysicalSize::new(1, 1));
+        let window = event_loop.create_window(attributes).map_err(|error| format!("no window: {error}"))?;
+        self.window = Some(Arc::new(window));
+        let mut descriptor = wgpu::InstanceDescriptor::new_with_display_handle_from_env(Box::new(
+            event_loop.owned_display_handle(),
+        ));
+        descriptor.backends &= wgpu::Backends::PRIMARY;
+        self.instance = Some(wgpu::Instance::new(descriptor));
+        Ok(())
+    }
+
+    /// A surface of the window, and a device that can show pictures on it if there is none.
+    fn make_surface(&mut self) -> Result<()> {
+        let (Some(window), Some(instance)) = (&self.window, &self.instance) else { return Ok(()) };
+        self.surface = None;
+        let surface =
+            instance.create_surface(window.clone()).map_err(|error| format!("no surface: {error}"))?;
+        let is_new = self.gpu.is_none();
+        let gpu = match &self.gpu {
+            Some(gpu) => gpu.clone(),
+            None => {
+                let setup = self.session.setup();
+                let (adapter, limits) = (setup.adapter.as_deref(), setup.limits.as_ref());
+                let gpu = Gpu::for_surface(instance, adapter, Some(&surface), limits);
+                Arc::new(gpu.map_err(|error| error.to_string())?)
+            }
+        };
+        let surface = Surface::new(surface, &gpu, window, self.session.app.choices().vsync)?;
+        if is_new {
+            self.session.attach(&gpu, surface.format());
+            self.input = Some(egui_winit::State::new(
+                self.session.app.context().clone(),
+                egui::ViewportId::ROOT,
+                window.as_ref(),
+                Some(window.scale_factor() as f32),
+                window.theme(),
+                Some(gpu.limits().max_texture_dimension_2d as usize),
+            ));
+        }
+        self.gpu = Some(gpu);
+        self.surface = Some(surface);
+        window.request_redraw();
+        Ok(())
+    }
+
+    fn frame(&mut self, event_loop: &ActiveEventLoop) -> Result<()> {
+        let (Some(window), Some(input)) = (self.window.clone(), &mut self.input) else { return Ok(()) };
+        let Choices { vsync, .. } = *self.session.app.choices();
+        if let Some(surface) = &mut self.surface {
+            surface.follow(&window, vsync);
+        }
+        let size = self.surface.as_ref().map_or([1, 1], Surface::size);
+        let raw = input.take_egui_input(&window);
+        let (mut update, leftover) = self.session.frame(raw, size, window.scale_factor() as f32)?;
+        let lost = self.show(&mut update.painting, &leftover)?;
+        if let Some(input) = &mut self.input {
+            input.handle_platform_output(&window, update.platform);
+        }
+        if lost {
+            self.make_surface()?;
+        }
+        let flow = match Instant::now().checked_add(update.repaint_after) {
+            _ if self.session.is_scripted() || update.repaint_after.is_zero() => {
+                window.request_redraw();
+                ControlFlow::Wait
+            }
+            Some(when) => ControlFlow::WaitUntil(when),
+            None => ControlFlow::Wait,
+        };
+        event_loop.set_control_flow(flow);
+        self.follow(event_loop, &window, leftover)
+    }
+
+    /// Paints and presents; tells whether the surface is lost.
+    fn show(&mut self, painting: &mut glimpse_app::Painting, leftover: &Leftover) -> Result<bool> {
+        let acquired = match &mut self.surface {
+            Some(surface) if !self.paused => surface.acquire(),
+            _ => Acquired::None,
+        };
+        let (Acquired::Picture(picture), Some(surface)) = (&acquired, &self.surface) else {
+            self.session.app.paint(painting, None, [1, 1]);
+            return Ok(matches!(acquired, Acquired::Lost));
+        };
+        let view = picture.texture.create_view(&wgpu::TextureViewDescriptor::default());
+        self.session.app.paint(painting, Some(&view), surface.size());
+        if let Some(file) = &leftover.window_shot {
+            let image = surface.read(picture)?;
+            self.session.save(Some(file.clone()), &image)?;
+        }
+        if let (Acquired::Picture(picture), Some(surface)) = (acquired, &self.surface) {
+            surface.present(picture);
+        }
+        Ok(false)
+    }
+
+    fn follow(&mut self, event_loop: &ActiveEventLoop, window: &Window, leftover: Leftover) -> Result<()> {
+        match leftover.event {
+            Some(ShellEvent::Size([width, height])) => resize(window, [width, height]),
+            Some(ShellEvent::Rotate) => {
+                self.session.turn();
+                let size = window.inner_size();
+                resize(window, [size.height, size.width]);
+            }
+            Some(ShellEvent::Minimise) => window.set_minimized(true),
+            Some(ShellEvent::Restore) => window.set_minimized(false),
+            Some(ShellEvent::FullScreen(on)) => set_full_screen(window, on),
+            Some(ShellEvent::Pause) => {
+                self.paused = true;
+                self.surface = None;
+            }
+            Some(ShellEvent::Resume) => {
+                self.paused = false;
+                self.make_surface()?;
+            }
+            Some(ShellEvent::LoseSurface) => self.make_surface()?,
+            Some(ShellEvent::LoseDevice) => self.gpu.iter().for_each(|gpu| gpu.destroy()),
+            Some(ShellEvent::LowMemory | ShellEvent::Thermal(_)) | None => {}
+        }
+        if leftover.full_screen {
+            set_full_screen(window, window.fullscreen().is_none());
+        }
+        if leftover.dialog {
+            let proxy = self.proxy.clone();
+            // A loop that has ended opens no files.
+            self.session.dialog(Box::new(move |file| drop(proxy.send_event(Wakeup::Chosen(file)))));
+        }
+        if leftover.new_device {
+            self.gpu = None;
+            self.make_surface()?;
+        }
+        if leftover.quit {
+            event_loop.exit();
+        }
+        Ok(())
+    }
+}
+
+fn resize(window: &Window, [width, height]: [u32; 2]) {
+    // Where the new size is known at once, winit tells it here and sends no event.
+    let _ = window.request_inner_size(PhysicalSize::new(width, height));
+}
+
+fn set_full_screen(window: &Window, on: bool) {
+    window.set_fullscreen(on.then_some(Fullscreen::Borderless(None)));
+}
+
+/// A phone's screen as large as it fits on the monitor.
+fn fitting(event_loop: &ActiveEventLoop, pixels: [u32; 2]) -> [u32; 2] {
+    let monitor = event_loop.primary_monitor().or_else(|| event_loop.available_monitors().next());
+    let Some(monitor) = monitor.map(|monitor| monitor.size()) else { return pixels };
+    let room = [monitor.width, monitor.height].map(|side| 0.9 * side as f32);
+    let scale = (room[0] / pixels[0] as f32).min(room[1] / pixels[1] as f32).min(1.0);
+    pixels.map(|side| ((side as f32 * scale).round() as u32).max(1))
+}

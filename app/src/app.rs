@@ -1,0 +1,457 @@
+//! The program that a person sees: everything but the window.
+
+use std::{path::PathBuf, sync::Arc, time::Duration};
+
+use egui::{Rect, Sense, Ui};
+use glimpse::{DisplayImage, Gpu, Settings};
+
+use crate::{
+    CameraControl, Change, Choices, Files, Frame, Gestures, Governor, Hud, Job, Motion, Painter, Painting,
+    Readings, SceneFacts, Wake, Wish, Worker,
+    command::command,
+    script::Value,
+};
+
+/// Scenes from files that are remembered.
+pub const MOST_RECENT: usize = 8;
+
+/// A notice is told for so long.
+const NOTICE: Duration = Duration::from_secs(4);
+
+/// A device that is lost so often without a frame between is not made again.
+const LOSSES: u32 = 3;
+
+/// What the shell is asked for.
+#[derive(Debug)]
+pub enum Request {
+    /// To let a person choose a file, for [`App::open`].
+    OpenDialog,
+    /// To save a picture, under that name or under one of its own.
+    Save(Option<PathBuf>, DisplayImage),
+    /// To remember the scenes that were opened last.
+    Remember(Vec<String>),
+    /// The window as large as the screen, or not.
+    FullScreen,
+    /// The device is lost: to [`App::attach`] a new one.
+    NewDevice,
+    /// The end.
+    Quit,
+}
+
+/// What comes of an update.
+pub struct Update {
+    /// What is to be shown.
+    pub painting: Painting,
+    /// Clipboard, pointer, text input.
+    pub platform: egui::PlatformOutput,
+    /// What else is to be done.
+    pub requests: Vec<Request>,
+    /// When the next update is due at the latest; news and input may come before.
+    pub repaint_after: Duration,
+}
+
+/// The program.
+pub struct App {
+    pub(crate) context: egui::Context,
+    files: Files,
+    wake: Wake,
+    pub(crate) choices: Choices,
+    pub(crate) readings: Readings,
+    scenes: Vec<String>,
+    recent: Vec<String>,
+    pub(crate) device: Option<Device>,
+    /// The scene that is shown.
+    pub(crate) scene: Option<SceneFacts>,
+    /// The one that was asked for last.
+    wanted: String,
+    pub(crate) control: Option<CameraControl>,
+    gestures: Gestures,
+    pub(crate) governor: Governor,
+    pub(crate) shown: Option<Shown>,
+    pub(crate) pending: Pending,
+    pub(crate) requests: Vec<Request>,
+    pub(crate) now: Duration,
+    notice_until: Duration,
+    pub(crate) busy_since: Duration,
+    touch: bool,
+    /// Nanoseconds a pixel that frames are taken to need.
+    pub(crate) cost: Option<f64>,
+    pub(crate) losses: u32,
+}
+
+/// A device and what was made with it.
+pub(crate) struct Device {
+    pub gpu: Arc<Gpu>,
+    pub painter: Painter,
+    pub worker: Option<Worker>,
+}
+
+/// The frame that is shown, as textures of the overlay.
+pub(crate) struct Shown {
+    pub frame: Box<Frame>,
+    pub picture: egui::TextureId,
+    pub full: Option<egui::TextureId>,
+}
+
+/// What the worker has not answered.
+#[derive(Default)]
+pub(crate) struct Pending {
+    pub load: bool,
+    pub frame: Option<(u64, Job)>,
+    pub count: Option<u64>,
+    /// Where the picture goes.
+    pub capture: Option<Option<PathBuf>>,
+    pub pick: bool,
+}
+
+impl App {
+    /// Without a device: nothing is shown before [`App::attach`]. `recent` are files that were opened before; the `scene` is
+    /// opened as soon as there is a device.
+    #[must_use]
+    pub fn new(files: Files, wake: Wake, scene: &str, recent: Vec<String>, choices: Choices) -> Self {
+        let context = egui::Context::default();
+        // Gestures are read once a frame.
+        context.options_mut(|options| options.max_passes = 1.try_into().unwrap_or(options.max_passes));
+        let mut app = Self {
+            context,
+            files,
+            wake,
+            governor: Governor::new(choices.governor.unwrap_or_default().budget_ms()),
+            choices,
+            readings: Readings::default(),
+            scenes: Vec::new(),
+            recent,
+            device: None,
+            scene: None,
+            wanted: scene.to_owned(),
+            control: None,
+            gestures: Gestures::default(),
+            shown: None,
+            pending: Pending::default(),
+            requests: Vec::new(),
+            now: Duration::ZERO,
+            notice_until: Duration::ZERO,
+            busy_since: Duration::ZERO,
+            touch: false,
+            cost: None,
+            losses: 0,
+        };
+        app.list_scenes();
+        app
+    }
+
+    /// The overlay's context, for shells that translate input.
+    #[must_use]
+    pub fn context(&self) -> &egui::Context {
+        &self.context
+    }
+
+    /// Takes a device, the first one or one in place of a lost one, to paint on targets of that format. What was shown comes
+    /// back by itself.
+    pub fn attach(&mut self, gpu: Arc<Gpu>, format: wgpu::TextureFormat) {
+        let facts = gpu.facts();
+        self.readings.adapter = format!("{} ({})", facts.info.name, facts.info.driver_info);
+        self.shown = None;
+        self.pending = Pending::default();
+        let painter = Painter::new(&gpu, format);
+        let worker = if self.losses < LOSSES {
+            Worker::start(gpu.clone(), self.files.clone(), self.wake.clone())
+                .map_err(|error| self.readings.problem = Some(format!("no thread to render with: {error}")))
+                .ok()
+        } else {
+            None
+        };
+        self.device = Some(Device { gpu, painter, worker });
+        // Fonts that were sent to another device are sent again.
+        self.context.set_fonts(egui::FontDefinitions::default());
+        let wanted = self.wanted.clone();
+        self.load(&wanted);
+    }
+
+    /// Opens a scene; the one that is shown stays until it is there.
+    pub fn open(&mut self, name: &str) {
+        self.wanted = name.to_owned();
+        self.readings.problem = None;
+        self.load(name);
+    }
+
+    fn load(&mut self, name: &str) {
+        let Some(worker) = self.device.as_mut().and_then(|device| device.worker.as_mut()) else { return };
+        worker.open(name);
+        self.pending.load = true;
+        self.busy_since = self.now;
+    }
+
+    /// Lets time pass until `now`, hears what a person does and what the worker has done, orders what is to be made, and says
+    /// what is to be shown.
+    pub fn update(&mut self, input: egui::RawInput, now: Duration) -> Update {
+        let passed = now.saturating_sub(self.now);
+        self.now = now;
+        self.hear();
+        self.touch |= input.events.iter().any(|event| matches!(event, egui::Event::Touch { .. }));
+        if let Some(file) = input.dropped_files.first() {
+            self.open(&file.path().to_string_lossy());
+        }
+        let context = self.context.clone();
+        let mut wishes = Vec::new();
+        let output = context.run_ui(input, |ui| wishes = self.show(ui, passed));
+        for wish in wishes {
+            self.grant(wish, &context);
+        }
+        self.order();
+        let pixels_per_point = output.pixels_per_point;
+        let delay = output.viewport_output.values().map(|viewport| viewport.repaint_delay).min();
+        Update {
+            painting: Painting {
+                jobs: context.tessellate(output.shapes, pixels_per_point),
+                textures: output.textures_delta,
+                pixels_per_point,
+            },
+            platform: output.platform_output,
+            requests: std::mem::take(&mut self.requests),
+            repaint_after: if self.is_live() { Duration::ZERO } else { delay.unwrap_or(Duration::MAX) },
+        }
+    }
+
+    /// Puts a painting on a target of the device. The painting's textures are taken over even where there is no target.
+    pub fn paint(&mut self, painting: &mut Painting, target: Option<&wgpu::TextureView>, size: [u32; 2]) {
+        let Some(Device { gpu, painter, .. }) = &mut self.device else {
+            painting.textures.clear();
+            return;
+        };
+        painter.update(gpu, painting);
+        if let Some(target) = target {
+            painter.paint(gpu, painting, target, size);
+        }
+    }
+
+    /// Makes a choice in words, as scripts do.
+    ///
+    /// # Errors
+    /// What does not go with the other choices.
+    pub fn change(&mut self, change: &Change) -> Result<(), String> {
+        change.apply(&mut self.choices)
+    }
+
+    /// Takes frames to need that many nanoseconds a pixel, whatever they took: what the governor does can be repeated then.
+    pub fn set_cost(&mut self, nanoseconds: f64) {
+        self.cost = Some(nanoseconds);
+    }
+
+    /// The system is hot: a factor on the time that a frame may take, 1 when it is cool.
+    pub fn set_thermal(&mut self, factor: f32) {
+        self.governor.set_thermal(factor);
+    }
+
+    /// The system wants memory back.
+    pub fn trim(&mut self) {
+        self.choices.split = None;
+        self.governor.trim();
+    }
+
+    /// Saves the frame, under that name or under one that the shell chooses.
+    pub fn screenshot(&mut self, file: Option<PathBuf>) {
+        if let (Some(job), Some(worker)) = (self.still_job(), self.worker()) {
+            worker.capture(job);
+            self.pending.capture = Some(file);
+        }
+    }
+
+    /// Tells something that went well.
+    pub fn notify(&mut self, text: String) {
+        self.readings.notice = Some(text);
+        self.notice_until = self.now + NOTICE;
+    }
+
+    /// Tells something that went wrong.
+    pub fn complain(&mut self, text: String) {
+        self.readings.problem = Some(text);
+    }
+
+    /// Whether the view rests and its frame is complete.
+    #[must_use]
+    pub fn rests(&self) -> bool {
+        let moving = self.control.as_ref().is_some_and(CameraControl::is_moving);
+        let complete = self.shown.as_ref().is_some_and(|shown| Some(&shown.frame.job) == self.still_job().as_ref());
+        let idle = !self.is_waiting() && !moving;
+        idle && (complete || self.readings.problem.is_some())
+    }
+
+    /// Waits until the worker has done what it was asked for.
+    pub fn wait(&mut self) {
+        while self.is_waiting() {
+            let Some(news) = self.worker().and_then(Worker::wait) else { return };
+            self.take(news);
+        }
+    }
+
+    fn is_waiting(&self) -> bool {
+        let Pending { load, frame, count, capture, pick } = &self.pending;
+        *load || frame.is_some() || count.is_some() || capture.is_some() || *pick
+    }
+
+    /// Something changes by itself.
+    fn is_live(&self) -> bool {
+        let moving = self.control.as_ref().is_some_and(CameraControl::is_moving);
+        moving || !self.requests.is_empty() || (self.choices.governor.is_some() && !self.governor.is_refined())
+    }
+
+    /// What is known by a name, for scripts.
+    #[must_use]
+    pub fn look(&self, name: &str) -> Option<Value> {
+        let readings = &self.readings;
+        let number = |value: f64| Some(Value::Number(value));
+        let counts = readings.counts.as_ref();
+        match name {
+            "scene" => Some(Value::Text(readings.scene.clone())),
+            "problem" => readings.problem.clone().map(Value::Text),
+            "notice" => readings.notice.clone().map(Value::Text),
+            "legend" => Some(Value::Text(readings.legend.clone())),
+            "method" => Some(Value::Text(format!("{:?}", self.choices.settings.method).to_lowercase())),
+            "show" => Some(Value::Text(self.choices.show.name())),
+            "block" => number(self.choices.settings.block.into()),
+            "split" => self.choices.split.map(|split| Value::Number(split.into())),
+            "primitives" => number(readings.primitives as f64),
+            "cameras" => number(readings.cameras.len() as f64),
+            "width" => number(readings.size[0].into()),
+            "height" => number(readings.size[1].into()),
+            "view_width" => number(readings.view[0].into()),
+            "view_height" => number(readings.view[1].into()),
+            "memory" => number(readings.memory.total as f64),
+            "psnr" => readings.psnr_db.map(Value::Number),
+            "rt_ratio" => counts.map(|counts| Value::Number(counts.rt_ratio())),
+            "rays" => counts.map(|counts| Value::Number(counts.rays.total as f64)),
+            "moved" => {
+                let moved = self.control.as_ref().is_some_and(|control| control.command_line().is_some());
+                number(f64::from(u8::from(moved)))
+            }
+            _ => None,
+        }
+    }
+
+    /// The command that makes the frame that is shown.
+    #[must_use]
+    pub fn command(&self) -> Option<String> {
+        let job = self.still_job()?;
+        let moved = self.control.as_ref()?.command_line();
+        let camera = moved.unwrap_or_else(|| match self.readings.camera {
+            0 => String::new(),
+            index => format!("--camera {index}"),
+        });
+        Some(command(&self.scene.as_ref()?.name, &camera, &job))
+    }
+
+    fn show(&mut self, ui: &mut Ui, passed: Duration) -> Vec<Wish> {
+        let context = ui.ctx().clone();
+        let view = context.viewport_rect();
+        let response = ui.interact(view, egui::Id::new("picture"), Sense::click_and_drag());
+        let pixels = context.pixels_per_point();
+        self.readings.view = [view.width(), view.height()].map(|side| ((side * pixels).round() as u32).max(1));
+        self.draw_picture(ui, view);
+        self.tell_what_is_going_on();
+        let motions = self.gestures.read(&response, self.choices.navigation, passed);
+        let hud = Hud {
+            choices: &mut self.choices,
+            readings: &self.readings,
+            scenes: &self.scenes,
+            touch: self.touch,
+        };
+        let wishes = hud.show(&context);
+        self.steer(motions, passed);
+        wishes
+    }
+
+    fn draw_picture(&self, ui: &Ui, view: Rect) {
+        let Some(shown) = &self.shown else { return };
+        let whole = Rect::from_min_max(egui::Pos2::ZERO, egui::pos2(1.0, 1.0));
+        ui.painter().image(shown.picture, view, whole, egui::Color32::WHITE);
+        if let (Some(full), Some(split)) = (shown.full, self.choices.split) {
+            let mut right = view;
+            right.min.x = view.left() + split * view.width();
+            ui.painter().with_clip_rect(right).image(full, view, whole, egui::Color32::WHITE);
+        }
+    }
+
+    fn tell_what_is_going_on(&mut self) {
+        if let Some(busy) = &mut self.readings.busy {
+            busy.seconds = (self.now - self.busy_since).as_secs_f64();
+        }
+        if self.now >= self.notice_until {
+            self.readings.notice = None;
+        }
+    }
+
+    fn steer(&mut self, motions: Vec<Motion>, passed: Duration) {
+        let Some(control) = &mut self.control else { return };
+        for motion in motions {
+            if let Motion::Focus { at } = motion {
+                let worker = self.device.as_ref().and_then(|device| device.worker.as_ref());
+                if let Some(worker) = worker {
+                    // A view is two of the camera's units high.
+                    worker.pick(control.camera(), (2.0 * at).into());
+                    self.pending.pick = true;
+                }
+            } else {
+                control.apply(motion, self.choices.navigation);
+            }
+        }
+        control.advance(passed);
+    }
+
+    fn grant(&mut self, wish: Wish, context: &egui::Context) {
+        match wish {
+            Wish::Open(name) => self.open(&name),
+            Wish::OpenDialog => self.requests.push(Request::OpenDialog),
+            Wish::Screenshot => self.screenshot(None),
+            Wish::CopyCommand => {
+                if let Some(command) = self.command() {
+                    context.copy_text(command);
+                    self.notify("The command of this frame is in the clipboard.".to_owned());
+                }
+            }
+            Wish::FullScreen => self.requests.push(Request::FullScreen),
+            Wish::ResetCamera => self.control.iter_mut().for_each(CameraControl::reset),
+            Wish::Camera(index) => {
+                let camera = self.scene.as_ref().and_then(|scene| scene.cameras.get(index));
+                if let (Some((_, camera)), Some(control)) = (camera, &mut self.control) {
+                    control.go_to(*camera);
+                    self.readings.camera = index;
+                }
+            }
+            Wish::CloseProblem => self.readings.problem = None,
+            Wish::Quit => self.requests.push(Request::Quit),
+        }
+    }
+
+    /// The frame of a view that rests: with everything as it was chosen.
+    pub(crate) fn still_job(&self) -> Option<Job> {
+        let scale = if self.choices.governor.is_some() { 1.0 } else { self.choices.scale };
+        self.job(scale, self.choices.settings, true)
+    }
+
+    pub(crate) fn job(&self, scale: f32, settings: Settings, still: bool) -> Option<Job> {
+        let camera = self.control.as_ref()?.camera();
+        let size = self.readings.view.map(|side| ((side as f32 * scale).round() as u32).max(1));
+        Some(Job { camera, size, settings, show: self.choices.show, split: self.choices.split.is_some(), still })
+    }
+
+    pub(crate) fn worker(&mut self) -> Option<&mut Worker> {
+        self.device.as_mut()?.worker.as_mut()
+    }
+
+    /// The scene is shown: it is offered again.
+    pub(crate) fn remember(&mut self, name: &str) {
+        if name.starts_with("builtin:") {
+            return;
+        }
+        self.recent.retain(|known| known != name);
+        self.recent.insert(0, name.to_owned());
+        self.recent.truncate(MOST_RECENT);
+        self.requests.push(Request::Remember(self.recent.clone()));
+        self.list_scenes();
+    }
+
+    fn list_scenes(&mut self) {
+        self.scenes = crate::scenes().chain(self.recent.iter().cloned()).collect();
+    }
+}

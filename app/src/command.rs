@@ -1,0 +1,90 @@
+//! The `glimpse render` command that makes a frame again.
+
+use glimpse::{Method, Postcorrect, Settings, Show};
+
+use crate::Job;
+
+/// The command for this frame of a scene. `camera` are options of the command line.
+pub fn command(scene: &str, camera: &str, job: &Job) -> String {
+    let [width, height] = job.size;
+    let mut words = vec![format!("glimpse render {} -o glimpse.png --size {width}x{height}", quoted(scene))];
+    if !camera.is_empty() {
+        words.push(camera.to_owned());
+    }
+    words.extend(options(&job.settings));
+    if job.show != Show::Final {
+        words.push(format!("--show {}", job.show.name()));
+    }
+    words.join(" ")
+}
+
+/// The options whose values are not the defaults.
+fn options(settings: &Settings) -> Vec<String> {
+    let usual = Settings::default();
+    let (tolerances, usual_tolerances) = (settings.tolerances, usual.tolerances);
+    let method = match settings.method {
+        Method::Full => "full",
+        Method::Adaptive => "adaptive",
+        Method::Checkerboard => "checkerboard",
+    };
+    let postcorrect = match settings.postcorrect {
+        Postcorrect::Auto => "auto",
+        Postcorrect::Off => "off",
+        Postcorrect::Objects => "objects",
+        Postcorrect::On => "on",
+        Postcorrect::Scans => "scans",
+    };
+    let words = [
+        (settings.method != usual.method, "method", method.to_owned()),
+        (settings.sampling != usual.sampling, "sampling", settings.sampling.to_string()),
+        (settings.block != usual.block, "block", settings.block.to_string()),
+        (settings.postcorrect != usual.postcorrect, "postcorrect", postcorrect.to_owned()),
+        (tolerances.pos != usual_tolerances.pos, "t-pos", tolerances.pos.to_string()),
+        (tolerances.norm != usual_tolerances.norm, "t-norm", tolerances.norm.to_string()),
+        (tolerances.tex != usual_tolerances.tex, "t-tex", tolerances.tex.to_string()),
+        (tolerances.gcol != usual_tolerances.gcol, "t-gcol", tolerances.gcol.to_string()),
+        (settings.depth != usual.depth, "depth", settings.depth.to_string()),
+        (settings.min_weight != usual.min_weight, "min-weight", settings.min_weight.to_string()),
+    ];
+    words
+        .into_iter()
+        .filter(|(differs, ..)| *differs)
+        .map(|(_, name, value)| format!("--{name}={value}"))
+        .collect()
+}
+
+/// As a shell takes it for one word.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./:".contains(c);
+    if !word.is_empty() && word.chars().all(plain) {
+        return word.to_owned();
+    }
+    format!("'{}'", word.replace('\'', r"'\''"))
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+    use glimpse::{Camera, Tolerances};
+
+    use super::*;
+
+    #[test]
+    fn what_is_usual_is_not_said() {
+        let camera = Camera::framing(Vec3::ZERO, Vec3::ONE);
+        let settings = Settings::default();
+        let mut job =
+            Job { camera, size: [64, 32], settings, show: Show::Final, split: false, still: true };
+        assert_eq!(
+            command("builtin:room", "", &job),
+            "glimpse render builtin:room -o glimpse.png --size 64x32"
+        );
+        job.settings.tolerances = Tolerances { norm: -0.5, ..settings.tolerances };
+        job.settings.method = Method::Full;
+        job.show = Show::Check(1);
+        assert_eq!(
+            command("it's my scene.glb", "--camera 2", &job),
+            r"glimpse render 'it'\''s my scene.glb' -o glimpse.png --size 64x32 --camera 2 --method=full --t-norm=-0.5 --show check:pos"
+        );
+    }
+}

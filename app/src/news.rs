@@ -1,0 +1,159 @@
+//! What the app does with what the worker tells, and what it orders next.
+
+use std::sync::Arc;
+
+use crate::{
+    App, Busy, CameraControl, Frame, FrameReport, Job, News, Request, SceneFacts, Worker,
+    app::{Device, Shown},
+};
+
+impl App {
+    /// Takes all news.
+    pub(crate) fn hear(&mut self) {
+        while let Some(news) = self.worker().and_then(Worker::news) {
+            self.take(news);
+        }
+    }
+
+    pub(crate) fn take(&mut self, news: News) {
+        match news {
+            News::Loading(what, step) => self.readings.busy = Some(Busy { what, seconds: 0.0, step }),
+            News::Opened(facts) => self.opened(*facts),
+            News::NotOpened(line) => {
+                self.pending.load = false;
+                self.readings.busy = None;
+                self.complain(line);
+            }
+            News::Frame(frame) => self.framed(frame),
+            News::GivenUp(number) => {
+                self.pending.frame.take_if(|(coming, _)| *coming == number);
+                self.pending.count.take_if(|coming| *coming == number);
+            }
+            News::Counted(number, counted) => {
+                if self.pending.count == Some(number) {
+                    self.pending.count = None;
+                    self.readings.counts = Some(counted.counts);
+                    self.readings.psnr_db = counted.psnr_db;
+                }
+            }
+            News::Captured(captured) => {
+                if let Some(file) = self.pending.capture.take() {
+                    self.requests.push(Request::Save(file, captured.1));
+                }
+            }
+            News::Picked(point) => {
+                self.pending.pick = false;
+                if let (Some(point), Some(control)) = (point, &mut self.control) {
+                    control.focus(point);
+                }
+            }
+            News::Failed(line) => {
+                (self.pending.frame, self.pending.count, self.pending.capture) = (None, None, None);
+                self.pending.pick = false;
+                self.readings.busy = None;
+                self.complain(line);
+            }
+            News::Lost(reason) => self.lost(&reason),
+        }
+    }
+
+    fn opened(&mut self, facts: SceneFacts) {
+        let again = self.scene.as_ref().is_some_and(|scene| scene.name == facts.name);
+        let readings = &mut self.readings;
+        readings.scene.clone_from(&facts.name);
+        readings.primitives = facts.primitives;
+        readings.cameras = facts.cameras.iter().map(|(name, _)| name.clone()).collect();
+        readings.warnings.clone_from(&facts.warnings);
+        let named = |needed: bool| {
+            let names = facts.features.iter().filter(move |(_, has)| *has == needed);
+            names.map(|(name, _)| *name).collect()
+        };
+        (readings.features, readings.left_out) = (named(true), named(false));
+        (readings.counts, readings.psnr_db) = (None, None);
+        if !again || self.control.is_none() {
+            readings.camera = 0;
+            self.control =
+                facts.cameras.first().map(|(_, camera)| CameraControl::new(*camera, facts.bounds));
+        }
+        self.pending.load = false;
+        // Frames that were ordered are of the scene before, and are not made any more.
+        (self.pending.frame, self.pending.count) = (None, None);
+        self.remember(&facts.name);
+        self.scene = Some(facts);
+        self.order();
+    }
+
+    fn framed(&mut self, frame: Box<Frame>) {
+        if !self.pending.frame.as_ref().is_some_and(|(number, _)| *number == frame.number) {
+            return;
+        }
+        self.pending.frame = None;
+        self.pending.count = frame.job.still.then_some(frame.number);
+        self.losses = 0;
+        let ms = self.cost.map_or(frame.ms, |cost| cost * pixels(&frame.job) * 1e-6);
+        self.governor.report(FrameReport { pixels: pixels(&frame.job), ms, still: frame.job.still });
+        let readings = &mut self.readings;
+        readings.push_frame(ms as f32);
+        readings.busy = None;
+        readings.passes.clone_from(&frame.passes);
+        readings.size = frame.job.size;
+        readings.memory = frame.memory;
+        readings.legend.clone_from(&frame.legend);
+        let Some(Device { gpu, painter, .. }) = &mut self.device else { return };
+        let exact = frame.job.size == readings.view;
+        let (known, known_full) =
+            self.shown.take().map_or((None, None), |shown| (Some(shown.picture), shown.full));
+        let picture = painter.register(gpu, &frame.picture, exact, known);
+        let full = match &frame.full {
+            Some(full) => Some(painter.register(gpu, full, exact, known_full)),
+            None => {
+                known_full.iter().for_each(|id| painter.forget(*id));
+                None
+            }
+        };
+        self.shown = Some(Shown { frame, picture, full });
+    }
+
+    /// The device or its thread is gone.
+    fn lost(&mut self, reason: &str) {
+        self.losses += 1;
+        log::warn!("{reason}");
+        self.device = None;
+        self.shown = None;
+        self.readings.busy = None;
+        if self.losses >= 3 {
+            self.complain(format!("The graphics device was lost three times in a row: {reason}"));
+        }
+        self.requests.push(Request::NewDevice);
+    }
+
+    /// Orders the frame that this moment needs, if it is not there and not being made.
+    pub(crate) fn order(&mut self) {
+        let Some(job) = self.next_job() else { return };
+        let known = self.shown.as_ref().is_some_and(|shown| shown.frame.job == job);
+        let coming = self.pending.frame.as_ref().is_some_and(|(_, coming)| *coming == job);
+        if known || coming {
+            return;
+        }
+        if let Some(worker) = self.worker() {
+            let number = worker.order(job.clone());
+            self.pending.frame = Some((number, job));
+        }
+    }
+
+    fn next_job(&mut self) -> Option<Job> {
+        let moving = self.control.as_ref()?.is_moving();
+        let Some(rate) = self.choices.governor else { return self.still_job() };
+        self.governor.set_budget(rate.budget_ms());
+        let quality = self.governor.next(self.now, moving);
+        if quality.is_full() {
+            return self.still_job();
+        }
+        let settings = quality.settings(&self.choices.settings);
+        self.job(quality.scale, settings, false)
+    }
+}
+
+fn pixels(job: &Job) -> f64 {
+    job.size.map(f64::from).iter().product()
+}
