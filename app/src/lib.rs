@@ -1,11 +1,15 @@
 //! What the phone and the desktop share: camera and gestures, overlay, choice of scene, frame governor, life cycle, in
 //! words of its own (neither winit's nor Android's).
 
+mod camera_control;
 mod choices;
+mod gestures;
 mod hud;
 mod readings;
 
+pub use camera_control::CameraControl;
 pub use choices::{Choices, FrameRate, Navigation, Overlay, SCALES, Show, TEXT_SCALES, Vsync};
+pub use gestures::{Gestures, Motion};
 pub use hud::{Hud, Wish};
 pub use readings::{Busy, HISTORY, Readings};
 
