@@ -4,12 +4,14 @@
 mod camera_control;
 mod choices;
 mod gestures;
+mod governor;
 mod hud;
 mod readings;
 
 pub use camera_control::CameraControl;
 pub use choices::{Choices, FrameRate, Navigation, Overlay, SCALES, Show, TEXT_SCALES, Vsync};
 pub use gestures::{Gestures, Motion};
+pub use governor::{FrameReport, Governor, Quality};
 pub use hud::{Hud, Wish};
 pub use readings::{Busy, HISTORY, Readings};
 

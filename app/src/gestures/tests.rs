@@ -44,7 +44,8 @@ impl Hand {
         let mut motions = Vec::new();
         let (gestures, navigation) = (&mut self.gestures, self.navigation);
         let _ = self.context.run_ui(input, |ui| {
-            let view = ui.interact(ui.ctx().content_rect(), egui::Id::new("view"), Sense::click_and_drag());
+            let view =
+                ui.interact(ui.ctx().content_rect(), egui::Id::unique("view"), Sense::click_and_drag());
             motions = gestures.read(&view, navigation, FRAME);
         });
         motions
