@@ -1,18 +1,31 @@
 //! What the phone and the desktop share: camera and gestures, overlay, choice of scene, frame governor, life cycle, in
 //! words of its own (neither winit's nor Android's).
+//!
+//! [`App`] is the program: a shell gives it input and time, and paints what it says. Frames are made by a thread of its own
+//! ([`Worker`]), so that nothing that a person does waits for one.
 
+mod app;
+mod camera_control;
 mod change;
 mod choices;
+mod command;
+mod gestures;
+mod governor;
 mod hud;
+mod news;
 mod painter;
 mod readings;
 pub mod script;
 mod studio;
 mod worker;
 
+pub use app::{App, Request, Update};
+pub use camera_control::CameraControl;
 pub use change::{Change, Setting};
 pub use choices::{Choices, FrameRate, Navigation, Overlay, SCALES, TEXT_SCALES, Vsync};
+pub use gestures::{Gestures, Motion};
 pub use glimpse::Show;
+pub use governor::{FrameReport, Governor, Quality};
 pub use hud::{Hud, Wish};
 pub use painter::{Painter, Painting};
 pub use readings::{Busy, HISTORY, Readings};

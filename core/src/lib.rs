@@ -38,6 +38,7 @@ pub mod metrics;
 mod missing;
 mod passes;
 mod plan;
+mod pose;
 pub mod probe;
 pub mod reference;
 mod renderer;
@@ -56,6 +57,7 @@ pub use image::{DisplayImage, LinearImage, Picture, encode_display, to_exr, to_p
 pub use missing::Missing;
 pub use passes::Linked;
 pub use plan::SAMPLES_PER_SUBMISSION;
+pub use pose::{Lens, Pose};
 pub use renderer::Renderer;
 pub use scene::{Features, Scene};
 pub use settings::{

@@ -1,0 +1,200 @@
+//! Touch, mouse, trackpad and keys as one set of motions.
+//!
+//! | hand | motion |
+//! | --- | --- |
+//! | one finger, primary button | turn |
+//! | secondary or middle button, shift and primary button | pan |
+//! | two fingers | pan by where they go, dolly by how far apart they are, at once |
+//! | wheel, two fingers on a trackpad | dolly; haste while flying |
+//! | ctrl and wheel, pinch on a trackpad | dolly |
+//! | double tap, double click | focus |
+//! | arrow keys; with shift | turn; pan |
+//! | page up, page down, `+`, `-` | dolly; haste while flying |
+//! | `W` `A` `S` `D` `Q` `E` while flying; with shift | fly; fast |
+
+#[cfg(test)]
+mod tests;
+
+use std::time::Duration;
+
+use egui::{InputState, Key, PointerButton, Pos2, Response};
+use glam::{Vec2, Vec3};
+
+use crate::Navigation;
+
+/// What a person wants the camera to do.
+///
+/// Lengths are in heights of the view, right and up, so that they mean the same on every screen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Motion {
+    /// Around the orbit's centre, or around the eye while flying: what is seen follows the hand by so much.
+    Turn {
+        /// View heights.
+        by: Vec2,
+    },
+    /// Aside: what is seen in the plane of the target follows the hand by so much.
+    Pan {
+        /// View heights.
+        by: Vec2,
+    },
+    /// Nearer: what is at the target looks larger by e to the power of that.
+    Dolly {
+        /// Exponent: negative goes away.
+        by: f32,
+        /// What stays in place, in view heights from the middle of the view, which it is where nothing is known.
+        at: Option<Vec2>,
+    },
+    /// With the speed of flight, until the next frame.
+    Fly {
+        /// Right, up and forward; 1 is full speed.
+        along: Vec3,
+    },
+    /// Flying faster by e to the power of that.
+    Haste {
+        /// Exponent: negative is slower.
+        by: f32,
+    },
+    /// The orbit's centre to the surface that is seen there.
+    Focus {
+        /// View heights from the middle of the view.
+        at: Vec2,
+    },
+}
+
+/// A whole second of an arrow key turns or pans by so many view heights.
+const KEY_DRAG: f32 = 0.5;
+
+/// A whole second of a key goes nearer, or flies faster, by e to the power of that.
+const KEY_DOLLY: f32 = 1.5;
+
+/// One point of the wheel goes nearer by e to the power of that; a notch is 40 points.
+const WHEEL: f32 = 1.0 / 200.0;
+
+/// Flying with shift is so much faster; at full speed it is one.
+const STROLL: f32 = 0.25;
+
+/// Reads motions out of what happens to a view.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Gestures {
+    /// Two fingers were down since a finger came first: what one of them does alone is how it leaves.
+    pinched: bool,
+}
+
+impl Gestures {
+    /// The motions of this frame over the view whose response that is (which senses clicks and drags); `time` has passed
+    /// since the last one. Keys count while nothing else has the focus.
+    pub fn read(&mut self, response: &Response, navigation: Navigation, time: Duration) -> Vec<Motion> {
+        let view = View::of(response);
+        let over = response.contains_pointer() || response.dragged();
+        let keys = response.ctx.memory(|memory| memory.focused()).is_none_or(|id| id == response.id);
+        let buttons = [PointerButton::Primary, PointerButton::Secondary, PointerButton::Middle];
+        let dragged = buttons.map(|button| response.dragged_by(button));
+        let double_click = response.double_clicked().then(|| response.interact_pointer_pos()).flatten();
+        let mut motions = Vec::new();
+        response.ctx.input(|input| {
+            let was_pinched = self.pinched;
+            self.pinched = (input.multi_touch().is_some() || was_pinched) && input.any_touches();
+            if over && view.height > 0.0 {
+                match (self.pinched || was_pinched, double_click) {
+                    (true, _) => motions.extend(pinch(input, &view)),
+                    (false, Some(at)) => motions.push(Motion::Focus { at: view.at(at) }),
+                    (false, None) => motions.extend(drag(input, &view, dragged)),
+                }
+                motions.extend(wheel(input, &view, navigation));
+            }
+            if keys {
+                motions.extend(keyboard(input, navigation, time.as_secs_f32()));
+            }
+        });
+        motions
+    }
+}
+
+/// Where the view is, in points.
+struct View {
+    center: Pos2,
+    height: f32,
+}
+
+impl View {
+    fn of(response: &Response) -> Self {
+        Self { center: response.rect.center(), height: response.rect.height() }
+    }
+
+    /// View heights, right and up.
+    fn heights(&self, by: egui::Vec2) -> Vec2 {
+        Vec2::new(by.x, -by.y) / self.height
+    }
+
+    fn at(&self, position: Pos2) -> Vec2 {
+        self.heights(position - self.center)
+    }
+}
+
+fn pinch(input: &InputState, view: &View) -> Vec<Motion> {
+    let Some(touch) = input.multi_touch() else { return Vec::new() };
+    let at = Some(view.at(touch.center_pos));
+    some([
+        Motion::Pan { by: view.heights(touch.translation_delta) },
+        Motion::Dolly { by: touch.zoom_delta.ln(), at },
+    ])
+}
+
+fn drag(input: &InputState, view: &View, [primary, secondary, middle]: [bool; 3]) -> Vec<Motion> {
+    let by = view.heights(input.pointer.delta());
+    if secondary || middle || (primary && input.modifiers.shift) {
+        some([Motion::Pan { by }])
+    } else if primary {
+        some([Motion::Turn { by }])
+    } else {
+        Vec::new()
+    }
+}
+
+fn wheel(input: &InputState, view: &View, navigation: Navigation) -> Vec<Motion> {
+    if input.multi_touch().is_some() {
+        return Vec::new();
+    }
+    let at = input.pointer.hover_pos().map(|position| view.at(position));
+    let scrolled = input.smooth_scroll_delta().y * WHEEL;
+    let scrolled = match navigation {
+        Navigation::Orbit => Motion::Dolly { by: scrolled, at },
+        Navigation::Fly => Motion::Haste { by: scrolled },
+    };
+    some([scrolled, Motion::Dolly { by: input.zoom_delta().ln(), at }])
+}
+
+fn keyboard(input: &InputState, navigation: Navigation, seconds: f32) -> Vec<Motion> {
+    if input.modifiers.ctrl || input.modifiers.command || input.modifiers.alt {
+        return Vec::new();
+    }
+    let axis = |more: &[Key], less: &[Key]| {
+        let down = |keys: &[Key]| f32::from(u8::from(keys.iter().any(|key| input.key_down(*key))));
+        down(more) - down(less)
+    };
+    // An arrow says where the camera goes: the picture goes the other way.
+    let arrows =
+        -Vec2::new(axis(&[Key::ArrowRight], &[Key::ArrowLeft]), axis(&[Key::ArrowUp], &[Key::ArrowDown]));
+    let by = arrows * KEY_DRAG * seconds;
+    let nearer =
+        axis(&[Key::PageUp, Key::Plus, Key::Equals], &[Key::PageDown, Key::Minus]) * KEY_DOLLY * seconds;
+    let shift = input.modifiers.shift;
+    let dragged = if shift { Motion::Pan { by } } else { Motion::Turn { by } };
+    if navigation == Navigation::Orbit {
+        return some([dragged, Motion::Dolly { by: nearer, at: None }]);
+    }
+    let along = Vec3::new(axis(&[Key::D], &[Key::A]), axis(&[Key::E], &[Key::Q]), axis(&[Key::W], &[Key::S]));
+    let along = along.normalize_or_zero() * if shift { 1.0 } else { STROLL };
+    some([dragged, Motion::Haste { by: nearer }, Motion::Fly { along }])
+}
+
+/// Those that move something.
+fn some<const N: usize>(motions: [Motion; N]) -> Vec<Motion> {
+    let moves = |motion: &Motion| match *motion {
+        Motion::Turn { by } | Motion::Pan { by } => by.is_finite() && by != Vec2::ZERO,
+        Motion::Dolly { by, .. } | Motion::Haste { by } => by.is_finite() && by != 0.0,
+        Motion::Fly { along } => along != Vec3::ZERO,
+        Motion::Focus { .. } => true,
+    };
+    motions.into_iter().filter(moves).collect()
+}
