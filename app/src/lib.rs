@@ -2,11 +2,12 @@
 //! words of its own (neither winit's nor Android's).
 
 mod choices;
+mod exclusions;
 mod hud;
 mod readings;
 
 pub use choices::{Choices, FrameRate, Navigation, Overlay, SCALES, Show, TEXT_SCALES, Vsync};
-pub use hud::{Hud, Wish};
+pub use hud::{FLY_KEYS, Hud, Wish};
 pub use readings::{Busy, HISTORY, Readings};
 
 /// The scenes that can be chosen without a file, as `builtin:NAME`, in the order in which they are offered.
