@@ -28,12 +28,12 @@ fn pointer(harness: &Harness<'_, Stage>, pos: Pos2, pressed: bool) {
 fn drag_something(harness: &mut Harness<'_, Stage>, random: &mut Random) {
     let rects = harness.ctx.interactive_rects_last_pass();
     let window = harness.ctx.content_rect();
-    let mut somewhere = || {
+    let somewhere = |random: &mut Random| {
         let rect = rects[random.below(rects.len())].intersect(window);
         rect.min + rect.size() * (random.below(1000) as f32 / 1000.0)
     };
-    let from = somewhere();
-    let to = if random.below(3) == 0 { somewhere() } else { from };
+    let from = somewhere(random);
+    let to = if random.below(3) == 0 { somewhere(random) } else { from };
     pointer(harness, from, true);
     harness.run_steps(1);
     pointer(harness, to, false);
@@ -52,7 +52,11 @@ fn nothing_that_is_pressed_makes_settings_that_no_frame_can_have() {
     let mut methods = Vec::new();
     for seed in 0..4 {
         let mut random = Random(seed);
-        let mut harness = shown(stage(Overlay::Full), [900.0, 3600.0]);
+        let mut stage = stage(Overlay::Full);
+        if seed % 2 == 1 {
+            stage.choices.settings.method = Method::Checkerboard;
+        }
+        let mut harness = shown(stage, [900.0, 3600.0]);
         for step in 0..400 {
             if random.below(4) == 0 {
                 press_some_key(&mut harness, &mut random);
@@ -70,6 +74,7 @@ fn nothing_that_is_pressed_makes_settings_that_no_frame_can_have() {
                 choices.settings.sampling > 1,
                 choices.show != Show::Final,
             ));
+            harness.run_steps(1);
         }
     }
     let seen = |wanted| methods.contains(&wanted);

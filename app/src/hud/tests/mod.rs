@@ -41,7 +41,8 @@ fn shown(stage: Stage, size: impl Into<Vec2>) -> Harness<'static, Stage> {
 }
 
 fn frame(ui: &mut egui::Ui, stage: &mut Stage) {
-    let picture: Response = ui.interact(Rect::EVERYTHING, ui.id().with("picture"), Sense::click_and_drag());
+    let picture: Response =
+        ui.interact(Rect::EVERYTHING, ui.scope_id().with("picture"), Sense::click_and_drag());
     stage.picture += u32::from(picture.clicked() || picture.dragged());
     let hud = Hud {
         choices: &mut stage.choices,
