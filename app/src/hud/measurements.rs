@@ -11,7 +11,7 @@ pub fn passes(ui: &mut Ui, readings: &Readings) {
     let longest = readings.passes.iter().map(|pass| pass.ms).fold(0.0, f64::max);
     for pass in &readings.passes {
         style::reading(ui, pass.name, &format!("{:8.2} ms", pass.ms));
-        bar(ui, pass.ms / longest);
+        bar(ui, pass.ms, longest);
     }
     nothing(ui, readings.passes.is_empty(), "The adapter measures no passes, or no frame was made yet.");
 }
@@ -22,7 +22,7 @@ pub fn rays(ui: &mut Ui, readings: &Readings) {
         return nothing(ui, true, "Frames are counted when the camera rests.");
     };
     style::reading(ui, "RT ratio", &amounts::percent(counts.rt_ratio()));
-    bar(ui, counts.rt_ratio());
+    bar(ui, counts.rt_ratio(), 1.0);
     let rays = counts.rays;
     let kinds = [
         ("primary rays", rays.primary),
@@ -32,7 +32,7 @@ pub fn rays(ui: &mut Ui, readings: &Readings) {
     ];
     for (name, count) in kinds {
         style::reading(ui, name, &amounts::count(count));
-        bar(ui, count as f64 / rays.total as f64);
+        bar(ui, count as f64, rays.total as f64);
     }
     style::reading(ui, "all rays", &amounts::count(rays.total));
     style::reading(ui, "interpolated samples", &amounts::count(counts.samples.interpolated));
@@ -45,7 +45,7 @@ pub fn failed_checks(ui: &mut Ui, readings: &Readings) {
     let failed = failures(&counts);
     for (name, count) in CHECK_NAMES.into_iter().zip(failed) {
         style::reading(ui, name, &amounts::count(count));
-        bar(ui, count as f64 / counts.samples.total as f64);
+        bar(ui, count as f64, counts.samples.total as f64);
     }
 }
 
@@ -82,11 +82,10 @@ fn failures(counts: &Counts) -> [u64; CHECK_NAMES.len()] {
     [failed.oid, failed.pos, failed.norm, failed.convex, failed.tex, failed.shadow, failed.gcol]
 }
 
-/// A bar over the whole width; none of a share that is no number.
-fn bar(ui: &mut Ui, share: f64) {
-    let share = if share.is_finite() { share.clamp(0.0, 1.0) as f32 } else { 0.0 };
+/// A bar over the width, as long as the part in the whole.
+fn bar(ui: &mut Ui, part: f64, whole: f64) {
+    let share = if whole > 0.0 { (part / whole) as f32 } else { 0.0 };
     let fill = if share > 0.0 { style::ACCENT.gamma_multiply(0.7) } else { Color32::TRANSPARENT };
-    ui.spacing_mut().interact_size.y = 0.0;
     ui.add(ProgressBar::new(share).desired_height(4.0).corner_radius(2).fill(fill));
 }
 

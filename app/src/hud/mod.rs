@@ -69,10 +69,9 @@ impl Hud<'_> {
     /// To be called once in each pass of `ctx`, after what lies beneath; the overlay sets the style of `ctx`.
     #[must_use]
     pub fn show(mut self, ctx: &Context) -> Vec<Wish> {
-        let mut wishes = Vec::new();
-        for (action, place) in keys::pressed(ctx, self.choices.navigation) {
-            actions::act(&mut self, action, place, &mut wishes);
-        }
+        let pressed = keys::pressed(ctx, self.choices.navigation).into_iter();
+        let mut wishes: Vec<_> =
+            pressed.filter_map(|(action, place)| actions::act(&mut self, action, place)).collect();
         style::apply(ctx, self.choices.text_scale, self.touch);
         if ctx.content_rect().size().min_elem() >= LEAST_SIDE {
             self.draw(ctx, &mut wishes);
