@@ -10,7 +10,7 @@ use crate::Readings;
 pub fn passes(ui: &mut Ui, readings: &Readings) {
     let longest = readings.passes.iter().map(|pass| pass.ms).fold(0.0, f64::max);
     for pass in &readings.passes {
-        style::reading(ui, pass.name, &format!("{:8.2} ms", pass.ms));
+        style::reading(ui, pass.name, &format!("{:.2} ms", pass.ms));
         bar(ui, pass.ms, longest);
     }
     nothing(ui, readings.passes.is_empty(), "The adapter measures no passes, or no frame was made yet.");

@@ -1,7 +1,8 @@
 //! The full overlay: a panel at the right, or a sheet at the lower edge of what is narrow.
 
 use egui::{
-    Area, Button, CollapsingHeader, Context, Id, Order, Rect, RichText, ScrollArea, Ui, Vec2, pos2, vec2,
+    Align, Area, Button, CollapsingHeader, Context, Id, Layout, Order, Rect, RichText, ScrollArea, TextStyle,
+    Ui, Vec2, pos2, vec2,
 };
 
 use super::{Hud, Wish, graph, knobs, measurements, options, places, split, status, style};
@@ -81,8 +82,11 @@ fn section(ui: &mut Ui, title: &str, open: bool, contents: impl FnOnce(&mut Ui))
 fn frame_time(ui: &mut Ui, hud: &Hud<'_>) {
     let readings = hud.readings;
     if let Some(ms) = readings.recent_ms().filter(|ms| *ms > 0.0) {
-        let text = format!("{ms:6.1} ms {:4.0} fps", 1000.0 / ms);
-        ui.label(RichText::new(text).monospace().heading().color(style::ACCENT));
+        let text = format!("{ms:.1} ms  {:3.0} fps", 1000.0 / ms);
+        let size = TextStyle::Heading.resolve(ui.style()).size;
+        ui.with_layout(Layout::top_down(Align::Max), |ui| {
+            ui.label(RichText::new(text).monospace().size(size).color(style::ACCENT));
+        });
     }
     graph::show(ui, readings, hud.choices.governor);
     style::reading(ui, "frame", &status::size(readings));

@@ -82,11 +82,14 @@ pub fn caption(ui: &mut Ui, text: &str) {
 
 /// A name and, at the right edge, its value in digits of equal width.
 pub fn reading(ui: &mut Ui, name: &str, value: &str) {
-    ui.horizontal(|ui| {
+    ui.scope(|ui| {
+        // Nothing here is pressed: rows may be closer than a finger needs.
         ui.spacing_mut().interact_size.y = 0.0;
-        ui.label(RichText::new(name).weak());
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.add(Label::new(RichText::new(value).monospace()).truncate());
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(name).weak());
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                ui.add(Label::new(RichText::new(value).monospace()).truncate());
+            });
         });
     });
 }

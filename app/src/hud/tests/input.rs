@@ -1,7 +1,10 @@
 //! Who gets what is pressed.
 
-use egui::{Event, Key, Modifiers, pos2, vec2};
-use egui_kittest::kittest::Queryable;
+use std::collections::BTreeSet;
+
+use egui::{Event, Key, Modifiers, Role, pos2, vec2};
+use egui_kittest::Node;
+use egui_kittest::kittest::{NodeT, Queryable};
 
 use super::*;
 use crate::Navigation;
@@ -75,6 +78,27 @@ fn the_divider_follows_the_pointer_and_the_arrows() {
         harness.run_steps(1);
     }
     assert_eq!(split(&harness), 0.0);
+}
+
+#[test]
+fn every_control_can_be_reached_by_the_keyboard() {
+    let mut stage = stage(Overlay::Full);
+    stage.choices.split = Some(0.5);
+    let mut harness = shown(stage, [900.0, 3600.0]);
+    let roles = [Role::Button, Role::Slider, Role::SpinButton, Role::CheckBox, Role::DisclosureTriangle];
+    let names = |harness: &Harness<'_, Stage>, wanted: fn(&Node<'_>) -> bool| {
+        let nodes = roles.into_iter().flat_map(|role| harness.query_all_by_role(role));
+        nodes.filter(wanted).filter_map(|node| node.accesskit_node().label()).collect::<BTreeSet<_>>()
+    };
+    let enabled = names(&harness, |node| !node.accesskit_node().is_disabled());
+    let mut reached = BTreeSet::new();
+    for _ in 0..120 {
+        harness.key_press(Key::Tab);
+        harness.run_steps(2);
+        reached.extend(names(&harness, |node| node.is_focused()));
+    }
+    assert!(enabled.contains("split") && enabled.len() > 60, "{enabled:?}");
+    assert_eq!(enabled.difference(&reached).collect::<Vec<_>>(), Vec::<&String>::new());
 }
 
 #[test]

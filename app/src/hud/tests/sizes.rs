@@ -120,3 +120,28 @@ fn the_line_drops_what_does_not_fit() {
     assert!(line.right() <= 250.0 && line.size().x > vec2(80.0, 0.0).x, "{line:?}");
     assert!(narrow.query_by_label_contains("adaptive").is_none());
 }
+
+#[test]
+fn nothing_sticks_out_of_the_panel() {
+    for (size, text_scale) in [([1280.0, 6000.0], 1.0), ([320.0, 9000.0], 1.0), ([412.0, 12_000.0], 2.0)] {
+        let harness = shown(everything(Overlay::Full, text_scale), size);
+        let right = size[0] - 8.0;
+        let left = harness.get_by_label("Glimpse").rect().left();
+        for role in [Role::Button, Role::Slider, Role::SpinButton, Role::CheckBox, Role::Label] {
+            for node in harness.query_all_by_role(role).filter(|node| node.rect().left() >= left) {
+                let name = (node.accesskit_node().label(), node.value());
+                assert!(node.rect().right() <= right, "{size:?}, {name:?}: {:?}", node.rect());
+            }
+        }
+    }
+}
+
+#[test]
+fn the_line_stands_still_while_its_numbers_change() {
+    let width = |ms: f32| {
+        let mut stage = stage(Overlay::Brief);
+        stage.readings.frame_ms = [ms].into();
+        shown(stage, [1000.0, 600.0]).get_by_label_contains("fps").rect().width()
+    };
+    assert_eq!([width(1.0), width(16.7), width(130.0)], [width(8000.0); 3]);
+}
