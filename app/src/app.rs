@@ -3,12 +3,11 @@
 use std::{path::PathBuf, sync::Arc, time::Duration};
 
 use egui::{Rect, Sense, Ui};
-use glimpse::{DisplayImage, Gpu, Settings};
+use glimpse::{DisplayImage, Gpu};
 
 use crate::{
-    CameraControl, Change, Choices, Files, Frame, Gestures, Governor, Hud, Job, Motion, Painter, Painting,
-    Readings, SceneFacts, Wake, Wish, Worker,
-    command::command,
+    CameraControl, Change, Choices, Files, Frame, FrameRate, FrameReport, Gestures, Governor, Hud, Job,
+    Motion, Painter, Painting, Quality, Readings, SceneFacts, Wake, Wish, Worker, command::command,
     script::Value,
 };
 
@@ -19,7 +18,7 @@ pub const MOST_RECENT: usize = 8;
 const NOTICE: Duration = Duration::from_secs(4);
 
 /// A device that is lost so often without a frame between is not made again.
-const LOSSES: u32 = 3;
+pub(crate) const LOSSES: u32 = 3;
 
 /// What the shell is asked for.
 #[derive(Debug)]
@@ -67,6 +66,12 @@ pub struct App {
     pub(crate) control: Option<CameraControl>,
     gestures: Gestures,
     pub(crate) governor: Governor,
+    /// Of the frame that was ordered last.
+    pub(crate) quality: Quality,
+    /// What the governor has not been told.
+    pub(crate) report: Option<FrameReport>,
+    /// Pixels of the view, where they are not the window's.
+    view: Option<[u32; 2]>,
     pub(crate) shown: Option<Shown>,
     pub(crate) pending: Pending,
     pub(crate) requests: Vec<Request>,
@@ -93,11 +98,19 @@ pub(crate) struct Shown {
     pub full: Option<egui::TextureId>,
 }
 
+/// A frame that was ordered.
+pub(crate) struct Ordered {
+    pub number: u64,
+    pub job: Job,
+    /// The governor's level.
+    pub level: Option<usize>,
+}
+
 /// What the worker has not answered.
 #[derive(Default)]
 pub(crate) struct Pending {
     pub load: bool,
-    pub frame: Option<(u64, Job)>,
+    pub frame: Option<Ordered>,
     pub count: Option<u64>,
     /// Where the picture goes.
     pub capture: Option<Option<PathBuf>>,
@@ -116,7 +129,7 @@ impl App {
             context,
             files,
             wake,
-            governor: Governor::new(choices.governor.unwrap_or_default().budget_ms()),
+            governor: Governor::new(choices.governor.unwrap_or(FrameRate::Thirty).budget_ms()),
             choices,
             readings: Readings::default(),
             scenes: Vec::new(),
@@ -126,6 +139,9 @@ impl App {
             wanted: scene.to_owned(),
             control: None,
             gestures: Gestures::default(),
+            quality: Quality::FULL,
+            report: None,
+            view: None,
             shown: None,
             pending: Pending::default(),
             requests: Vec::new(),
@@ -225,6 +241,22 @@ impl App {
         }
     }
 
+    /// Frames of a resting view have that many pixels, whatever the window has.
+    pub fn set_view(&mut self, pixels: Option<[u32; 2]>) {
+        self.view = pixels;
+    }
+
+    /// What is chosen.
+    #[must_use]
+    pub fn choices(&self) -> &Choices {
+        &self.choices
+    }
+
+    /// What has been asked for since the last update.
+    pub fn take_requests(&mut self) -> Vec<Request> {
+        std::mem::take(&mut self.requests)
+    }
+
     /// Makes a choice in words, as scripts do.
     ///
     /// # Errors
@@ -272,7 +304,8 @@ impl App {
     #[must_use]
     pub fn rests(&self) -> bool {
         let moving = self.control.as_ref().is_some_and(CameraControl::is_moving);
-        let complete = self.shown.as_ref().is_some_and(|shown| Some(&shown.frame.job) == self.still_job().as_ref());
+        let complete =
+            self.shown.as_ref().is_some_and(|shown| Some(&shown.frame.job) == self.still_job().as_ref());
         let idle = !self.is_waiting() && !moving;
         idle && (complete || self.readings.problem.is_some())
     }
@@ -293,7 +326,7 @@ impl App {
     /// Something changes by itself.
     fn is_live(&self) -> bool {
         let moving = self.control.as_ref().is_some_and(CameraControl::is_moving);
-        moving || !self.requests.is_empty() || (self.choices.governor.is_some() && !self.governor.is_refined())
+        moving || self.quality != Quality::FULL && self.pending.frame.is_none()
     }
 
     /// What is known by a name, for scripts.
@@ -304,6 +337,7 @@ impl App {
         let counts = readings.counts.as_ref();
         match name {
             "scene" => Some(Value::Text(readings.scene.clone())),
+            "command" => self.command().map(Value::Text),
             "problem" => readings.problem.clone().map(Value::Text),
             "notice" => readings.notice.clone().map(Value::Text),
             "legend" => Some(Value::Text(readings.legend.clone())),
@@ -344,9 +378,10 @@ impl App {
     fn show(&mut self, ui: &mut Ui, passed: Duration) -> Vec<Wish> {
         let context = ui.ctx().clone();
         let view = context.viewport_rect();
-        let response = ui.interact(view, egui::Id::new("picture"), Sense::click_and_drag());
+        let response = ui.interact(view, egui::Id::unique("picture"), Sense::click_and_drag());
         let pixels = context.pixels_per_point();
-        self.readings.view = [view.width(), view.height()].map(|side| ((side * pixels).round() as u32).max(1));
+        let window = [view.width(), view.height()].map(|side| ((side * pixels).round() as u32).max(1));
+        self.readings.view = self.view.unwrap_or(window);
         self.draw_picture(ui, view);
         self.tell_what_is_going_on();
         let motions = self.gestures.read(&response, self.choices.navigation, passed);
@@ -425,14 +460,23 @@ impl App {
 
     /// The frame of a view that rests: with everything as it was chosen.
     pub(crate) fn still_job(&self) -> Option<Job> {
-        let scale = if self.choices.governor.is_some() { 1.0 } else { self.choices.scale };
-        self.job(scale, self.choices.settings, true)
+        let scale =
+            if self.choices.governor.is_some() { self.governor.largest() } else { self.choices.scale };
+        self.job(&Quality { scale, ..Quality::FULL })
     }
 
-    pub(crate) fn job(&self, scale: f32, settings: Settings, still: bool) -> Option<Job> {
+    pub(crate) fn job(&self, quality: &Quality) -> Option<Job> {
         let camera = self.control.as_ref()?.camera();
-        let size = self.readings.view.map(|side| ((side as f32 * scale).round() as u32).max(1));
-        Some(Job { camera, size, settings, show: self.choices.show, split: self.choices.split.is_some(), still })
+        let size = self.readings.view.map(|side| quality.pixels(side));
+        let (settings, still) = (quality.settings(&self.choices.settings), quality.level.is_none());
+        Some(Job {
+            camera,
+            size,
+            settings,
+            show: self.choices.show,
+            split: self.choices.split.is_some(),
+            still,
+        })
     }
 
     pub(crate) fn worker(&mut self) -> Option<&mut Worker> {

@@ -50,6 +50,13 @@ impl Default for Choices {
     }
 }
 
+impl Choices {
+    /// Splits the view in the middle, or no longer.
+    pub fn toggle_split(&mut self) {
+        self.split = if self.split.is_some() { None } else { Some(0.5) };
+    }
+}
+
 /// Frames a second that the governor holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrameRate {

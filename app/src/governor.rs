@@ -153,6 +153,12 @@ impl Governor {
         }
     }
 
+    /// No frame has a larger scale: 1 unless memory is scarce.
+    #[must_use]
+    pub fn largest(&self) -> f32 {
+        self.largest
+    }
+
     /// Milliseconds that a frame may take.
     #[must_use]
     pub fn limit_ms(&self) -> f64 {

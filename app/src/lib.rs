@@ -9,6 +9,7 @@ mod camera_control;
 mod change;
 mod choices;
 mod command;
+mod exclusions;
 mod gestures;
 mod governor;
 mod hud;
@@ -26,7 +27,7 @@ pub use choices::{Choices, FrameRate, Navigation, Overlay, SCALES, TEXT_SCALES, 
 pub use gestures::{Gestures, Motion};
 pub use glimpse::Show;
 pub use governor::{FrameReport, Governor, Quality};
-pub use hud::{Hud, Wish};
+pub use hud::{FLY_KEYS, Hud, Wish};
 pub use painter::{Painter, Painting};
 pub use readings::{Busy, HISTORY, Readings};
 pub use studio::{Counted, Frame, Job};

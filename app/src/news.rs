@@ -1,10 +1,8 @@
 //! What the app does with what the worker tells, and what it orders next.
 
-use std::sync::Arc;
-
 use crate::{
-    App, Busy, CameraControl, Frame, FrameReport, Job, News, Request, SceneFacts, Worker,
-    app::{Device, Shown},
+    App, Busy, CameraControl, Frame, FrameReport, News, Quality, Request, SceneFacts, Worker,
+    app::{Device, LOSSES, Ordered, Shown},
 };
 
 impl App {
@@ -26,7 +24,7 @@ impl App {
             }
             News::Frame(frame) => self.framed(frame),
             News::GivenUp(number) => {
-                self.pending.frame.take_if(|(coming, _)| *coming == number);
+                self.pending.frame.take_if(|coming| coming.number == number);
                 self.pending.count.take_if(|coming| *coming == number);
             }
             News::Counted(number, counted) => {
@@ -72,8 +70,7 @@ impl App {
         (readings.counts, readings.psnr_db) = (None, None);
         if !again || self.control.is_none() {
             readings.camera = 0;
-            self.control =
-                facts.cameras.first().map(|(_, camera)| CameraControl::new(*camera, facts.bounds));
+            self.control = facts.cameras.first().map(|(_, camera)| CameraControl::new(*camera, facts.bounds));
         }
         self.pending.load = false;
         // Frames that were ordered are of the scene before, and are not made any more.
@@ -84,14 +81,14 @@ impl App {
     }
 
     fn framed(&mut self, frame: Box<Frame>) {
-        if !self.pending.frame.as_ref().is_some_and(|(number, _)| *number == frame.number) {
+        let Some(ordered) = self.pending.frame.take_if(|coming| coming.number == frame.number) else {
             return;
-        }
-        self.pending.frame = None;
+        };
         self.pending.count = frame.job.still.then_some(frame.number);
         self.losses = 0;
-        let ms = self.cost.map_or(frame.ms, |cost| cost * pixels(&frame.job) * 1e-6);
-        self.governor.report(FrameReport { pixels: pixels(&frame.job), ms, still: frame.job.still });
+        let pixels = frame.job.size.map(u64::from).iter().product();
+        let ms = self.cost.map_or(frame.ms, |cost| cost * pixels as f64 * 1e-6);
+        self.report = Some(FrameReport { level: ordered.level, pixels, ms });
         let readings = &mut self.readings;
         readings.push_frame(ms as f32);
         readings.busy = None;
@@ -121,39 +118,36 @@ impl App {
         self.device = None;
         self.shown = None;
         self.readings.busy = None;
-        if self.losses >= 3 {
-            self.complain(format!("The graphics device was lost three times in a row: {reason}"));
+        if self.losses >= LOSSES {
+            self.complain(format!("The graphics device was lost {LOSSES} times in a row: {reason}"));
         }
         self.requests.push(Request::NewDevice);
     }
 
     /// Orders the frame that this moment needs, if it is not there and not being made.
     pub(crate) fn order(&mut self) {
-        let Some(job) = self.next_job() else { return };
+        let Some(quality) = self.next_quality() else { return };
+        self.quality = quality;
+        let Some(job) = (if quality == Quality::FULL { self.still_job() } else { self.job(&quality) }) else {
+            return;
+        };
         let known = self.shown.as_ref().is_some_and(|shown| shown.frame.job == job);
-        let coming = self.pending.frame.as_ref().is_some_and(|(_, coming)| *coming == job);
+        let coming = self.pending.frame.as_ref().is_some_and(|coming| coming.job == job);
         if known || coming {
             return;
         }
         if let Some(worker) = self.worker() {
             let number = worker.order(job.clone());
-            self.pending.frame = Some((number, job));
+            self.pending.frame = Some(Ordered { number, job, level: quality.level });
         }
     }
 
-    fn next_job(&mut self) -> Option<Job> {
+    /// The quality that the governor allows now.
+    fn next_quality(&mut self) -> Option<Quality> {
         let moving = self.control.as_ref()?.is_moving();
-        let Some(rate) = self.choices.governor else { return self.still_job() };
+        let Some(rate) = self.choices.governor else { return Some(Quality::FULL) };
         self.governor.set_budget(rate.budget_ms());
-        let quality = self.governor.next(self.now, moving);
-        if quality.is_full() {
-            return self.still_job();
-        }
-        let settings = quality.settings(&self.choices.settings);
-        self.job(quality.scale, settings, false)
+        let quality = self.governor.next(self.now, self.report.take(), moving);
+        Some(if quality.level.is_none() { Quality::FULL } else { quality })
     }
-}
-
-fn pixels(job: &Job) -> f64 {
-    job.size.map(f64::from).iter().product()
 }

@@ -16,6 +16,8 @@ pub struct Readings {
     pub primitives: u64,
     /// Names of its cameras.
     pub cameras: Vec<String>,
+    /// The one of them where the view was placed last.
+    pub camera: usize,
     /// What the importer had to leave out or to replace.
     pub warnings: Vec<String>,
     /// Features that the scene needs, and those that were left out of its kernels.
@@ -68,5 +70,45 @@ impl Readings {
             self.frame_ms.pop_front();
         }
         self.frame_ms.push_back(ms);
+    }
+
+    /// Mean time of the frames of the last half second, which can be read while it changes; `None` before the first.
+    #[must_use]
+    pub fn recent_ms(&self) -> Option<f32> {
+        let (mut sum, mut frames) = (0.0, 0);
+        for ms in self.frame_ms.iter().rev() {
+            sum += ms;
+            frames += 1;
+            if sum >= 500.0 {
+                break;
+            }
+        }
+        (frames > 0).then(|| sum / frames as f32)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_time_that_is_read_is_of_the_last_half_second() {
+        let mut readings = Readings::default();
+        assert_eq!(readings.recent_ms(), None);
+        for ms in [1000.0, 200.0, 100.0, 300.0] {
+            readings.push_frame(ms);
+        }
+        assert_eq!(readings.recent_ms(), Some(200.0));
+        readings.push_frame(900.0);
+        assert_eq!(readings.recent_ms(), Some(900.0));
+    }
+
+    #[test]
+    fn the_oldest_times_are_forgotten() {
+        let mut readings = Readings::default();
+        for frame in 0..HISTORY + 7 {
+            readings.push_frame(frame as f32);
+        }
+        assert_eq!((readings.frame_ms.len(), readings.frame_ms[0]), (HISTORY, 7.0));
     }
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use glimpse::{Linking, Method, Postcorrect, Settings, Show, Tolerances};
+use glimpse::{Camera, Lens, Linking, Method, Pose, Postcorrect, Settings, Show, Tolerances};
 
 #[path = "vary.rs"]
 mod vary;
@@ -57,6 +57,24 @@ pub enum Command {
 pub struct ViewOptions {
     /// A .glb or .gltf file, or builtin:NAME [default: builtin:room]
     pub scene: Option<String>,
+    /// Window size in pixels
+    #[arg(long, value_name = "WxH", default_value = "1280x720", conflicts_with = "phone")]
+    pub size: Size,
+    /// Be that phone: its screen, and no more of the device than its limits allow
+    #[arg(long, value_name = "PROFILE")]
+    pub phone: Option<String>,
+    /// Play a file of input, screenshots and expectations
+    #[arg(long, value_name = "FILE")]
+    pub script: Option<PathBuf>,
+    /// Play the script without a window
+    #[arg(long, requires = "script")]
+    pub headless: bool,
+}
+
+impl Default for ViewOptions {
+    fn default() -> Self {
+        Self { scene: None, size: Size([1280, 720]), phone: None, script: None, headless: false }
+    }
 }
 
 /// `glimpse render`
@@ -244,6 +262,8 @@ pub struct FrameOptions {
     /// A camera of the scene, by index or name [default: the first]
     #[arg(long, value_name = "INDEX_OR_NAME")]
     pub camera: Option<String>,
+    #[command(flatten)]
+    pub pose: PoseOptions,
     /// Samples along a side of a pixel
     #[arg(long, value_name = "N", default_value_t = Settings::default().sampling)]
     pub sampling: u32,
@@ -300,6 +320,7 @@ impl Default for FrameOptions {
         Self {
             size: Size([2560, 1440]),
             camera: None,
+            pose: PoseOptions::default(),
             sampling: settings.sampling,
             block: settings.block,
             postcorrect: PostcorrectName::Auto,
@@ -310,6 +331,56 @@ impl Default for FrameOptions {
             depth: settings.depth,
             min_weight: settings.min_weight,
             features: LinkingName::Auto,
+        }
+    }
+}
+
+/// A camera of one's own instead of one of the scene.
+#[derive(Clone, Debug, Default, PartialEq, Args)]
+pub struct PoseOptions {
+    /// A camera at this point of the scene
+    #[arg(long, value_name = "X,Y,Z", value_parser = Point::from_str, allow_negative_numbers = true,
+        requires = "target", conflicts_with = "camera")]
+    pub eye: Option<Point>,
+    /// The point in the middle of its picture
+    #[arg(long, value_name = "X,Y,Z", value_parser = Point::from_str, allow_negative_numbers = true, requires = "eye")]
+    pub target: Option<Point>,
+    /// What is up in its picture [default: 0,1,0]
+    #[arg(long, value_name = "X,Y,Z", value_parser = Point::from_str, allow_negative_numbers = true, requires = "eye")]
+    pub up: Option<Point>,
+    /// Its vertical field of view in degrees [default: 45]
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, requires = "eye")]
+    pub fov: Option<f32>,
+    /// Parallel rays, and how much of the scene it shows from bottom to top
+    #[arg(long, value_name = "HEIGHT", allow_negative_numbers = true, requires = "eye", conflicts_with = "fov")]
+    pub ortho: Option<f32>,
+}
+
+impl PoseOptions {
+    /// The camera, if one was asked for.
+    pub fn camera(&self) -> glimpse::Result<Option<Camera>> {
+        let (Some(Point(eye)), Some(Point(target))) = (self.eye, self.target) else { return Ok(None) };
+        let lens = match self.ortho {
+            Some(height) => Lens::Orthographic { height },
+            None => Lens::Perspective { vertical_fov_degrees: self.fov.unwrap_or(45.0) },
+        };
+        let up = self.up.map_or([0.0, 1.0, 0.0], |Point(up)| up);
+        Pose { eye: eye.into(), target: target.into(), up: up.into(), lens }.camera().map(Some)
+    }
+}
+
+/// A point or a direction, as `X,Y,Z`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point(pub [f32; 3]);
+
+impl FromStr for Point {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let numbers: Option<Vec<f32>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+        match numbers.as_deref() {
+            Some(&[x, y, z]) if [x, y, z].iter().all(|c| c.is_finite()) => Ok(Self([x, y, z])),
+            _ => Err("expected three numbers X,Y,Z".to_owned()),
         }
     }
 }

@@ -15,6 +15,7 @@ mod scene_file;
 mod statistics;
 mod stress;
 mod summary;
+mod view;
 
 use std::cell::RefCell;
 use std::io::Write;
@@ -23,7 +24,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use args::{Arguments, Command};
+use args::{Arguments, Command, ViewOptions};
 
 const FAILED: u8 = 1;
 const WRONG_USAGE: u8 = 2;
@@ -44,8 +45,8 @@ fn main() -> ExitCode {
 fn run(arguments: Arguments) -> anyhow::Result<()> {
     let adapter = arguments.adapter.as_deref();
     match arguments.command {
-        None => render::view(arguments.scene.as_deref(), adapter),
-        Some(Command::View(options)) => render::view(options.scene.as_deref(), adapter),
+        None => view::run(&ViewOptions { scene: arguments.scene, ..ViewOptions::default() }, adapter),
+        Some(Command::View(options)) => view::run(&options, adapter),
         Some(Command::Render(options)) => render::run(&options, adapter),
         Some(Command::Compare(options)) => compare::run(&options),
         Some(Command::Info(options)) => info::run(&options),

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use anyhow::Context;
 use glimpse::{
-    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Renderer, Settings,
+    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Renderer, Scene, Settings,
     metrics,
 };
 
@@ -43,9 +43,7 @@ impl<'g> Stage<'g> {
     ) -> anyhow::Result<Self> {
         progress.doing(&format!("loading {name}"));
         let (scene, load_ms) = timed(|| scene_file::load(name))?;
-        let camera = scene.camera(options.camera.as_deref()).with_context(|| name.to_owned())?;
-        let index = scene.cameras.iter().position(|(_, c)| std::ptr::eq(c, camera)).unwrap_or_default();
-        let (camera, camera_name) = (*camera, format!("{index} ({})", scene.cameras[index].0));
+        let (camera, camera_name) = chosen_camera(&scene, options).with_context(|| name.to_owned())?;
         let statistics = SceneStatistics::of(name, &scene, options.features.into());
         let warnings = scene.warnings.clone();
         progress.doing("building the acceleration structure");
@@ -135,6 +133,16 @@ impl Plan<'_> {
         }
         Ok(runs)
     }
+}
+
+/// The camera of the command line, or the one of the scene that it names, and what to call it.
+fn chosen_camera(scene: &Scene, options: &FrameOptions) -> glimpse::Result<(Camera, String)> {
+    if let Some(camera) = options.pose.camera()? {
+        return Ok((camera, "--eye".to_owned()));
+    }
+    let camera = scene.camera(options.camera.as_deref())?;
+    let index = scene.cameras.iter().position(|(_, c)| std::ptr::eq(c, camera)).unwrap_or_default();
+    Ok((*camera, format!("{index} ({})", scene.cameras[index].0)))
 }
 
 /// A result and the milliseconds that it took.

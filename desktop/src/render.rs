@@ -11,13 +11,12 @@ use crate::progress::Progress;
 use crate::statistics::Statistics;
 use crate::{files, scene_file, summary};
 
-const DEFAULT_SCENE: &str = "builtin:room";
 const VIEW_PICTURE: &str = "glimpse.png";
 
-/// `glimpse view`, until there is a window.
-pub fn view(scene: Option<&str>, adapter: Option<&str>) -> anyhow::Result<()> {
+/// `glimpse view` where there is no display.
+pub fn without_display(scene: &str, adapter: Option<&str>) -> anyhow::Result<()> {
     let options = RenderOptions {
-        scene: scene.unwrap_or(DEFAULT_SCENE).to_owned(),
+        scene: scene.to_owned(),
         output: PictureFile { path: PathBuf::from(VIEW_PICTURE), linear: false },
         frame: FrameOptions::default(),
         method: MethodName::Adaptive,
@@ -26,8 +25,7 @@ pub fn view(scene: Option<&str>, adapter: Option<&str>) -> anyhow::Result<()> {
         reference: true,
         stats: None,
     };
-    scene_file::check(&options.scene)?;
-    output::print(&format!("There is no window yet: rendering a frame to {VIEW_PICTURE}.\n"))?;
+    output::print(&format!("There is no display: rendering a frame to {VIEW_PICTURE}.\n"))?;
     run(&options, adapter)
 }
 

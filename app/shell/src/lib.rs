@@ -38,7 +38,7 @@ pub struct Setup {
     /// What happens by itself.
     pub script: Option<Script>,
     /// Saves a picture under a name, or under one of its own; returns what to tell.
-    pub save: Box<dyn FnMut(Option<PathBuf>, &DisplayImage) -> Result<String, String>>,
+    pub save: Box<dyn FnMut(Option<PathBuf>, &DisplayImage) -> Result<String>>,
     /// Remembers files that were opened.
     pub remember: Box<dyn FnMut(&[String])>,
     /// Lets a person choose a file, without blocking.

@@ -5,7 +5,10 @@ use std::sync::Arc;
 use glimpse::{DisplayImage, Gpu};
 use glimpse_app::script::ShellEvent;
 
-use crate::{Result, Setup, session::{Leftover, Session}};
+use crate::{
+    Result, Setup,
+    session::{Leftover, Session},
+};
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
@@ -15,7 +18,8 @@ const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// No device, or a script that was not met: `FILE:LINE: expected ..., found ...`.
 pub fn run(setup: Setup) -> Result<()> {
     let size = setup.screen.map_or(setup.size, |screen| screen.pixels);
-    let mut stage = Stage { session: Session::new(setup, Arc::new(|| ())), target: None, size, paused: false };
+    let mut stage =
+        Stage { session: Session::new(setup, Arc::new(|| ())), target: None, size, paused: false };
     stage.attach()?;
     while stage.frame()? {}
     Ok(())

@@ -99,8 +99,8 @@ impl Session {
             None => pixels_per_point,
         };
         if let Some(screen) = screen {
-            let [left, top, right, bottom] = screen.insets.map(|inset| inset as i8);
-            input.safe_area_insets = Some(egui::Margin { left, top, right, bottom }.into());
+            let [left, top, right, bottom] = screen.insets;
+            input.safe_area_insets = Some(egui::SafeAreaInsets(egui::epaint::MarginF32 { left, right, top, bottom }));
         }
         input.viewports.entry(input.viewport_id).or_default().native_pixels_per_point = Some(native);
         let points = native * self.app.context().zoom_factor();

@@ -33,7 +33,12 @@ impl Surface {
     ///
     /// # Errors
     /// An adapter that cannot show pictures there.
-    pub fn new(surface: wgpu::Surface<'static>, gpu: &Arc<Gpu>, window: &Window, vsync: Vsync) -> Result<Self> {
+    pub fn new(
+        surface: wgpu::Surface<'static>,
+        gpu: &Arc<Gpu>,
+        window: &Window,
+        vsync: Vsync,
+    ) -> Result<Self> {
         let capabilities = surface.get_capabilities(gpu.adapter());
         let [width, height] = extent(window);
         let mut config = surface
@@ -76,7 +81,9 @@ impl Surface {
     pub fn acquire(&mut self) -> Acquired {
         for _ in 0..2 {
             match self.surface.get_current_texture() {
-                Current::Success(picture) | Current::Suboptimal(picture) => return Acquired::Picture(picture),
+                Current::Success(picture) | Current::Suboptimal(picture) => {
+                    return Acquired::Picture(picture);
+                }
                 Current::Outdated => self.configure(),
                 Current::Lost => return Acquired::Lost,
                 Current::Timeout | Current::Occluded | Current::Validation => return Acquired::None,

@@ -16,6 +16,9 @@ pub struct Quality {
 }
 
 impl Quality {
+    /// Everything as it was chosen.
+    pub const FULL: Self = Self { level: None, scale: 1.0, block: 2, relax: 1.0 };
+
     /// What was chosen, as this quality changes it.
     #[must_use]
     pub fn settings(&self, chosen: &Settings) -> Settings {

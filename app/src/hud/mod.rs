@@ -1,6 +1,29 @@
 //! The overlay: what it shows, what it changes, what it wishes.
+//!
+//! Everything lies in areas of its own above the picture: where none is, input goes to what the caller has beneath.
 
-use crate::{Choices, Readings};
+mod actions;
+mod amounts;
+mod dialogs;
+mod graph;
+mod help;
+mod keys;
+mod knobs;
+mod measurements;
+mod options;
+mod panel;
+mod places;
+mod split;
+mod status;
+mod style;
+#[cfg(test)]
+mod tests;
+
+use egui::Context;
+
+use crate::{Choices, Overlay, Readings};
+
+pub use keys::FLY_KEYS;
 
 /// What a person wishes beyond a [`Choices`].
 #[derive(Clone, Debug, PartialEq)]
@@ -33,4 +56,40 @@ pub struct Hud<'a> {
     pub readings: &'a Readings,
     /// Scenes to choose from: the built-in ones, then those that were opened last.
     pub scenes: &'a [String],
+    /// Fingers point, not a mouse: everything that can be hit is large enough for them.
+    pub touch: bool,
+}
+
+/// The least side of a window in points in which there is something to read.
+const LEAST_SIDE: f32 = style::TOUCH_TARGET;
+
+impl Hud<'_> {
+    /// Acts on the keys of this pass, shows everything, and returns what is wished.
+    ///
+    /// To be called once in each pass of `ctx`, after what lies beneath; the overlay sets the style of `ctx`.
+    #[must_use]
+    pub fn show(mut self, ctx: &Context) -> Vec<Wish> {
+        let pressed = keys::pressed(ctx, self.choices.navigation).into_iter();
+        let mut wishes: Vec<_> =
+            pressed.filter_map(|(action, place)| actions::act(&mut self, action, place)).collect();
+        style::apply(ctx, self.choices.text_scale, self.touch);
+        if ctx.content_rect().size().min_elem() >= LEAST_SIDE {
+            self.draw(ctx, &mut wishes);
+        }
+        wishes
+    }
+
+    fn draw(&mut self, ctx: &Context, wishes: &mut Vec<Wish>) {
+        split::show(ctx, self.choices, self.readings);
+        match self.choices.overlay {
+            Overlay::Full => panel::show(ctx, self, wishes),
+            Overlay::Brief => status::show(ctx, self.choices, self.readings),
+            // Without keys there has to be a way back.
+            Overlay::Hidden if self.touch => status::faint_menu(ctx, self.choices),
+            Overlay::Hidden => {}
+        }
+        dialogs::messages(ctx, self.readings, self.choices.text_scale);
+        help::show(ctx, self.choices);
+        dialogs::problem(ctx, self.readings, self.choices.text_scale, wishes);
+    }
 }

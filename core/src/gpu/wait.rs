@@ -55,7 +55,10 @@ impl Gpu {
     }
 
     /// Copies a texture (made with `COPY_SRC`) to main memory, rows without gaps.
-    pub(crate) fn read_texture(&self, texture: &wgpu::Texture, bytes_per_texel: u32) -> Result<Vec<u8>> {
+    ///
+    /// # Errors
+    /// A device that failed or has no memory for it.
+    pub fn read_texture(&self, texture: &wgpu::Texture, bytes_per_texel: u32) -> Result<Vec<u8>> {
         let (width, height) = (texture.width(), texture.height());
         let row = (width * bytes_per_texel) as usize;
         let padded = padded_row(width, bytes_per_texel) as usize;

@@ -1,0 +1,125 @@
+//! What keys do: each to the choices, or as a wish.
+
+use super::{Hud, Wish, options};
+use crate::{Choices, Readings, SCALES, TEXT_SCALES};
+
+/// What a key does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Action {
+    Overlay,
+    Help,
+    Screenshot,
+    CopyCommand,
+    Open,
+    Scene,
+    NextCamera,
+    ResetCamera,
+    Navigation,
+    Method,
+    Block,
+    Governor,
+    Show,
+    Split,
+    ScaleUp,
+    ScaleDown,
+    LargerText,
+    SmallerText,
+    UsualText,
+    FullScreen,
+    Close,
+    Quit,
+}
+
+/// What a press of a key adds to the scale.
+const SCALE_STEP: f32 = 0.125;
+/// What a press of a key multiplies the size of the text by.
+const TEXT_STEP: f32 = 1.125;
+
+/// Does it, or returns it as a wish; `place` is that of the key among those that do it.
+pub fn act(hud: &mut Hud<'_>, action: Action, place: usize) -> Option<Wish> {
+    let (readings, choices) = (hud.readings, &mut *hud.choices);
+    // A page that lies above everything waits for being closed.
+    let waiting = readings.problem.is_some() || choices.help;
+    if waiting && !matches!(action, Action::Close | Action::Help | Action::Quit) {
+        return None;
+    }
+    match action {
+        Action::Screenshot => return Some(Wish::Screenshot),
+        Action::CopyCommand => return Some(Wish::CopyCommand),
+        Action::Open => return Some(Wish::OpenDialog),
+        Action::Scene => return hud.scenes.get(place).cloned().map(Wish::Open),
+        Action::NextCamera => return next_camera(readings),
+        Action::ResetCamera => return Some(Wish::ResetCamera),
+        Action::FullScreen => return Some(Wish::FullScreen),
+        Action::Quit => return Some(Wish::Quit),
+        Action::Close if readings.problem.is_some() => return Some(Wish::CloseProblem),
+        Action::Close => choices.help = false,
+        Action::Help => choices.help = !choices.help,
+        Action::Overlay => choices.overlay = choices.overlay.next(),
+        Action::Navigation => options::NAVIGATION.choose_next(choices),
+        Action::Method => options::METHOD.choose_next(choices),
+        Action::Block => options::BLOCK.choose_next(choices),
+        Action::Governor => options::GOVERNOR.choose_next(choices),
+        Action::Show => options::SHOW.choose_next(choices),
+        Action::Split => choices.toggle_split(),
+        Action::ScaleUp => scale_by(choices, SCALE_STEP),
+        Action::ScaleDown => scale_by(choices, -SCALE_STEP),
+        Action::LargerText => text_by(choices, TEXT_STEP),
+        Action::SmallerText => text_by(choices, 1.0 / TEXT_STEP),
+        Action::UsualText => choices.text_scale = Choices::default().text_scale,
+    }
+    None
+}
+
+fn next_camera(readings: &Readings) -> Option<Wish> {
+    let cameras = readings.cameras.len();
+    (cameras > 0).then(|| Wish::Camera((readings.camera + 1) % cameras))
+}
+
+fn scale_by(choices: &mut Choices, step: f32) {
+    if choices.scale_rests().is_none() {
+        choices.scale = (choices.scale + step).clamp(SCALES[0], SCALES[1]);
+    }
+}
+
+fn text_by(choices: &mut Choices, factor: f32) {
+    choices.text_scale = (choices.text_scale * factor).clamp(TEXT_SCALES[0], TEXT_SCALES[1]);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hud::keys::SHORTCUTS;
+
+    /// What every action finds something to do on.
+    fn middling() -> (Choices, Readings) {
+        let mut choices = Choices { governor: None, scale: 0.5, text_scale: 1.5, ..Choices::default() };
+        choices.settings.block = 4;
+        (choices, Readings { cameras: vec!["main".to_owned()], ..Readings::default() })
+    }
+
+    #[test]
+    fn every_shortcut_does_something() {
+        for shortcut in &SHORTCUTS {
+            let (mut choices, readings) = middling();
+            choices.help = shortcut.action == Action::Close;
+            let before = choices;
+            let scenes = ["builtin:room".to_owned()];
+            let mut hud = Hud { choices: &mut choices, readings: &readings, scenes: &scenes, touch: false };
+            let wish = act(&mut hud, shortcut.action, 0);
+            assert!(wish.is_some() != (choices != before), "{:?}: {wish:?}", shortcut.action);
+        }
+    }
+
+    #[test]
+    fn the_scale_stays_within_its_bounds_and_with_the_governor() {
+        let (mut choices, _) = middling();
+        (0..20).for_each(|_| scale_by(&mut choices, SCALE_STEP));
+        assert_eq!(choices.scale, SCALES[1]);
+        (0..20).for_each(|_| scale_by(&mut choices, -SCALE_STEP));
+        assert_eq!(choices.scale, SCALES[0]);
+        choices.governor = Choices::default().governor;
+        scale_by(&mut choices, SCALE_STEP);
+        assert_eq!(choices.scale, SCALES[0]);
+    }
+}

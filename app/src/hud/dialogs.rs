@@ -1,0 +1,65 @@
+//! What comes by itself: a problem, a notice, long work, and the dark before the first picture.
+
+use egui::{Align2, Area, Context, Id, Label, LayerId, Modal, Order, ProgressBar, RichText, ScrollArea, Ui};
+
+use super::{Wish, style};
+use crate::{Busy, Readings};
+
+/// A problem, above everything until it is closed.
+pub fn problem(ctx: &Context, readings: &Readings, text_scale: f32, wishes: &mut Vec<Wish>) {
+    let Some(problem) = &readings.problem else { return };
+    let size = ctx.content_rect().size();
+    let modal = Modal::new(Id::unique("problem")).frame(style::card()).show(ctx, |ui| {
+        ui.set_width((440.0 * text_scale).min(size.x - 48.0).max(0.0));
+        ui.label(RichText::new("That did not work").heading().color(style::WARNING));
+        ScrollArea::vertical().max_height((size.y - 180.0).max(0.0)).show(ui, |ui| {
+            ui.add(Label::new(problem).wrap().selectable(true));
+        });
+        ui.add_space(6.0);
+        ui.button("Close").accessible_name("close problem").clicked()
+    });
+    // The Escape key comes as an action.
+    if modal.inner || modal.backdrop_response.clicked() {
+        wishes.push(Wish::CloseProblem);
+    }
+}
+
+/// Notices and work at the lower edge; neither takes input.
+pub fn messages(ctx: &Context, readings: &Readings, text_scale: f32) {
+    let nothing_yet = readings.size == [0, 0];
+    if nothing_yet {
+        splash(ctx);
+    }
+    let anchor = if nothing_yet { Align2::CENTER_CENTER } else { Align2::CENTER_BOTTOM };
+    if readings.busy.is_none() && readings.notice.is_none() {
+        return;
+    }
+    let lift = if nothing_yet { 64.0 } else { -16.0 };
+    let area = Area::new(Id::unique("messages")).order(Order::Foreground).interactable(false);
+    area.anchor(anchor, [0.0, lift]).show(ctx, |ui| {
+        ui.set_max_width((320.0 * text_scale).min(ctx.content_rect().width() - 32.0).max(0.0));
+        if let Some(text) = &readings.notice {
+            style::card().show(ui, |ui| ui.add(Label::new(text).wrap()));
+        }
+        if let Some(busy) = &readings.busy {
+            style::card().show(ui, |ui| progress(ui, busy));
+        }
+    });
+}
+
+fn splash(ctx: &Context) {
+    let rect = ctx.viewport_rect();
+    let painter = ctx.layer_painter(LayerId::new(Order::Middle, Id::unique("splash")));
+    painter.rect_filled(rect, 0.0, egui::Color32::from_rgb(14, 16, 20));
+    let font = egui::FontId::proportional((0.08 * rect.width()).clamp(8.0, 44.0));
+    painter.text(rect.center(), Align2::CENTER_CENTER, "Glimpse", font, style::ACCENT);
+}
+
+fn progress(ui: &mut Ui, busy: &Busy) {
+    let [step, of] = busy.step;
+    ui.add(Label::new(&busy.what).wrap());
+    let share = if of == 0 { 0.0 } else { step.min(of) as f32 / of as f32 };
+    ui.add(ProgressBar::new(share).desired_height(6.0));
+    let steps = if of == 0 { String::new() } else { format!("step {step} of {of}") };
+    style::reading(ui, &steps, &format!("{:.1} s", busy.seconds.clamp(0.0, 99_999.0)));
+}

@@ -1,0 +1,140 @@
+//! The choices between a few values: one table for the buttons and for the keys.
+
+use egui::{Button, Ui, vec2};
+use glimpse::{Method, Postcorrect};
+
+use super::style;
+use crate::{Choices, FrameRate, Navigation, Show, Vsync};
+
+/// A choice between a few values.
+pub struct Options<T: 'static> {
+    /// What is chosen.
+    pub name: &'static str,
+    /// The values with their names, in the order in which they are offered.
+    pub values: fn() -> Vec<(T, String)>,
+    get: fn(&Choices) -> T,
+    set: fn(&mut Choices, T),
+}
+
+impl<T: Copy + PartialEq> Options<T> {
+    /// Chooses the next value that conflicts with nothing, in a circle.
+    pub fn choose_next(&self, choices: &mut Choices) {
+        let values = (self.values)();
+        let now = values.iter().position(|(value, _)| *value == (self.get)(choices));
+        let first = now.map_or(0, |now| now + 1);
+        let following = (0..values.len()).map(|i| self.with(choices, values[(first + i) % values.len()].0));
+        if let Some(next) = following.into_iter().find(|next| next.conflict().is_none()) {
+            *choices = next;
+        }
+    }
+
+    /// A row of buttons; those that conflict with other choices are disabled and say why.
+    pub fn buttons(&self, ui: &mut Ui, choices: &mut Choices) {
+        style::caption(ui, self.name);
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+            for (value, name) in (self.values)() {
+                let next = self.with(choices, value);
+                let button = Button::selectable((self.get)(choices) == value, name.as_str())
+                    .frame_when_inactive(true)
+                    .min_size(vec2(ui.spacing().interact_size.y, 0.0));
+                let conflict = next.conflict();
+                let response = ui
+                    .add_enabled(conflict.is_none(), button)
+                    .accessible_name(format!("{}: {name}", self.name))
+                    .on_disabled_hover_text(conflict.unwrap_or_default());
+                if response.clicked() {
+                    *choices = next;
+                }
+            }
+        });
+    }
+
+    /// The name of the value that is chosen; empty where it is none of those that are offered.
+    pub fn chosen(&self, choices: &Choices) -> String {
+        let now = (self.get)(choices);
+        (self.values)().into_iter().find(|(value, _)| *value == now).map(|(_, name)| name).unwrap_or_default()
+    }
+
+    fn with(&self, choices: &Choices, value: T) -> Choices {
+        let mut next = *choices;
+        (self.set)(&mut next, value);
+        next
+    }
+}
+
+fn named<T: Copy>(values: &[(T, &str)]) -> Vec<(T, String)> {
+    values.iter().map(|(value, name)| (*value, (*name).to_owned())).collect()
+}
+
+pub const METHOD: Options<Method> = Options {
+    name: "method",
+    values: || {
+        named(&[
+            (Method::Adaptive, "adaptive"),
+            (Method::Full, "full"),
+            (Method::Checkerboard, "checkerboard"),
+        ])
+    },
+    get: |choices| choices.settings.method,
+    set: |choices, method| choices.settings.method = method,
+};
+
+pub const BLOCK: Options<u32> = Options {
+    name: "block",
+    values: || [2, 4, 8].map(|block| (block, format!("{block}x{block}"))).to_vec(),
+    get: |choices| choices.settings.block,
+    set: |choices, block| choices.settings.block = block,
+};
+
+pub const SAMPLING: Options<u32> = Options {
+    name: "samples a pixel",
+    values: || [1, 2, 4].map(|side| (side, format!("{side}x{side}"))).to_vec(),
+    get: |choices| choices.settings.sampling,
+    set: |choices, side| choices.settings.sampling = side,
+};
+
+pub const POSTCORRECT: Options<Postcorrect> = Options {
+    name: "postcorrection",
+    values: || {
+        named(&[
+            (Postcorrect::Auto, "auto"),
+            (Postcorrect::Off, "off"),
+            (Postcorrect::Objects, "objects"),
+            (Postcorrect::On, "on"),
+            (Postcorrect::Scans, "scans"),
+        ])
+    },
+    get: |choices| choices.settings.postcorrect,
+    set: |choices, postcorrect| choices.settings.postcorrect = postcorrect,
+};
+
+pub const GOVERNOR: Options<Option<FrameRate>> = Options {
+    name: "governor",
+    values: || {
+        named(&[(None, "off"), (Some(FrameRate::Thirty), "30 fps"), (Some(FrameRate::Sixty), "60 fps")])
+    },
+    get: |choices| choices.governor,
+    set: |choices, governor| choices.governor = governor,
+};
+
+pub const NAVIGATION: Options<Navigation> = Options {
+    name: "navigation",
+    values: || named(&[(Navigation::Orbit, "orbit"), (Navigation::Fly, "fly")]),
+    get: |choices| choices.navigation,
+    set: |choices, navigation| choices.navigation = navigation,
+};
+
+pub const VSYNC: Options<Vsync> = Options {
+    name: "vsync",
+    values: || named(&[(Vsync::On, "on"), (Vsync::Newest, "newest"), (Vsync::Off, "off")]),
+    get: |choices| choices.vsync,
+    set: |choices, vsync| choices.vsync = vsync,
+};
+
+pub const SHOW: Options<Show> = Options {
+    name: "show",
+    values: || Show::all().map(|show| (show, show.name())).collect(),
+    get: |choices| choices.show,
+    set: |choices, show| choices.show = show,
+};

@@ -1,0 +1,172 @@
+//! The full overlay: a panel at the right, or a sheet at the lower edge of what is narrow.
+
+use egui::{
+    Align, Area, Button, CollapsingHeader, Context, Id, Layout, Order, Rect, RichText, ScrollArea, TextStyle,
+    Ui, Vec2, pos2, vec2,
+};
+
+use super::{Hud, Wish, graph, knobs, measurements, options, places, split, status, style};
+use crate::{Overlay, Show};
+
+const WIDTH: f32 = 340.0;
+const MARGIN: f32 = 8.0;
+
+/// Shows everything.
+pub fn show(ctx: &Context, hud: &mut Hud<'_>, wishes: &mut Vec<Wish>) {
+    let place = place(ctx.content_rect(), hud.choices.text_scale);
+    let area = Area::new(Id::unique("panel")).order(Order::Foreground).fixed_pos(place.min).constrain(false);
+    area.show(ctx, |ui| {
+        let frame = style::card();
+        let inner = (place.size() - frame.total_margin().sum()).max(Vec2::ZERO);
+        frame.show(ui, |ui| {
+            ui.set_min_size(inner);
+            ui.set_max_size(inner);
+            if style::heading_with_close(ui, "Glimpse", "close overlay") {
+                hud.choices.overlay = Overlay::Brief;
+            }
+            let scroll = ScrollArea::vertical().auto_shrink(false).max_height(ui.available_height());
+            scroll.show(ui, |ui| {
+                // The scroll bar floats above the right edge.
+                ui.set_max_width((ui.available_width() - 12.0).max(0.0));
+                sections(ui, hud, wishes);
+            });
+        });
+    });
+}
+
+/// Where the panel lies: right where there is room beside it, otherwise over the lower half.
+fn place(content: Rect, text_scale: f32) -> Rect {
+    let content = content.shrink(MARGIN.min(0.5 * content.size().min_elem()));
+    let width = WIDTH * text_scale;
+    if content.width() > 2.0 * width {
+        return Rect::from_min_max(pos2(content.right() - width, content.top()), content.max);
+    }
+    let height = if content.width() > content.height() { content.height() } else { 0.5 * content.height() };
+    let size = vec2(content.width().min(1.5 * width), height);
+    Rect::from_min_size(content.max - size, size)
+}
+
+fn sections(ui: &mut Ui, hud: &mut Hud<'_>, wishes: &mut Vec<Wish>) {
+    let readings = hud.readings;
+    frame_time(ui, hud);
+    commands(ui, hud, wishes);
+    section(ui, "Scenes", true, |ui| places::scenes(ui, hud, wishes));
+    section(ui, "Cameras", true, |ui| {
+        options::NAVIGATION.buttons(ui, hud.choices);
+        places::cameras(ui, hud, wishes);
+    });
+    section(ui, "Method", true, |ui| method(ui, hud));
+    section(ui, "Tolerances", true, |ui| {
+        let rests = hud.choices.tolerances_rest();
+        for knob in &knobs::TOLERANCES {
+            knob.show(ui, hud.choices, rests);
+        }
+    });
+    section(ui, "What is shown", true, |ui| shown(ui, hud));
+    section(ui, "Speed", true, |ui| speed(ui, hud));
+    section(ui, "Passes", true, |ui| measurements::passes(ui, readings));
+    section(ui, "Rays", true, |ui| measurements::rays(ui, readings));
+    section(ui, "Failed checks", false, |ui| measurements::failed_checks(ui, readings));
+    section(ui, "This scene", true, |ui| measurements::scene(ui, readings));
+    section(ui, "Memory and adapter", true, |ui| measurements::device(ui, readings));
+}
+
+fn section(ui: &mut Ui, title: &str, open: bool, contents: impl FnOnce(&mut Ui)) {
+    ui.add_space(4.0);
+    CollapsingHeader::new(RichText::new(title).strong()).default_open(open).show_unindented(ui, |ui| {
+        ui.scope(contents);
+        ui.add_space(4.0);
+    });
+}
+
+fn frame_time(ui: &mut Ui, hud: &Hud<'_>) {
+    let readings = hud.readings;
+    if let Some(ms) = readings.recent_ms().filter(|ms| *ms > 0.0) {
+        let text = format!("{ms:.1} ms  {:3.0} fps", 1000.0 / ms);
+        let size = TextStyle::Heading.resolve(ui.style()).size;
+        ui.with_layout(Layout::top_down(Align::Max), |ui| {
+            ui.label(RichText::new(text).monospace().size(size).color(style::ACCENT));
+        });
+    }
+    graph::show(ui, readings, hud.choices.governor);
+    style::reading(ui, "frame", &status::size(readings));
+}
+
+fn commands(ui: &mut Ui, hud: &mut Hud<'_>, wishes: &mut Vec<Wish>) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+        let commands = [
+            ("Screenshot", Wish::Screenshot),
+            ("Copy command", Wish::CopyCommand),
+            ("Full screen", Wish::FullScreen),
+        ];
+        for (name, wish) in commands {
+            if ui.add(Button::new(name)).clicked() {
+                wishes.push(wish);
+            }
+        }
+        if ui.button("Help").clicked() {
+            hud.choices.help = true;
+        }
+    });
+}
+
+fn method(ui: &mut Ui, hud: &mut Hud<'_>) {
+    options::METHOD.buttons(ui, hud.choices);
+    let rests = hud.choices.tolerances_rest();
+    let adaptive = ui.add_enabled_ui(rests.is_none(), |ui| {
+        options::BLOCK.buttons(ui, hud.choices);
+        options::POSTCORRECT.buttons(ui, hud.choices);
+    });
+    adaptive.response.on_disabled_hover_text(rests.unwrap_or_default());
+    options::SAMPLING.buttons(ui, hud.choices);
+    for knob in &knobs::DEPTHS {
+        knob.show(ui, hud.choices, None);
+    }
+}
+
+fn shown(ui: &mut Ui, hud: &mut Hud<'_>) {
+    options::SHOW.buttons(ui, hud.choices);
+    if hud.choices.show != Show::Final {
+        ui.label(RichText::new(hud.readings.legend.as_str()).small());
+    }
+    split::switch(ui, hud.choices, hud.readings);
+}
+
+fn speed(ui: &mut Ui, hud: &mut Hud<'_>) {
+    options::GOVERNOR.buttons(ui, hud.choices);
+    if hud.choices.governor.is_some() {
+        ui.label(RichText::new(hud.readings.governor.as_str()).small().weak());
+    }
+    let rests = hud.choices.scale_rests();
+    knobs::SCALE.show(ui, hud.choices, rests);
+    options::VSYNC.buttons(ui, hud.choices);
+    knobs::TEXT_SCALE.show(ui, hud.choices, None);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn placed(width: f32, height: f32) -> Rect {
+        place(Rect::from_min_size(pos2(0.0, 0.0), vec2(width, height)), 1.0)
+    }
+
+    #[test]
+    fn the_panel_is_beside_the_picture_or_below_it() {
+        assert_eq!(placed(1280.0, 720.0), Rect::from_min_max(pos2(932.0, 8.0), pos2(1272.0, 712.0)));
+        assert_eq!(placed(400.0, 800.0), Rect::from_min_max(pos2(8.0, 400.0), pos2(392.0, 792.0)));
+    }
+
+    #[test]
+    fn the_panel_is_never_outside() {
+        for (width, height) in [(44.0, 44.0), (44.0, 4000.0), (700.0, 60.0), (3840.0, 2160.0)] {
+            let place = placed(width, height);
+            assert!(place.is_positive(), "{place:?}");
+            assert!(
+                Rect::from_min_size(pos2(0.0, 0.0), vec2(width, height)).contains_rect(place),
+                "{place:?}"
+            );
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! What can be chosen can be rendered.
+
+use egui::{Key, Modifiers, PointerButton, Pos2};
+use egui_kittest::kittest::{NodeT, Queryable};
+use glimpse::Method;
+
+use super::super::keys::SHORTCUTS;
+use super::*;
+use crate::Show;
+
+/// A linear congruential generator (Knuth's MMIX).
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, end: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 33) as usize) % end
+    }
+}
+
+fn pointer(harness: &Harness<'_, Stage>, pos: Pos2, pressed: bool) {
+    let modifiers = Modifiers::NONE;
+    harness.event(egui::Event::PointerMoved(pos));
+    harness.event(egui::Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers });
+}
+
+/// Presses somewhere on a control that can be pressed, and lets go there or at another.
+fn drag_something(harness: &mut Harness<'_, Stage>, random: &mut Random) {
+    let rects = harness.ctx.interactive_rects_last_pass();
+    let window = harness.ctx.content_rect();
+    let somewhere = |random: &mut Random| {
+        let rect = rects[random.below(rects.len())].intersect(window);
+        rect.min + rect.size() * (random.below(1000) as f32 / 1000.0)
+    };
+    let from = somewhere(random);
+    let to = if random.below(3) == 0 { somewhere(random) } else { from };
+    pointer(harness, from, true);
+    harness.run_steps(1);
+    pointer(harness, to, false);
+    harness.run_steps(1);
+}
+
+fn press_some_key(harness: &mut Harness<'_, Stage>, random: &mut Random) {
+    let keys: Vec<_> = SHORTCUTS.iter().flat_map(|shortcut| shortcut.keys).collect();
+    let keys = keys[random.below(keys.len())];
+    harness.key_press_modifiers(keys.modifiers, keys.logical_key);
+    harness.run_steps(1);
+}
+
+#[test]
+fn nothing_that_is_pressed_makes_settings_that_no_frame_can_have() {
+    let mut methods = Vec::new();
+    for seed in 0..4 {
+        let mut random = Random(seed);
+        let mut stage = stage(Overlay::Full);
+        if seed % 2 == 1 {
+            stage.choices.settings.method = Method::Checkerboard;
+        }
+        let mut harness = shown(stage, [900.0, 3600.0]);
+        for step in 0..400 {
+            if random.below(4) == 0 {
+                press_some_key(&mut harness, &mut random);
+            } else {
+                drag_something(&mut harness, &mut random);
+            }
+            let choices = &mut harness.state_mut().choices;
+            choices.settings.validate().unwrap_or_else(|error| panic!("seed {seed}, step {step}: {error}"));
+            assert_eq!(choices.conflict(), None, "seed {seed}, step {step}: {choices:?}");
+            choices.overlay = Overlay::Full;
+            choices.text_scale = 1.0;
+            choices.help = false;
+            methods.push((
+                choices.settings.method,
+                choices.settings.sampling > 1,
+                choices.show != Show::Final,
+            ));
+            harness.run_steps(1);
+        }
+    }
+    let seen = |wanted| methods.contains(&wanted);
+    assert!(
+        seen((Method::Checkerboard, false, true)) && seen((Method::Adaptive, true, false)),
+        "too few presses"
+    );
+}
+
+#[test]
+fn what_is_excluded_cannot_be_pressed_until_nothing_excludes_it() {
+    let mut stage = stage(Overlay::Full);
+    stage.choices.settings.sampling = 2;
+    let mut harness = shown(stage, [900.0, 3600.0]);
+    for name in ["method: checkerboard", "show: depth"] {
+        let button = harness.get_by_label(name);
+        assert!(button.accesskit_node().is_disabled(), "{name}");
+        button.click();
+        harness.run_steps(2);
+    }
+    let chosen = |harness: &Harness<'_, Stage>| {
+        (harness.state().choices.settings.method, harness.state().choices.show)
+    };
+    assert_eq!(chosen(&harness), (Method::Adaptive, Show::Final));
+    for name in ["samples a pixel: 1x1", "show: cost", "method: checkerboard"] {
+        harness.get_by_label(name).click();
+        harness.run_steps(2);
+    }
+    assert_eq!(chosen(&harness), (Method::Checkerboard, Show::Cost));
+    assert!(harness.get_by_label("show: depth").accesskit_node().is_disabled());
+}
+
+#[test]
+fn keys_skip_what_is_excluded() {
+    let mut stage = stage(Overlay::Hidden);
+    stage.choices.settings.sampling = 4;
+    let mut harness = shown(stage, [400.0, 400.0]);
+    let mut methods = Vec::new();
+    for _ in 0..3 {
+        harness.key_press(Key::M);
+        harness.key_press(Key::V);
+        harness.run_steps(1);
+        methods.push(harness.state().choices.settings.method);
+    }
+    assert_eq!(methods, [Method::Full, Method::Adaptive, Method::Full]);
+    assert_eq!(harness.state().choices.show, Show::Final);
+}
+
+#[test]
+fn a_number_that_is_none_is_not_taken() {
+    for text in ["nan", "inf", "-1e30", "", "x"] {
+        let mut harness = shown(stage(Overlay::Full), [900.0, 3600.0]);
+        for name in ["position in digits", "normal in digits", "depth in digits", "least weight in digits"] {
+            harness.get_by_label(name).focus();
+            harness.run_steps(3);
+            harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+            harness.event(egui::Event::Text(text.to_owned()));
+            harness.key_press(Key::Enter);
+            harness.run_steps(3);
+        }
+        harness.state().choices.settings.validate().unwrap_or_else(|error| panic!("{text:?}: {error}"));
+    }
+}
+
+#[test]
+fn a_number_is_taken_and_the_paper_has_its_own_back() {
+    let mut harness = shown(stage(Overlay::Full), [900.0, 3600.0]);
+    harness.get_by_label("position in digits").focus();
+    harness.run_steps(3);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    harness.event(egui::Event::Text("0.07".to_owned()));
+    harness.key_press(Key::Enter);
+    harness.run_steps(3);
+    let pos = |harness: &Harness<'_, Stage>| harness.state().choices.settings.tolerances.pos;
+    assert_eq!(pos(&harness), 0.07);
+    harness.get_by_label("position: paper value").click();
+    harness.run_steps(2);
+    assert_eq!(pos(&harness), 0.03);
+}
+
+#[test]
+fn settings_from_elsewhere_are_left_as_they_are() {
+    let mut stage = stage(Overlay::Full);
+    let settings = &mut stage.choices.settings;
+    settings.depth = 40;
+    settings.sampling = 3;
+    settings.tolerances.norm = -0.5;
+    settings.tolerances.pos = 4.0;
+    let before = stage.choices;
+    assert_eq!(shown(stage, [900.0, 3600.0]).state().choices, before);
+}

@@ -1,0 +1,94 @@
+//! The overlay above a picture, pressed and read without drawing.
+
+mod choices;
+mod input;
+mod sizes;
+
+use egui::{Rect, Response, Sense, Vec2};
+use egui_kittest::Harness;
+use glimpse::{Counts, Memory, PassTime, Rays, Samples};
+
+use super::{Hud, Wish};
+use crate::{Busy, Choices, Overlay, Readings};
+
+/// What the overlay works on, and what came of it.
+struct Stage {
+    choices: Choices,
+    readings: Readings,
+    scenes: Vec<String>,
+    touch: bool,
+    wishes: Vec<Wish>,
+    /// Clicks and drags that the picture got.
+    picture: u32,
+}
+
+fn stage(overlay: Overlay) -> Stage {
+    Stage {
+        choices: Choices { overlay, ..Choices::default() },
+        readings: readings(),
+        scenes: crate::scenes().chain(["/tmp/kitchen.glb".to_owned()]).collect(),
+        touch: false,
+        wishes: Vec::new(),
+        picture: 0,
+    }
+}
+
+fn shown(stage: Stage, size: impl Into<Vec2>) -> Harness<'static, Stage> {
+    let mut harness = Harness::builder().with_size(size).with_max_steps(20).build_ui_state(frame, stage);
+    // Areas find their size in the first pass.
+    harness.run_steps(3);
+    harness
+}
+
+fn frame(ui: &mut egui::Ui, stage: &mut Stage) {
+    let picture: Response =
+        ui.interact(Rect::EVERYTHING, ui.scope_id().with("picture"), Sense::click_and_drag());
+    stage.picture += u32::from(picture.clicked() || picture.dragged());
+    let hud = Hud {
+        choices: &mut stage.choices,
+        readings: &stage.readings,
+        scenes: &stage.scenes,
+        touch: stage.touch,
+    };
+    stage.wishes.extend(hud.show(ui.ctx()));
+}
+
+/// Readings with something in every place.
+fn readings() -> Readings {
+    let mut readings = Readings {
+        scene: "builtin:room".to_owned(),
+        primitives: 1_414_172,
+        cameras: vec!["main".to_owned(), String::new()],
+        warnings: vec![
+            "material `glass` of mesh 3: the extension KHR_materials_volume is left out".to_owned(),
+        ],
+        features: vec!["textures", "reflection"],
+        left_out: vec!["refraction"],
+        adapter: "llvmpipe (LLVM 15.0.7, 256 bits), Mesa 25.0.7".to_owned(),
+        passes: ["base", "similarity_a1", "trace_a1"].map(|name| PassTime { name, ms: 3.25 }).to_vec(),
+        size: [960, 540],
+        view: [1920, 1080],
+        counts: Some(Counts {
+            rays: Rays {
+                primary: 160_000,
+                shadow: 300_000,
+                reflection: 20_000,
+                refraction: 0,
+                total: 480_000,
+            },
+            samples: Samples { total: 518_400, base: 129_600, interpolated: 358_400, ..Samples::default() },
+            ..Counts::default()
+        }),
+        psnr_db: Some(41.25),
+        memory: Memory { scene: 1 << 24, bvh: 1 << 23, targets: 1 << 25, total: 57 << 20 },
+        legend: "base white (3), interpolated dark blue (4)".to_owned(),
+        governor: "holds 33.3 ms at a scale of 0.5".to_owned(),
+        ..Readings::default()
+    };
+    (0..300).for_each(|frame| readings.push_frame(20.0 + (frame % 30) as f32));
+    readings
+}
+
+fn busy(step: [u32; 2]) -> Busy {
+    Busy { what: "loading a scene with a rather long name.glb".to_owned(), seconds: 3.5, step }
+}

@@ -1,0 +1,112 @@
+//! `glimpse view`: the window, or a script without one.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use anyhow::{Context, anyhow};
+use glimpse::{DisplayImage, to_png};
+use glimpse_app::script::Script;
+use glimpse_app::{Choices, Files, Phone};
+use glimpse_shell::{Chosen, Screen, Setup, Wakeup};
+use winit::error::EventLoopError;
+use winit::event_loop::EventLoop;
+
+use crate::args::{Size, ViewOptions};
+use crate::{files, render, scene_file};
+
+const DEFAULT_SCENE: &str = "builtin:room";
+
+/// `glimpse view`; where there is no display, a picture.
+pub fn run(options: &ViewOptions, adapter: Option<&str>) -> anyhow::Result<()> {
+    let scene = options.scene.as_deref().unwrap_or(DEFAULT_SCENE);
+    scene_file::check(scene)?;
+    let setup = setup(options, scene, adapter)?;
+    if options.headless {
+        return glimpse_shell::run_offscreen(setup).map_err(|line| anyhow!(line));
+    }
+    match EventLoop::<Wakeup>::with_user_event().build() {
+        Ok(event_loop) => glimpse_shell::run_window(event_loop, setup).map_err(|line| anyhow!(line)),
+        Err(error @ (EventLoopError::Os(_) | EventLoopError::NotSupported(_))) if options.script.is_none() => {
+            log::info!("{error}");
+            render::without_display(scene, adapter)
+        }
+        Err(error) => Err(error).context("no window; --headless plays a script without one"),
+    }
+}
+
+fn setup(options: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::Result<Setup> {
+    let phone = options.phone.as_deref().map(Phone::named).transpose();
+    let phone = phone.map_err(|reason| glimpse::Error::setting("--phone", reason))?;
+    let script = options.script.as_deref().map(read_script).transpose()?;
+    let reader: Files = Arc::new(|name| scene_file::load(name).map_err(|error| format!("{error:#}")));
+    let Size(size) = options.size;
+    // What a script does must not depend on what was opened before, nor change it.
+    let scripted = script.is_some();
+    Ok(Setup {
+        files: reader,
+        scene: scene.to_owned(),
+        recent: if scripted { Vec::new() } else { recent() },
+        choices: Choices::default(),
+        adapter: adapter.map(str::to_owned),
+        limits: phone.as_ref().map(Phone::limits),
+        screen: phone.as_ref().map(screen),
+        size,
+        script,
+        save: Box::new(|file, picture| save(file, picture).map_err(|error| format!("{error:#}"))),
+        remember: Box::new(move |files| {
+            if !scripted && let Err(error) = remember(files) {
+                log::warn!("{error:#}");
+            }
+        }),
+        open_dialog: Box::new(open_dialog),
+    })
+}
+
+fn screen(phone: &Phone) -> Screen {
+    let [top, right, bottom, left] = phone.insets.value;
+    Screen { pixels: phone.size.value, pixels_per_point: phone.scale.value, insets: [left, top, right, bottom] }
+}
+
+fn read_script(path: &Path) -> anyhow::Result<Script> {
+    let name = path.display().to_string();
+    let text = String::from_utf8(files::read(path)?).with_context(|| name.clone())?;
+    Script::parse(&name, &text).map_err(|line| anyhow!(line))
+}
+
+/// Writes a picture; one without a name gets the first that is free in the working folder.
+fn save(file: Option<PathBuf>, picture: &DisplayImage) -> anyhow::Result<String> {
+    let free = || (1..).map(|i| PathBuf::from(format!("glimpse-{i}.png"))).find(|path| !path.exists());
+    let path = file.or_else(free).context("no free name")?;
+    files::write(&path, &to_png(picture)?)?;
+    Ok(format!("Saved {}", path.display()))
+}
+
+/// Asks for a file on a thread of its own; nothing happens where none is chosen.
+fn open_dialog(chosen: Chosen) {
+    std::thread::spawn(move || {
+        let dialog = rfd::FileDialog::new().add_filter("glTF scenes", &["glb", "gltf"]);
+        if let Some(path) = dialog.pick_file() {
+            chosen(path);
+        }
+    });
+}
+
+/// Where the names of scenes are kept that were opened last, a line each.
+fn recent_file() -> Option<PathBuf> {
+    Some(dirs::state_dir().or_else(dirs::data_local_dir)?.join("glimpse").join("recent"))
+}
+
+fn recent() -> Vec<String> {
+    let text = recent_file().and_then(|path| std::fs::read_to_string(path).ok()).unwrap_or_default();
+    text.lines().filter(|name| Path::new(name).exists()).map(str::to_owned).collect()
+}
+
+fn remember(names: &[String]) -> anyhow::Result<()> {
+    let Some(path) = recent_file() else { return Ok(()) };
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+    }
+    let absolute = |name: &String| std::path::absolute(name).map(|path| path.display().to_string());
+    let names = names.iter().map(absolute).collect::<std::io::Result<Vec<_>>>()?;
+    files::write(&path, names.join("\n").as_bytes())
+}
