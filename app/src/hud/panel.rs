@@ -1,11 +1,12 @@
 //! The full overlay: a panel at the right, or a sheet at the lower edge of what is narrow.
 
 use egui::{
-    Align, Area, Button, CollapsingHeader, Context, Id, Layout, Order, Rect, RichText, ScrollArea, TextStyle,
-    Ui, Vec2, pos2, vec2,
+    Align, Area, CollapsingHeader, Context, Id, Layout, Order, Rect, RichText, ScrollArea, TextStyle, Ui,
+    Vec2, pos2, vec2,
 };
 
-use super::{Hud, Wish, graph, knobs, measurements, options, places, split, status, style};
+use super::actions::{self, Action};
+use super::{Hud, Wish, graph, keys, knobs, measurements, options, places, split, status, style};
 use crate::{Overlay, Show};
 
 const WIDTH: f32 = 340.0;
@@ -96,17 +97,16 @@ fn commands(ui: &mut Ui, hud: &mut Hud<'_>, wishes: &mut Vec<Wish>) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
         let commands = [
-            ("Screenshot", Wish::Screenshot),
-            ("Copy command", Wish::CopyCommand),
-            ("Full screen", Wish::FullScreen),
+            ("Screenshot", Action::Screenshot),
+            ("Copy command", Action::CopyCommand),
+            ("Full screen", Action::FullScreen),
+            ("Help", Action::Help),
         ];
-        for (name, wish) in commands {
-            if ui.add(Button::new(name)).clicked() {
-                wishes.push(wish);
+        for (name, action) in commands {
+            let hint = keys::hint(ui.ctx(), action);
+            if ui.button(name).on_hover_text(hint).clicked() {
+                wishes.extend(actions::act(hud, action, 0));
             }
-        }
-        if ui.button("Help").clicked() {
-            hud.choices.help = true;
         }
     });
 }
