@@ -31,8 +31,8 @@ impl<T: Copy + PartialEq> Options<T> {
         }
     }
 
-    /// A row of buttons; those that conflict with other choices are disabled and say why.
-    pub fn buttons(&self, ui: &mut Ui, choices: &mut Choices) {
+    /// A row of buttons; those that conflict with other choices are disabled and say why, and all where `rests` does.
+    pub fn buttons(&self, ui: &mut Ui, choices: &mut Choices, rests: Option<&str>) {
         let key = self.action.map(|action| keys::hint(ui.ctx(), action)).unwrap_or_default();
         style::caption(ui, format!("{}  {key}", self.name).trim_end());
         ui.horizontal_wrapped(|ui| {
@@ -42,11 +42,11 @@ impl<T: Copy + PartialEq> Options<T> {
                 let button = Button::selectable((self.get)(choices) == value, name.as_str())
                     .frame_when_inactive(true)
                     .min_size(vec2(ui.spacing().interact_size.y, 0.0));
-                let conflict = next.conflict();
+                let excluded = rests.or(next.conflict());
                 let response = ui
-                    .add_enabled(conflict.is_none(), button)
+                    .add_enabled(excluded.is_none(), button)
                     .accessible_name(format!("{}: {name}", self.name))
-                    .on_disabled_hover_text(conflict.unwrap_or_default());
+                    .on_disabled_hover_text(excluded.unwrap_or_default());
                 if response.clicked() {
                     *choices = next;
                 }
