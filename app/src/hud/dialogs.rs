@@ -61,5 +61,5 @@ fn progress(ui: &mut Ui, busy: &Busy) {
     let share = if of == 0 { 0.0 } else { step.min(of) as f32 / of as f32 };
     ui.add(ProgressBar::new(share).desired_height(6.0));
     let steps = if of == 0 { String::new() } else { format!("step {step} of {of}") };
-    style::reading(ui, &steps, &format!("{:.1} s", busy.seconds.clamp(0.0, 99_999.0)));
+    style::reading(ui, &steps, &format!("{:.1} s", busy.seconds));
 }

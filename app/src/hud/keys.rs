@@ -84,6 +84,20 @@ const fn with_command(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::COMMAND, key)
 }
 
+/// The first key that does it, for people; empty where there is none.
+pub fn hint(ctx: &Context, action: Action) -> String {
+    let shortcut = SHORTCUTS.iter().find(|shortcut| shortcut.action == action);
+    shortcut
+        .and_then(|shortcut| shortcut.keys.first())
+        .map(|keys| ctx.format_shortcut(keys))
+        .unwrap_or_default()
+}
+
+/// The key that opens the scene of that place in the list, for people; empty where there is none.
+pub fn scene_hint(ctx: &Context, place: usize) -> String {
+    SCENE_KEYS.get(place).map(|keys| ctx.format_shortcut(keys)).unwrap_or_default()
+}
+
 /// Does this key move the camera, so that no shortcut may take it?
 pub fn flies(keys: KeyboardShortcut, navigation: Navigation) -> bool {
     navigation == Navigation::Fly && keys.modifiers.is_none() && FLY_KEYS.contains(&keys.logical_key)

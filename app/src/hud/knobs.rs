@@ -1,6 +1,6 @@
 //! The choices along a range: sliders with a mark at the value that is usual.
 
-use egui::{DragValue, Response, RichText, Slider, SliderClamping, Stroke, Ui, pos2, remap};
+use egui::{Align, DragValue, Layout, Response, RichText, Slider, SliderClamping, Stroke, Ui, pos2, remap};
 
 use super::style;
 use crate::{Choices, SCALES, TEXT_SCALES};
@@ -113,31 +113,34 @@ pub const TEXT_SCALE: Knob = Knob {
 impl Knob {
     /// The name, the value, a way back to the mark, and a slider; all disabled where `rests` says why.
     pub fn show(&self, ui: &mut Ui, choices: &mut Choices, rests: Option<&str>) {
-        let inner = ui.add_enabled_ui(rests.is_none(), |ui| {
+        let mut value = (self.get)(choices);
+        let before = value;
+        ui.add_enabled_ui(rests.is_none(), |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            let mut value = (self.get)(choices);
-            let before = value;
             ui.horizontal(|ui| {
                 ui.label(RichText::new(self.name).weak()).on_hover_text(self.explained);
-                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    self.number(ui, &mut value);
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                    self.explain(self.number(ui, &mut value), rests);
                     self.back_to_mark(ui, &mut value);
                 });
             });
-            self.slider(ui, &mut value);
-            if value != before {
-                (self.set)(choices, value);
-            }
+            self.explain(self.slider(ui, &mut value), rests);
         });
-        inner.response.on_disabled_hover_text(rests.unwrap_or_default());
+        if value != before {
+            (self.set)(choices, value);
+        }
     }
 
-    fn number(&self, ui: &mut Ui, value: &mut f64) {
+    fn explain(&self, response: Response, rests: Option<&str>) {
+        response.on_hover_text(self.explained).on_disabled_hover_text(rests.unwrap_or_default());
+    }
+
+    fn number(&self, ui: &mut Ui, value: &mut f64) -> Response {
         let [low, high] = self.range;
         // What was chosen elsewhere may lie outside of the slider.
         let number = DragValue::new(value).range(low..=high).clamp_existing_to_range(false);
         let number = number.speed(self.step).fixed_decimals(self.decimals).update_while_editing(false);
-        ui.add(number).accessible_name(format!("{} in digits", self.name));
+        ui.add(number).accessible_name(format!("{} in digits", self.name))
     }
 
     fn back_to_mark(&self, ui: &mut Ui, value: &mut f64) {
@@ -150,13 +153,13 @@ impl Knob {
         }
     }
 
-    fn slider(&self, ui: &mut Ui, value: &mut f64) {
+    fn slider(&self, ui: &mut Ui, value: &mut f64) -> Response {
         ui.spacing_mut().slider_width = ui.available_width().max(1.0);
         let [low, high] = self.range;
         let slider = Slider::new(value, low..=high).step_by(self.step).show_value(false);
         let response = ui.add(slider.clamping(SliderClamping::Edits));
         self.tick(ui, &response);
-        response.accessible_name(self.name).on_hover_text(self.explained);
+        response.accessible_name(self.name)
     }
 
     /// The mark, where the slider's handle has its centre at that value.

@@ -3,7 +3,8 @@
 use egui::{Button, Ui, vec2};
 use glimpse::{Method, Postcorrect};
 
-use super::style;
+use super::actions::Action;
+use super::{keys, style};
 use crate::{Choices, FrameRate, Navigation, Show, Vsync};
 
 /// A choice between a few values.
@@ -12,6 +13,8 @@ pub struct Options<T: 'static> {
     pub name: &'static str,
     /// The values with their names, in the order in which they are offered.
     pub values: fn() -> Vec<(T, String)>,
+    /// What chooses the next value, if a key does.
+    action: Option<Action>,
     get: fn(&Choices) -> T,
     set: fn(&mut Choices, T),
 }
@@ -28,9 +31,10 @@ impl<T: Copy + PartialEq> Options<T> {
         }
     }
 
-    /// A row of buttons; those that conflict with other choices are disabled and say why.
-    pub fn buttons(&self, ui: &mut Ui, choices: &mut Choices) {
-        style::caption(ui, self.name);
+    /// A row of buttons; those that conflict with other choices are disabled and say why, and all where `rests` does.
+    pub fn buttons(&self, ui: &mut Ui, choices: &mut Choices, rests: Option<&str>) {
+        let key = self.action.map(|action| keys::hint(ui.ctx(), action)).unwrap_or_default();
+        style::caption(ui, format!("{}  {key}", self.name).trim_end());
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
             for (value, name) in (self.values)() {
@@ -38,11 +42,11 @@ impl<T: Copy + PartialEq> Options<T> {
                 let button = Button::selectable((self.get)(choices) == value, name.as_str())
                     .frame_when_inactive(true)
                     .min_size(vec2(ui.spacing().interact_size.y, 0.0));
-                let conflict = next.conflict();
+                let excluded = rests.or(next.conflict());
                 let response = ui
-                    .add_enabled(conflict.is_none(), button)
+                    .add_enabled(excluded.is_none(), button)
                     .accessible_name(format!("{}: {name}", self.name))
-                    .on_disabled_hover_text(conflict.unwrap_or_default());
+                    .on_disabled_hover_text(excluded.unwrap_or_default());
                 if response.clicked() {
                     *choices = next;
                 }
@@ -76,6 +80,7 @@ pub const METHOD: Options<Method> = Options {
             (Method::Checkerboard, "checkerboard"),
         ])
     },
+    action: Some(Action::Method),
     get: |choices| choices.settings.method,
     set: |choices, method| choices.settings.method = method,
 };
@@ -83,6 +88,7 @@ pub const METHOD: Options<Method> = Options {
 pub const BLOCK: Options<u32> = Options {
     name: "block",
     values: || [2, 4, 8].map(|block| (block, format!("{block}x{block}"))).to_vec(),
+    action: Some(Action::Block),
     get: |choices| choices.settings.block,
     set: |choices, block| choices.settings.block = block,
 };
@@ -90,6 +96,7 @@ pub const BLOCK: Options<u32> = Options {
 pub const SAMPLING: Options<u32> = Options {
     name: "samples a pixel",
     values: || [1, 2, 4].map(|side| (side, format!("{side}x{side}"))).to_vec(),
+    action: None,
     get: |choices| choices.settings.sampling,
     set: |choices, side| choices.settings.sampling = side,
 };
@@ -105,6 +112,7 @@ pub const POSTCORRECT: Options<Postcorrect> = Options {
             (Postcorrect::Scans, "scans"),
         ])
     },
+    action: None,
     get: |choices| choices.settings.postcorrect,
     set: |choices, postcorrect| choices.settings.postcorrect = postcorrect,
 };
@@ -114,6 +122,7 @@ pub const GOVERNOR: Options<Option<FrameRate>> = Options {
     values: || {
         named(&[(None, "off"), (Some(FrameRate::Thirty), "30 fps"), (Some(FrameRate::Sixty), "60 fps")])
     },
+    action: Some(Action::Governor),
     get: |choices| choices.governor,
     set: |choices, governor| choices.governor = governor,
 };
@@ -121,6 +130,7 @@ pub const GOVERNOR: Options<Option<FrameRate>> = Options {
 pub const NAVIGATION: Options<Navigation> = Options {
     name: "navigation",
     values: || named(&[(Navigation::Orbit, "orbit"), (Navigation::Fly, "fly")]),
+    action: Some(Action::Navigation),
     get: |choices| choices.navigation,
     set: |choices, navigation| choices.navigation = navigation,
 };
@@ -128,6 +138,7 @@ pub const NAVIGATION: Options<Navigation> = Options {
 pub const VSYNC: Options<Vsync> = Options {
     name: "vsync",
     values: || named(&[(Vsync::On, "on"), (Vsync::Newest, "newest"), (Vsync::Off, "off")]),
+    action: None,
     get: |choices| choices.vsync,
     set: |choices, vsync| choices.vsync = vsync,
 };
@@ -135,6 +146,7 @@ pub const VSYNC: Options<Vsync> = Options {
 pub const SHOW: Options<Show> = Options {
     name: "show",
     values: || Show::all().map(|show| (show, show.name())).collect(),
+    action: Some(Action::Show),
     get: |choices| choices.show,
     set: |choices, show| choices.show = show,
 };

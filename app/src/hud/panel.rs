@@ -1,11 +1,12 @@
 //! The full overlay: a panel at the right, or a sheet at the lower edge of what is narrow.
 
 use egui::{
-    Align, Area, Button, CollapsingHeader, Context, Id, Layout, Order, Rect, RichText, ScrollArea, TextStyle,
-    Ui, Vec2, pos2, vec2,
+    Align, Area, CollapsingHeader, Context, Id, Layout, Order, Rect, RichText, ScrollArea, TextStyle, Ui,
+    Vec2, pos2, vec2,
 };
 
-use super::{Hud, Wish, graph, knobs, measurements, options, places, split, status, style};
+use super::actions::{self, Action};
+use super::{Hud, Wish, graph, keys, knobs, measurements, options, places, split, status, style};
 use crate::{Overlay, Show};
 
 const WIDTH: f32 = 340.0;
@@ -52,7 +53,7 @@ fn sections(ui: &mut Ui, hud: &mut Hud<'_>, wishes: &mut Vec<Wish>) {
     commands(ui, hud, wishes);
     section(ui, "Scenes", true, |ui| places::scenes(ui, hud, wishes));
     section(ui, "Cameras", true, |ui| {
-        options::NAVIGATION.buttons(ui, hud.choices);
+        options::NAVIGATION.buttons(ui, hud.choices, None);
         places::cameras(ui, hud, wishes);
     });
     section(ui, "Method", true, |ui| method(ui, hud));
@@ -96,37 +97,33 @@ fn commands(ui: &mut Ui, hud: &mut Hud<'_>, wishes: &mut Vec<Wish>) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
         let commands = [
-            ("Screenshot", Wish::Screenshot),
-            ("Copy command", Wish::CopyCommand),
-            ("Full screen", Wish::FullScreen),
+            ("Screenshot", Action::Screenshot),
+            ("Copy command", Action::CopyCommand),
+            ("Full screen", Action::FullScreen),
+            ("Help", Action::Help),
         ];
-        for (name, wish) in commands {
-            if ui.add(Button::new(name)).clicked() {
-                wishes.push(wish);
+        for (name, action) in commands {
+            let hint = keys::hint(ui.ctx(), action);
+            if ui.button(name).on_hover_text(hint).clicked() {
+                wishes.extend(actions::act(hud, action, 0));
             }
-        }
-        if ui.button("Help").clicked() {
-            hud.choices.help = true;
         }
     });
 }
 
 fn method(ui: &mut Ui, hud: &mut Hud<'_>) {
-    options::METHOD.buttons(ui, hud.choices);
+    options::METHOD.buttons(ui, hud.choices, None);
     let rests = hud.choices.tolerances_rest();
-    let adaptive = ui.add_enabled_ui(rests.is_none(), |ui| {
-        options::BLOCK.buttons(ui, hud.choices);
-        options::POSTCORRECT.buttons(ui, hud.choices);
-    });
-    adaptive.response.on_disabled_hover_text(rests.unwrap_or_default());
-    options::SAMPLING.buttons(ui, hud.choices);
+    options::BLOCK.buttons(ui, hud.choices, rests);
+    options::POSTCORRECT.buttons(ui, hud.choices, rests);
+    options::SAMPLING.buttons(ui, hud.choices, None);
     for knob in &knobs::DEPTHS {
         knob.show(ui, hud.choices, None);
     }
 }
 
 fn shown(ui: &mut Ui, hud: &mut Hud<'_>) {
-    options::SHOW.buttons(ui, hud.choices);
+    options::SHOW.buttons(ui, hud.choices, None);
     if hud.choices.show != Show::Final {
         ui.label(RichText::new(hud.readings.legend.as_str()).small());
     }
@@ -134,13 +131,13 @@ fn shown(ui: &mut Ui, hud: &mut Hud<'_>) {
 }
 
 fn speed(ui: &mut Ui, hud: &mut Hud<'_>) {
-    options::GOVERNOR.buttons(ui, hud.choices);
+    options::GOVERNOR.buttons(ui, hud.choices, None);
     if hud.choices.governor.is_some() {
         ui.label(RichText::new(hud.readings.governor.as_str()).small().weak());
     }
     let rests = hud.choices.scale_rests();
     knobs::SCALE.show(ui, hud.choices, rests);
-    options::VSYNC.buttons(ui, hud.choices);
+    options::VSYNC.buttons(ui, hud.choices, None);
     knobs::TEXT_SCALE.show(ui, hud.choices, None);
 }
 

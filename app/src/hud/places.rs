@@ -1,14 +1,15 @@
 //! What can be looked at: scenes and their cameras.
 
-use egui::{Align, Button, Layout, Ui, vec2};
+use egui::{Align, Button, Layout, RichText, Ui, vec2};
 
-use super::{Hud, Wish};
+use super::{Hud, Wish, keys};
 
 /// The scenes to choose from.
 pub fn scenes(ui: &mut Ui, hud: &Hud<'_>, wishes: &mut Vec<Wish>) {
-    for scene in hud.scenes {
-        let (name, origin) = names(scene);
-        let button = Button::selectable(*scene == hud.readings.scene, name).right_text(origin).truncate();
+    for (index, scene) in hud.scenes.iter().enumerate() {
+        let chosen = *scene == hud.readings.scene;
+        let hint = RichText::new(keys::scene_hint(ui.ctx(), index)).small().weak();
+        let button = Button::selectable(chosen, name(scene)).right_text(hint).truncate();
         if wide(ui, button).accessible_name(format!("scene: {scene}")).on_hover_text(scene).clicked() {
             wishes.push(Wish::Open(scene.clone()));
         }
@@ -41,12 +42,10 @@ fn wide(ui: &mut Ui, button: Button<'_>) -> egui::Response {
     .inner
 }
 
-/// What a scene is called in the list, and where it is from.
-fn names(scene: &str) -> (&str, &str) {
-    match scene.strip_prefix("builtin:") {
-        Some(name) => (name, "built in"),
-        None => (scene.rsplit(['/', '\\']).next().unwrap_or(scene), "file"),
-    }
+/// What a scene is called in the list.
+fn name(scene: &str) -> &str {
+    let file = scene.rsplit(['/', '\\']).next().unwrap_or(scene);
+    scene.strip_prefix("builtin:").unwrap_or(file)
 }
 
 #[cfg(test)]
@@ -55,8 +54,8 @@ mod tests {
 
     #[test]
     fn scenes_are_called_by_their_last_name() {
-        assert_eq!(names("builtin:room"), ("room", "built in"));
-        assert_eq!(names("/home/a/kitchen.glb"), ("kitchen.glb", "file"));
-        assert_eq!(names(r"C:\scenes\kitchen.glb"), ("kitchen.glb", "file"));
+        assert_eq!(name("builtin:room"), "room");
+        assert_eq!(name("/home/a/kitchen.glb"), "kitchen.glb");
+        assert_eq!(name(r"C:\scenes\kitchen.glb"), "kitchen.glb");
     }
 }

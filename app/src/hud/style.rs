@@ -62,8 +62,11 @@ fn colors(visuals: &mut Visuals) {
     visuals.widgets.noninteractive.fg_stroke.color = TEXT;
     visuals.widgets.noninteractive.bg_stroke.color = Color32::from_white_alpha(22);
     visuals.widgets.inactive.weak_bg_fill = Color32::from_white_alpha(16);
-    visuals.widgets.inactive.bg_fill = Color32::from_white_alpha(36);
     visuals.widgets.hovered.weak_bg_fill = Color32::from_white_alpha(34);
+    // Rails of sliders and the handles on them: opaque, so that the one does not shine through the other.
+    visuals.widgets.inactive.bg_fill = Color32::from_gray(72);
+    visuals.widgets.hovered.bg_fill = Color32::from_gray(104);
+    visuals.widgets.active.bg_fill = Color32::from_gray(128);
 }
 
 /// What the overlay's parts lie on.

@@ -1,6 +1,6 @@
 //! What can be chosen can be rendered.
 
-use egui::{Key, Modifiers, PointerButton, Pos2};
+use egui::{Key, Modifiers, PointerButton, Pos2, Role};
 use egui_kittest::kittest::{NodeT, Queryable};
 use glimpse::Method;
 
@@ -165,4 +165,24 @@ fn settings_from_elsewhere_are_left_as_they_are() {
     settings.tolerances.pos = 4.0;
     let before = stage.choices;
     assert_eq!(shown(stage, [900.0, 3600.0]).state().choices, before);
+}
+
+#[test]
+fn what_is_excluded_says_why() {
+    let mut stage = stage(Overlay::Full);
+    stage.choices.settings.sampling = 2;
+    stage.choices.settings.method = Method::Full;
+    let mut harness = shown(stage, [900.0, 3600.0]);
+    let reasons = [
+        (Role::Button, "method: checkerboard", "A checkerboard has one sample a pixel."),
+        (Role::Button, "show: depth", "is about pixels of one sample"),
+        (Role::Button, "block: 8x8", "The adaptive method alone interpolates."),
+        (Role::Slider, "position", "The adaptive method alone interpolates."),
+        (Role::SpinButton, "resolution scale in digits", "The governor chooses the scale"),
+    ];
+    for (role, name, reason) in reasons {
+        harness.get_by_role_and_label(role, name).hover();
+        harness.run_steps(12);
+        assert!(harness.query_by_label_contains(reason).is_some(), "{name}");
+    }
 }

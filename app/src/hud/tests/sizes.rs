@@ -19,6 +19,14 @@ const SIZES: [[f32; 2]; 8] = [
     [3840.0, 2160.0],
 ];
 
+#[test]
+fn a_window_that_is_too_small_to_read_shows_the_picture_alone() {
+    for (width, buttons) in [(43.0, 0), (44.0, 1)] {
+        let harness = shown(stage(Overlay::Brief), [width, 400.0]);
+        assert_eq!(harness.query_all_by_role(Role::Button).count(), buttons, "{width}");
+    }
+}
+
 /// Everything that is drawn is at a place.
 fn assert_finite(harness: &Harness<'_, Stage>) {
     let output = harness.output();
