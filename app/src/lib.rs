@@ -6,6 +6,7 @@ mod choices;
 mod gestures;
 mod governor;
 mod hud;
+mod phones;
 mod readings;
 
 pub use camera_control::CameraControl;
@@ -13,6 +14,7 @@ pub use choices::{Choices, FrameRate, Navigation, Overlay, SCALES, Show, TEXT_SC
 pub use gestures::{Gestures, Motion};
 pub use governor::{FrameReport, Governor, Quality};
 pub use hud::{Hud, Wish};
+pub use phones::{Phone, Sourced};
 pub use readings::{Busy, HISTORY, Readings};
 
 /// The scenes that can be chosen without a file, as `builtin:NAME`, in the order in which they are offered.
