@@ -59,7 +59,7 @@ const REST: Duration = Duration::from_millis(200);
 #[derive(Clone, Copy, Debug)]
 struct Vain {
     level: usize,
-    /// What frames of the best level took then, in ms a pixel.
+    /// What frames of the best level seemed to take when it was tried, in ms a pixel.
     cost: f64,
     until: Duration,
     penance: Duration,
@@ -79,8 +79,8 @@ pub struct Governor {
     level: usize,
     /// When the level was chosen.
     since: Duration,
-    /// The level was gone up to.
-    climbed: bool,
+    /// What frames of the best level took when this one was gone up to, in ms a pixel.
+    climbed: Option<f64>,
     vain: Option<Vain>,
     /// Pixels of the view, as reports say.
     view: f64,
@@ -102,7 +102,7 @@ impl Governor {
             largest: 1.0,
             level: FIRST,
             since: Duration::ZERO,
-            climbed: false,
+            climbed: None,
             vain: None,
             view: 0.0,
             costs: VecDeque::new(),
@@ -210,16 +210,19 @@ impl Governor {
     }
 
     fn descend(&mut self, now: Duration, cost: f64) {
-        if self.climbed && now.saturating_sub(self.since) < TRIAL {
+        let tried = self.climbed.filter(|_| now.saturating_sub(self.since) < TRIAL);
+        if let Some(cost) = tried {
             let penance = match self.vain {
                 Some(vain) if vain.level >= self.level => (2 * vain.penance).min(PENANCE[1]),
                 _ => PENANCE[0],
             };
             self.vain = Some(Vain { level: self.level, cost, until: now + penance, penance });
         }
+        // Frames fitted where it came from: it is this level that is dearer than it seemed.
+        let cost = tried.unwrap_or(cost);
         let fits = |&level: &usize| self.time(level, cost) <= SAFE * self.limit_ms();
         let level = (self.level + 1..LADDER.len()).find(fits).unwrap_or(LADDER.len() - 1);
-        self.change(now, level, false);
+        self.change(now, level, None);
     }
 
     fn climb(&mut self, now: Duration) {
@@ -235,11 +238,11 @@ impl Governor {
         let patience = if time < 0.5 * self.limit_ms() { HURRY } else { PATIENCE };
         let has_room = time <= ROOM * self.limit_ms() && now.saturating_sub(self.since) >= patience;
         if has_room && !barred {
-            self.change(now, level, true);
+            self.change(now, level, Some(worst));
         }
     }
 
-    fn change(&mut self, now: Duration, level: usize, climbed: bool) {
+    fn change(&mut self, now: Duration, level: usize, climbed: Option<f64>) {
         if level != self.level {
             self.level = level;
             self.since = now;
