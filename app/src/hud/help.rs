@@ -27,7 +27,8 @@ pub fn show(ctx: &Context, choices: &mut Choices) {
     let modal = Modal::new(Id::unique("help")).frame(style::card()).show(ctx, |ui| {
         ui.set_width((520.0 * choices.text_scale).min(size.x - 48.0).max(0.0));
         let closed = style::heading_with_close(ui, "Keys and gestures", "close help");
-        ScrollArea::vertical().max_height((size.y - 140.0).max(0.0)).show(ui, |ui| {
+        let room = (size.y - 140.0).max(0.0);
+        ScrollArea::vertical().max_height(room).min_scrolled_height(room).show(ui, |ui| {
             table(ui, "gestures", GESTURES.map(|(gesture, does)| (gesture.to_owned(), does)));
             ui.separator();
             table(ui, "keys", SHORTCUTS.iter().map(|shortcut| (names(ctx, shortcut), shortcut.does)));

@@ -23,7 +23,8 @@ pub fn scenes(ui: &mut Ui, hud: &Hud<'_>, wishes: &mut Vec<Wish>) {
 pub fn cameras(ui: &mut Ui, hud: &Hud<'_>, wishes: &mut Vec<Wish>) {
     for (index, camera) in hud.readings.cameras.iter().enumerate() {
         let name = if camera.is_empty() { format!("camera {index}") } else { camera.clone() };
-        let button = Button::selectable(index == hud.readings.camera, name.as_str()).truncate();
+        let button =
+            Button::selectable(index == hud.readings.camera, name.as_str()).right_text("").truncate();
         if wide(ui, button).accessible_name(format!("camera: {index} {camera}")).clicked() {
             wishes.push(Wish::Camera(index));
         }
