@@ -128,8 +128,9 @@ mod tests {
     #[test]
     fn a_pose_with_y_up_is_look_at() {
         let posed = pose([1.0, 2.0, 3.0], [-4.0, 0.5, 0.25], [0.0, 1.0, 0.0]).camera().expect("a camera");
-        let looked = Camera::look_at(Vec3::new(1.0, 2.0, 3.0), Vec3::new(-4.0, 0.5, 0.25), 50_f32.to_radians())
-            .expect("a camera");
+        let looked =
+            Camera::look_at(Vec3::new(1.0, 2.0, 3.0), Vec3::new(-4.0, 0.5, 0.25), 50_f32.to_radians())
+                .expect("a camera");
         for (posed, looked) in
             [(posed.right, looked.right), (posed.up, looked.up), (posed.forward, looked.forward)]
         {
@@ -173,6 +174,15 @@ mod tests {
     }
 
     #[test]
+    fn a_mirrored_picture_is_turned_the_right_way_round() {
+        let right = pose([1.0, 2.0, 3.0], [0.0; 3], [0.0, 1.0, 0.0]).camera().expect("a camera");
+        let mirrored = Camera { right: -right.right, ..right };
+        let posed = Pose::of(&mirrored, 2.0).camera().expect("a camera");
+        assert!((posed.forward - right.forward).length() < 1e-6);
+        assert!((posed.right - right.right).length() < 1e-6);
+    }
+
+    #[test]
     fn what_makes_no_camera_is_refused_by_the_option() {
         let good = pose([0.0, 0.0, 2.0], [0.0; 3], [0.0, 1.0, 0.0]);
         let lens = |vertical_fov_degrees| Pose { lens: Lens::Perspective { vertical_fov_degrees }, ..good };
@@ -194,7 +204,10 @@ mod tests {
         ];
         for (pose, option) in cases {
             let error = pose.camera().expect_err("must be refused").to_string();
-            assert!(error.contains(option) && error.contains("expected") && error.contains("found"), "{error}");
+            assert!(
+                error.contains(option) && error.contains("expected") && error.contains("found"),
+                "{error}"
+            );
         }
     }
 
@@ -202,7 +215,8 @@ mod tests {
     fn extreme_poses_are_finite() {
         for scale in [1e-30_f32, 1e-10, 1.0, 1e10, 1e37] {
             let eye = Vec3::new(1.0, 2.0, -3.0) * scale;
-            let camera = Pose { eye, target: -eye, up: Vec3::Y * scale, lens: FOV }.camera().expect("a camera");
+            let camera =
+                Pose { eye, target: -eye, up: Vec3::Y * scale, lens: FOV }.camera().expect("a camera");
             assert!(camera.right.is_finite() && camera.up.is_finite() && camera.forward.is_normalized());
         }
     }
