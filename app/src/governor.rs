@@ -135,7 +135,8 @@ impl Governor {
     }
 
     /// The quality of the frame that is to be made `now`, on any clock that goes forward. `last` is what a frame took, if
-    /// one was finished since the last call; `moving` says whether the camera or anything else changes.
+    /// one was finished since the last call; `moving` says whether the camera or anything else changes. Before the first
+    /// motion the camera rests: a first picture comes sooner as a moving one.
     pub fn next(&mut self, now: Duration, last: Option<FrameReport>, moving: bool) -> Quality {
         if moving {
             self.moved = Some(now);

@@ -174,6 +174,15 @@ mod tests {
     }
 
     #[test]
+    fn a_mirrored_picture_is_turned_the_right_way_round() {
+        let right = pose([1.0, 2.0, 3.0], [0.0; 3], [0.0, 1.0, 0.0]).camera().expect("a camera");
+        let mirrored = Camera { right: -right.right, ..right };
+        let posed = Pose::of(&mirrored, 2.0).camera().expect("a camera");
+        assert!((posed.forward - right.forward).length() < 1e-6);
+        assert!((posed.right - right.right).length() < 1e-6);
+    }
+
+    #[test]
     fn what_makes_no_camera_is_refused_by_the_option() {
         let good = pose([0.0, 0.0, 2.0], [0.0; 3], [0.0, 1.0, 0.0]);
         let lens = |vertical_fov_degrees| Pose { lens: Lens::Perspective { vertical_fov_degrees }, ..good };

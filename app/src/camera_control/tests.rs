@@ -176,6 +176,40 @@ fn motion_ends_and_still_frames_are_equal() {
 }
 
 #[test]
+fn what_is_not_finite_asks_for_nothing() {
+    for strange in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        let mut control = CameraControl::new(perspective(), BOUNDS);
+        let by = Vec2::new(0.1, strange);
+        for motion in [
+            Motion::Turn { by },
+            Motion::Pan { by },
+            Motion::Dolly { by: strange, at: None },
+            Motion::Haste { by: strange },
+            Motion::Fly { along: by.extend(0.5) },
+        ] {
+            control.apply(motion, Navigation::Fly);
+        }
+        control.focus(by.extend(0.5));
+        assert!(
+            !control.is_moving() && control.command_line().is_none() && control.haste == 0.0,
+            "{strange}"
+        );
+    }
+}
+
+#[test]
+fn no_time_loses_no_motion() {
+    let turned = |first: u64| {
+        let mut control = CameraControl::new(perspective(), BOUNDS);
+        control.apply(Motion::Turn { by: Vec2::new(0.4, -0.2) }, Navigation::Orbit);
+        control.advance(Duration::from_millis(first));
+        settle(&mut control);
+        control.camera()
+    };
+    assert!(distance(&turned(0), &turned(16)) < 1e-6);
+}
+
+#[test]
 fn the_orbit_keeps_its_distance_and_follows_the_hand() {
     let mut control = CameraControl::new(perspective(), BOUNDS);
     let (target, far) = (control.stance.target, control.stance.distance);
@@ -350,7 +384,10 @@ fn no_motion_makes_a_camera_that_cannot_be_said() {
     ];
     for (seed, bounds) in (1..).zip(places) {
         let mut random = Random(seed * 0x9E37_79B9_7F4A_7C15);
-        for home in [perspective(), orthographic(), shifted(), Camera::framing(bounds.0, bounds.1)] {
+        let wide = Camera { right: Vec3::X * 1e9, up: Vec3::Y * 1e9, ..perspective() };
+        let vast = Camera { orthographic: true, ..wide };
+        let framing = Camera::framing(bounds.0, bounds.1);
+        for home in [perspective(), orthographic(), shifted(), wide, vast, framing] {
             let mut control = CameraControl::new(home, bounds);
             for step in 0..500 {
                 let navigation =

@@ -14,6 +14,8 @@ struct Hand {
     navigation: Navigation,
     height: f32,
     scale: f32,
+    /// The part of the screen's width that the view has, on the left.
+    part: f32,
     frame: u32,
     modifiers: Modifiers,
 }
@@ -23,8 +25,16 @@ const FRAME: Duration = Duration::from_micros(16_667);
 impl Hand {
     fn new(height: f32, scale: f32, navigation: Navigation) -> Self {
         let (context, gestures) = (Context::default(), Gestures::default());
-        let mut hand =
-            Self { context, gestures, navigation, height, scale, frame: 0, modifiers: Modifiers::NONE };
+        let mut hand = Self {
+            context,
+            gestures,
+            navigation,
+            height,
+            scale,
+            part: 1.0,
+            frame: 0,
+            modifiers: Modifiers::NONE,
+        };
         // The view is known to the pointer from its second frame on.
         hand.frame([]);
         hand.frame([]);
@@ -42,10 +52,11 @@ impl Hand {
         };
         input.viewports.entry(input.viewport_id).or_default().native_pixels_per_point = Some(self.scale);
         let mut motions = Vec::new();
-        let (gestures, navigation) = (&mut self.gestures, self.navigation);
+        let (gestures, navigation, part) = (&mut self.gestures, self.navigation, self.part);
         let _ = self.context.run_ui(input, |ui| {
-            let view =
-                ui.interact(ui.ctx().content_rect(), egui::Id::unique("view"), Sense::click_and_drag());
+            let mut place = ui.ctx().content_rect();
+            place.set_width(part * place.width());
+            let view = ui.interact(place, egui::Id::unique("view"), Sense::click_and_drag());
             motions = gestures.read(&view, navigation, FRAME);
         });
         motions
@@ -271,4 +282,44 @@ fn keys_with_control_are_commands_and_letters_fly_alone() {
     let mut hand = Hand::new(600.0, 1.0, Navigation::Fly);
     hand.modifiers.ctrl = true;
     assert_eq!(hand.frame([hand.key(Key::S, true)]), []);
+}
+
+/// They reach the pointer as two clicks of the first finger.
+#[test]
+fn two_taps_with_two_fingers_are_no_double_tap() {
+    use TouchPhase::{End, Start};
+    let mut hand = Hand::new(600.0, 1.0, Navigation::Orbit);
+    let primary = PointerButton::Primary;
+    for _ in 0..2 {
+        let down =
+            [hand.touch(1, Start, 0.1, 0.0), hand.moved(0.1, 0.0), hand.button(primary, true, 0.1, 0.0)];
+        assert_eq!(hand.frame(down), []);
+        assert_eq!(hand.frame([hand.touch(2, Start, 0.3, 0.0)]), []);
+        let up = [
+            hand.touch(2, End, 0.3, 0.0),
+            hand.touch(1, End, 0.1, 0.0),
+            hand.button(primary, false, 0.1, 0.0),
+        ];
+        assert_eq!(hand.frame(up), []);
+    }
+}
+
+#[test]
+fn what_happens_beside_the_view_is_not_for_it() {
+    for (part, is_over) in [(1.0, true), (0.4, false)] {
+        let mut hand = Hand { part, ..Hand::new(600.0, 1.0, Navigation::Orbit) };
+        hand.frame([hand.moved(0.5, 0.0)]);
+        hand.frame([]);
+        assert_eq!(!hand.frame([hand.wheel(1.0), Event::Zoom(1.2)]).is_empty(), is_over);
+        assert_eq!(!hand.drag(PointerButton::Primary, 0.4, 0.2).is_empty(), is_over);
+    }
+}
+
+#[test]
+fn keys_are_for_what_has_the_focus() {
+    let mut hand = Hand::new(600.0, 1.0, Navigation::Orbit);
+    hand.context.memory_mut(|memory| memory.request_focus(egui::Id::unique("a name")));
+    assert_eq!(hand.frame([hand.key(Key::PageUp, true)]), []);
+    hand.context.memory_mut(|memory| memory.request_focus(egui::Id::unique("view")));
+    assert_eq!(hand.frame([]).len(), 1);
 }
