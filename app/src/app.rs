@@ -79,6 +79,8 @@ pub struct App {
     notice_until: Duration,
     pub(crate) busy_since: Duration,
     touch: bool,
+    /// The overlay is not done with what it fades or moves.
+    animated: bool,
     /// Nanoseconds a pixel that frames are taken to need.
     pub(crate) cost: Option<f64>,
     pub(crate) losses: u32,
@@ -102,8 +104,6 @@ pub(crate) struct Shown {
 pub(crate) struct Ordered {
     pub number: u64,
     pub job: Job,
-    /// The governor's level.
-    pub level: Option<usize>,
 }
 
 /// What the worker has not answered.
@@ -149,6 +149,7 @@ impl App {
             notice_until: Duration::ZERO,
             busy_since: Duration::ZERO,
             touch: false,
+            animated: false,
             cost: None,
             losses: 0,
         };
@@ -166,6 +167,11 @@ impl App {
     /// back by itself.
     pub fn attach(&mut self, gpu: Arc<Gpu>, format: wgpu::TextureFormat) {
         let facts = gpu.facts();
+        let on_cpu = facts.info.device_type == wgpu::DeviceType::Cpu;
+        if self.readings.adapter.is_empty() && on_cpu && self.choices.governor == Choices::default().governor
+        {
+            self.choices.governor = Some(FrameRate::Fifteen);
+        }
         self.readings.adapter = format!("{} ({})", facts.info.name, facts.info.driver_info);
         self.shown = None;
         self.pending = Pending::default();
@@ -217,6 +223,8 @@ impl App {
         self.order();
         let pixels_per_point = output.pixels_per_point;
         let delay = output.viewport_output.values().map(|viewport| viewport.repaint_delay).min();
+        let delay = delay.unwrap_or(Duration::MAX);
+        self.animated = delay.is_zero();
         Update {
             painting: Painting {
                 jobs: context.tessellate(output.shapes, pixels_per_point),
@@ -225,7 +233,7 @@ impl App {
             },
             platform: output.platform_output,
             requests: std::mem::take(&mut self.requests),
-            repaint_after: if self.is_live() { Duration::ZERO } else { delay.unwrap_or(Duration::MAX) },
+            repaint_after: if self.is_live() { Duration::ZERO } else { delay },
         }
     }
 
@@ -306,7 +314,7 @@ impl App {
         let moving = self.control.as_ref().is_some_and(CameraControl::is_moving);
         let complete =
             self.shown.as_ref().is_some_and(|shown| Some(&shown.frame.job) == self.still_job().as_ref());
-        let idle = !self.is_waiting() && !moving;
+        let idle = !self.is_waiting() && !moving && !self.animated;
         idle && (complete || self.readings.problem.is_some())
     }
 
@@ -378,7 +386,7 @@ impl App {
     fn show(&mut self, ui: &mut Ui, passed: Duration) -> Vec<Wish> {
         let context = ui.ctx().clone();
         let view = context.viewport_rect();
-        let response = ui.interact(view, egui::Id::unique("picture"), Sense::click_and_drag());
+        let response = ui.interact(view, egui::Id::unique("picture"), Sense::CLICK | Sense::DRAG);
         let pixels = context.pixels_per_point();
         let window = [view.width(), view.height()].map(|side| ((side * pixels).round() as u32).max(1));
         self.readings.view = self.view.unwrap_or(window);
@@ -468,14 +476,14 @@ impl App {
     pub(crate) fn job(&self, quality: &Quality) -> Option<Job> {
         let camera = self.control.as_ref()?.camera();
         let size = self.readings.view.map(|side| quality.pixels(side));
-        let (settings, still) = (quality.settings(&self.choices.settings), quality.level.is_none());
+        let settings = quality.settings(&self.choices.settings);
         Some(Job {
             camera,
             size,
             settings,
             show: self.choices.show,
             split: self.choices.split.is_some(),
-            still,
+            level: quality.level,
         })
     }
 

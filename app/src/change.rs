@@ -101,7 +101,12 @@ impl FromStr for Change {
             "scale" => Self::Scale(number_within(value, SCALES)?),
             "governor" => Self::Governor(one_of(
                 value,
-                &[("off", None), ("30", Some(FrameRate::Thirty)), ("60", Some(FrameRate::Sixty))],
+                &[
+                    ("off", None),
+                    ("15", Some(FrameRate::Fifteen)),
+                    ("30", Some(FrameRate::Thirty)),
+                    ("60", Some(FrameRate::Sixty)),
+                ],
             )?),
             "overlay" => Self::Overlay(one_of(
                 value,

@@ -60,6 +60,8 @@ impl Choices {
 /// Frames a second that the governor holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrameRate {
+    /// 66.7 ms a frame: for devices that are CPUs.
+    Fifteen,
     /// 33.3 ms a frame.
     Thirty,
     /// 16.7 ms a frame.
@@ -71,6 +73,7 @@ impl FrameRate {
     #[must_use]
     pub fn budget_ms(self) -> f64 {
         match self {
+            Self::Fifteen => 1000.0 / 15.0,
             Self::Thirty => 1000.0 / 30.0,
             Self::Sixty => 1000.0 / 60.0,
         }

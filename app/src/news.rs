@@ -81,16 +81,17 @@ impl App {
     }
 
     fn framed(&mut self, frame: Box<Frame>) {
-        let Some(ordered) = self.pending.frame.take_if(|coming| coming.number == frame.number) else {
-            return;
-        };
-        self.pending.count = frame.job.still.then_some(frame.number);
+        // While the view moves, orders overtake frames: every frame is shown.
+        self.pending.frame.take_if(|coming| coming.number == frame.number);
+        self.pending.count = frame.job.is_still().then_some(frame.number);
         self.losses = 0;
         let pixels = frame.job.size.map(u64::from).iter().product();
         let ms = self.cost.map_or(frame.ms, |cost| cost * pixels as f64 * 1e-6);
-        self.report = Some(FrameReport { level: ordered.level, pixels, ms });
+        if !frame.compiled {
+            self.report = Some(FrameReport { level: frame.job.level, pixels, ms });
+            self.readings.push_frame(ms as f32);
+        }
         let readings = &mut self.readings;
-        readings.push_frame(ms as f32);
         readings.busy = None;
         readings.passes.clone_from(&frame.passes);
         readings.size = frame.job.size;
@@ -138,7 +139,7 @@ impl App {
         }
         if let Some(worker) = self.worker() {
             let number = worker.order(job.clone());
-            self.pending.frame = Some(Ordered { number, job, level: quality.level });
+            self.pending.frame = Some(Ordered { number, job });
         }
     }
 

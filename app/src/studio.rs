@@ -25,8 +25,17 @@ pub struct Job {
     pub show: Show,
     /// With a picture of full ray tracing beside it.
     pub split: bool,
-    /// Of a view that rests: it is counted too, and given up where the view moves on.
-    pub still: bool,
+    /// The governor's level while the view moves. The frame of a view that rests has none: it is counted too, and given up
+    /// where the view moves on.
+    pub level: Option<usize>,
+}
+
+impl Job {
+    /// The view rests.
+    #[must_use]
+    pub fn is_still(&self) -> bool {
+        self.level.is_none()
+    }
 }
 
 /// A frame that was made.
@@ -41,6 +50,8 @@ pub struct Frame {
     pub full: Option<Arc<wgpu::Texture>>,
     /// Milliseconds on the device.
     pub ms: f64,
+    /// Kernels were compiled for it: no other frame takes so long.
+    pub compiled: bool,
     /// Its passes.
     pub passes: Vec<PassTime>,
     /// Bytes on the device.
@@ -95,12 +106,14 @@ impl<'a> Studio<'a> {
     }
 
     fn frame(&mut self, number: u64, job: Job, office: &Office, teller: &Teller) -> Result<()> {
-        let cancelled = || job.still && office.is_urgent();
+        let cancelled = || job.is_still() && office.is_urgent();
+        let known = self.shown.as_ref().map_or(0, Renderer::kernels);
         let renderer = changed(&mut self.shown, self.gpu, self.scene, job.size, &job.settings)?;
         let Some(time) = renderer.render_until(&job.camera, &cancelled)? else {
             teller.tell(News::GivenUp(number));
             return Ok(());
         };
+        let compiled = renderer.kernels() > known;
         let memory = renderer.memory();
         let (picture, legend) = if job.show == Show::Final {
             (self.handed_out(false)?, String::new())
@@ -120,9 +133,19 @@ impl<'a> Studio<'a> {
         } else {
             None
         };
-        let (camera, still, split) = (job.camera, job.still, job.split);
+        let (camera, still, split) = (job.camera, job.is_still(), job.split);
         let (ms, passes) = (time.ms, time.passes);
-        teller.tell(News::Frame(Box::new(Frame { number, job, picture, full, ms, passes, memory, legend })));
+        teller.tell(News::Frame(Box::new(Frame {
+            number,
+            job,
+            picture,
+            full,
+            ms,
+            compiled,
+            passes,
+            memory,
+            legend,
+        })));
         if still {
             teller.tell(if office.is_urgent() {
                 News::GivenUp(number)

@@ -95,6 +95,13 @@ impl<'a> Renderer<'a> {
         done.then(|| self.passes.times(self.gpu)).transpose()
     }
 
+    /// How many kernels have been compiled so far: a frame after it has grown takes longer than others, as some drivers
+    /// compile when a kernel runs for the first time.
+    #[must_use]
+    pub fn kernels(&self) -> usize {
+        self.kernels.count()
+    }
+
     /// The frame on the device: sRGB, 8 bits a channel, the encoding undone nowhere.
     #[must_use]
     pub fn display(&self) -> &wgpu::Texture {

@@ -352,7 +352,13 @@ pub struct PoseOptions {
     #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, requires = "eye")]
     pub fov: Option<f32>,
     /// Parallel rays, and how much of the scene it shows from bottom to top
-    #[arg(long, value_name = "HEIGHT", allow_negative_numbers = true, requires = "eye", conflicts_with = "fov")]
+    #[arg(
+        long,
+        value_name = "HEIGHT",
+        allow_negative_numbers = true,
+        requires = "eye",
+        conflicts_with = "fov"
+    )]
     pub ortho: Option<f32>,
 }
 

@@ -4,8 +4,8 @@ use std::time::Instant;
 
 use anyhow::Context;
 use glimpse::{
-    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Renderer, Scene, Settings,
-    metrics,
+    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Renderer, Scene,
+    Settings, metrics,
 };
 
 use crate::args::FrameOptions;

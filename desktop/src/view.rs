@@ -26,7 +26,9 @@ pub fn run(options: &ViewOptions, adapter: Option<&str>) -> anyhow::Result<()> {
     }
     match EventLoop::<Wakeup>::with_user_event().build() {
         Ok(event_loop) => glimpse_shell::run_window(event_loop, setup).map_err(|line| anyhow!(line)),
-        Err(error @ (EventLoopError::Os(_) | EventLoopError::NotSupported(_))) if options.script.is_none() => {
+        Err(error @ (EventLoopError::Os(_) | EventLoopError::NotSupported(_)))
+            if options.script.is_none() =>
+        {
             log::info!("{error}");
             render::without_display(scene, adapter)
         }
@@ -64,7 +66,11 @@ fn setup(options: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::R
 
 fn screen(phone: &Phone) -> Screen {
     let [top, right, bottom, left] = phone.insets.value;
-    Screen { pixels: phone.size.value, pixels_per_point: phone.scale.value, insets: [left, top, right, bottom] }
+    Screen {
+        pixels: phone.size.value,
+        pixels_per_point: phone.scale.value,
+        insets: [left, top, right, bottom],
+    }
 }
 
 fn read_script(path: &Path) -> anyhow::Result<Script> {

@@ -100,7 +100,8 @@ impl Session {
         };
         if let Some(screen) = screen {
             let [left, top, right, bottom] = screen.insets;
-            input.safe_area_insets = Some(egui::SafeAreaInsets(egui::epaint::MarginF32 { left, right, top, bottom }));
+            input.safe_area_insets =
+                Some(egui::SafeAreaInsets(egui::epaint::MarginF32 { left, right, top, bottom }));
         }
         input.viewports.entry(input.viewport_id).or_default().native_pixels_per_point = Some(native);
         let points = native * self.app.context().zoom_factor();

@@ -1,6 +1,6 @@
 //! The levels of quality, from the best to the fastest.
 
-use glimpse::{Settings, Tolerances};
+use glimpse::{Postcorrect, Settings, Tolerances};
 
 /// How a frame is to be made.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,6 +30,11 @@ impl Quality {
         let norm = (1.0 - (1.0 - t.norm) * self.relax).clamp(t.norm.min(-1.0), t.norm);
         Settings {
             block: chosen.block.max(self.block),
+            // What it repairs is gone with the next frame, and comes back at rest.
+            postcorrect: match chosen.postcorrect {
+                Postcorrect::Auto => Postcorrect::Off,
+                wished => wished,
+            },
             tolerances: Tolerances {
                 pos: (t.pos * self.relax).min(f32::MAX),
                 norm,

@@ -120,7 +120,12 @@ pub const POSTCORRECT: Options<Postcorrect> = Options {
 pub const GOVERNOR: Options<Option<FrameRate>> = Options {
     name: "governor",
     values: || {
-        named(&[(None, "off"), (Some(FrameRate::Thirty), "30 fps"), (Some(FrameRate::Sixty), "60 fps")])
+        named(&[
+            (None, "off"),
+            (Some(FrameRate::Fifteen), "15 fps"),
+            (Some(FrameRate::Thirty), "30 fps"),
+            (Some(FrameRate::Sixty), "60 fps"),
+        ])
     },
     action: Some(Action::Governor),
     get: |choices| choices.governor,

@@ -17,6 +17,11 @@ use crate::{Error, Result};
 pub struct Kernels(HashMap<Vec<Source>, Arc<Kernel>>);
 
 impl Kernels {
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.0.len()
+    }
+
     /// The kernel of these sources, compiled if it is new.
     ///
     /// # Errors
