@@ -106,7 +106,7 @@ fn bare_view_and_scene_alone() {
     assert_eq!(parse("a.glb --adapter nv -vv").unwrap().scene.as_deref(), Some("a.glb"));
     let view = parse("view builtin:cornell -v").unwrap();
     assert_eq!(view.verbose, 1);
-    assert!(matches!(view.command, Some(Command::View(ViewOptions { scene: Some(_) }))));
+    assert!(matches!(view.command, Some(Command::View(ViewOptions { scene: Some(_), .. }))));
 }
 
 #[test]
@@ -201,5 +201,23 @@ fn reports_have_smaller_frames_and_name_their_tables() {
     assert_eq!(named.table5_sizes, [64]);
     for wrong in ["", "-o out", "a.glb", "a.glb -o out --tables 6", "a.glb -o out --table5-sizes 0"] {
         assert!(parse(&format!("report {wrong}")).is_err(), "{wrong}");
+    }
+}
+
+#[test]
+fn a_camera_of_ones_own_has_an_eye_and_a_target() {
+    let pose = render("render a.glb -o a.png --eye=-1,2e-3,3 --target 0,0,-1").frame.pose;
+    let camera = pose.camera().unwrap().unwrap();
+    assert_eq!(camera.origin.to_array(), [-1.0, 2e-3, 3.0]);
+    assert!(!camera.orthographic && camera.forward.z < 0.0);
+    for wrong in [
+        "--eye 1,2,3",
+        "--target 1,2,3",
+        "--eye 1,2 --target 0,0,0",
+        "--eye 1,2,nan --target 0,0,0",
+        "--eye 1,2,3 --target 0,0,0 --camera 1",
+        "--eye 1,2,3 --target 0,0,0 --fov 40 --ortho 2",
+    ] {
+        assert!(parse(&format!("render a.glb -o a.png {wrong}")).is_err(), "{wrong}");
     }
 }

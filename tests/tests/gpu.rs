@@ -9,6 +9,7 @@ mod gpu {
     mod golden;
     mod minray;
     mod postcorrect;
+    mod renderer;
     mod scenes;
     mod stress;
     mod traversal;
