@@ -56,6 +56,7 @@ fn step(line: &str) -> Result<Step, String> {
         "screenshot" => Step::Screenshot(text(rest, "a file")?.into()),
         "window" => Step::Window(text(rest, "a file")?.into()),
         "expect" => Step::Expect(expectation(rest)?),
+        "print" => Step::Print(text(rest, "a name")?),
         "size" => Step::Shell(ShellEvent::Size(size(rest)?)),
         "thermal" => Step::Shell(ShellEvent::Thermal(number(rest, 0.0, 1.0)? as f32)),
         "fullscreen" => Step::Shell(ShellEvent::FullScreen(match rest {
@@ -215,6 +216,7 @@ mod tests {
         assert_eq!(one("fullscreen off"), Step::Shell(ShellEvent::FullScreen(false)));
         assert_eq!(one("settle"), Step::Settle);
         assert_eq!(one("set block 4"), Step::Set("block 4".parse().expect("a change")));
+        assert_eq!(one("print command"), Step::Print("command".to_owned()));
         assert!(matches!(one("expect problem contains no such file"), Step::Expect(_)));
     }
 

@@ -33,6 +33,8 @@ pub enum Ask {
     Window(PathBuf),
     /// Something befalls the window or the phone.
     Shell(ShellEvent),
+    /// To tell that line.
+    Print(String),
     /// The end.
     Quit,
 }
@@ -114,6 +116,14 @@ impl Player {
         self.step(step, input, view, look).map_err(|reason| format!("{}:{line}: {reason}", self.script.file))
     }
 
+    /// The place of the step that was played last, for messages: `FILE:LINE`.
+    #[must_use]
+    pub fn place(&self) -> String {
+        let line =
+            self.next.checked_sub(1).and_then(|last| self.script.steps.get(last)).map_or(0, |step| step.0);
+        format!("{}:{line}", self.script.file)
+    }
+
     fn step(
         &mut self,
         step: Step,
@@ -130,6 +140,14 @@ impl Player {
             Step::Window(file) => return Ok(Some(Ask::Window(file))),
             Step::Shell(event) => return Ok(Some(Ask::Shell(event))),
             Step::Quit => return Ok(Some(Ask::Quit)),
+            Step::Print(name) => {
+                let value = look(&name).ok_or_else(|| format!("expected something known, found `{name}`"))?;
+                let value = match value {
+                    Value::Number(number) => number.to_string(),
+                    Value::Text(text) => text,
+                };
+                return Ok(Some(Ask::Print(format!("{name} = {value}"))));
+            }
             Step::Expect(expectation) => expectation.check(look(expectation.name()).as_ref())?,
             Step::Drop(path) => {
                 input.dropped_files.push(Arc::new(Dropped(path)));
@@ -193,8 +211,7 @@ impl Player {
             Lasting::Rest { .. } if rests => Ok(None),
             Lasting::Rest { until } if self.now < until => Ok(Some(lasting)),
             Lasting::Rest { .. } => {
-                let line = self.script.steps[self.next - 1].0;
-                Err(format!("{}:{line}: expected rest within {PATIENCE} s, found none", self.script.file))
+                Err(format!("{}: expected rest within {PATIENCE} s, found none", self.place()))
             }
             Lasting::Motion { finger, from, to, began, seconds } => {
                 let passed = (self.now - began).as_secs_f64();
