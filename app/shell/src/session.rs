@@ -172,7 +172,11 @@ impl Session {
 
     /// Saves what the window shows where that is wanted.
     pub fn shoot(&mut self, picture: &DisplayImage) -> Result<()> {
-        std::mem::take(&mut self.shots).into_iter().try_for_each(|file| self.save(Some(file), picture))
+        for file in std::mem::take(&mut self.shots) {
+            // No notice: it would be in the next.
+            (self.setup.save)(Some(file), picture)?;
+        }
+        Ok(())
     }
 
     /// Saves a picture; a script ends where that fails.
