@@ -391,8 +391,8 @@ impl App {
         match name {
             "scene" => Some(Value::Text(readings.scene.clone())),
             "command" => self.command().map(Value::Text),
-            "problem" => readings.problem.clone().map(Value::Text),
-            "notice" => readings.notice.clone().map(Value::Text),
+            "problem" => Some(Value::Text(readings.problem.clone().unwrap_or_default())),
+            "notice" => Some(Value::Text(readings.notice.clone().unwrap_or_default())),
             "legend" => Some(Value::Text(readings.legend.clone())),
             "method" => Some(Value::Text(format!("{:?}", self.choices.settings.method).to_lowercase())),
             "show" => Some(Value::Text(self.choices.show.name())),

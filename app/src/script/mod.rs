@@ -19,7 +19,7 @@
 //! settle                       until the view rests and its frame is complete
 //! screenshot FILE              the frame, as the key S saves it
 //! window FILE                  what the window shows
-//! expect NAME OP VALUE         OP is = != < <= > >= or contains
+//! expect NAME OP VALUE         OP is = != < <= > >= or contains; nothing after = is the empty text
 //! print NAME                   a line NAME = VALUE on the standard output
 //! quit
 //! ```
