@@ -48,6 +48,8 @@ pub struct Player {
     lasting: Option<Lasting>,
     pointer: [f32; 2],
     fingers: BTreeMap<u64, [f32; 2]>,
+    /// The finger that is a pointer too: the first that came down.
+    pointing: Option<u64>,
 }
 
 /// A file that is dropped on the view.
@@ -81,6 +83,7 @@ impl Player {
             lasting: None,
             pointer: [0.5; 2],
             fingers: BTreeMap::new(),
+            pointing: None,
         }
     }
 
@@ -225,6 +228,10 @@ impl Player {
                     Some(finger) => {
                         self.fingers.insert(finger, at);
                         input.events.push(touch(finger, TouchPhase::Move, within(view, at)));
+                        if self.pointing == Some(finger) {
+                            self.pointer = at;
+                            input.events.push(Event::PointerMoved(within(view, at)));
+                        }
                     }
                 }
                 Ok((part < 1.0).then_some(lasting))
@@ -245,7 +252,7 @@ impl Player {
                 self.fingers.insert(finger, at);
                 events.push(touch(finger, TouchPhase::Start, within(view, at)));
                 if self.fingers.len() == 1 {
-                    // One finger is a pointer too.
+                    self.pointing = Some(finger);
                     self.pointer = at;
                     events.extend(pointer(within(view, at), true));
                 }
@@ -256,7 +263,7 @@ impl Player {
             (Finger::End, Some(at)) => {
                 self.fingers.remove(&finger);
                 events.push(touch(finger, TouchPhase::End, within(view, at)));
-                if self.fingers.is_empty() {
+                if self.pointing.take_if(|pointing| *pointing == finger).is_some() {
                     events.extend(pointer(within(view, at), false));
                     events.push(Event::PointerGone);
                 }
@@ -344,10 +351,13 @@ mod tests {
     }
 
     #[test]
-    fn one_finger_is_a_pointer_and_the_second_is_not() {
-        let frames = played("touch 0 begin 0.5,0.5\ntouch 1 begin 0.6,0.5\ntouch 1 end\ntouch 0 end", true);
-        let counts: Vec<_> = frames.expect("played").iter().map(|(events, _)| events.len()).collect();
-        assert_eq!(counts, [3, 1, 1, 4, 0]);
+    fn the_first_finger_is_a_pointer_and_the_second_is_not() {
+        let script = "touch 0 begin 0.5,0.5\ntouch 1 begin 0.6,0.5\ntouch 1 move 0.7,0.5\ntouch 1 end\n\
+            touch 0 move 0.2,0.5\ntouch 0 end";
+        let frames = played(script, true).expect("played");
+        let counts: Vec<_> = frames.iter().map(|(events, _)| events.len()).collect();
+        assert_eq!(counts, [3, 1, 0, 1, 1, 0, 2, 4, 0]);
+        assert_eq!(frames[6].0[1], Event::PointerMoved(egui::pos2(40.0, 50.0)));
         assert!(played("touch 0 end", true).unwrap_err().contains("expected finger 0 down"));
         assert!(played("touch 0 begin 0,0\ntouch 0 begin 0,0", true).unwrap_err().contains("finger 0 up"));
     }
