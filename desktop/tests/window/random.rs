@@ -183,7 +183,7 @@ impl State {
             35 => format!("open {}", dice.of(&SCENES)),
             36..38 => self.life(dice),
             38 => "wait 0.1".to_owned(),
-            _ => ["settle".to_owned(), format!("screenshot {}.png", dice.below(3))][dice.below(2)].clone(),
+            _ => ["wait 0.3".to_owned(), format!("screenshot {}.png", dice.below(3))][dice.below(2)].clone(),
         }
     }
 }
