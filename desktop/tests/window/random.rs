@@ -200,9 +200,12 @@ fn script(seed: u64) -> String {
     if state.paused {
         script += "resume\n";
     }
+    for key in KEYS {
+        writeln!(script, "let {key}").unwrap();
+    }
     // A frame of the usual kind, after which the device has told what it had against the others.
     script
-        + "key escape\nopen builtin:minray\nset method full\nsettle\nset method adaptive\nsettle\nexpect problem =\nexpect scene = builtin:minray"
+        + "release left\nrelease right\nrelease middle\nkey escape\nopen builtin:minray\nset method full\nsettle\nset method adaptive\nsettle\nexpect problem =\nexpect scene = builtin:minray"
 }
 
 /// Resident memory in KiB.
