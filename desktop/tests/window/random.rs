@@ -28,23 +28,20 @@ impl Dice {
         self.below(1000) as f64 / 999.0
     }
 
-    /// Small sides are as likely as large ones.
+    /// From 1 to the most; small sides are likely, so that much happens in little time.
     fn side(&mut self, most: usize) -> usize {
-        let most = [1, 3, most / 8, most / 4, most][self.below(5)];
+        let most = [1, 3, most / 16, most / 8, most / 8, most / 4, most / 4, most][self.below(8)];
         1 + self.below(most)
     }
 }
 
-const KEYS: [&str; 41] = [
+const KEYS: [&str; 38] = [
     "h",
     "f1",
     "s",
     "ctrl+c",
-    "1",
     "2",
     "3",
-    "4",
-    "5",
     "c",
     "r",
     "n",
@@ -178,8 +175,8 @@ impl State {
             18..21 => self.touch(dice),
             21..26 => format!("{} {}", dice.of(&["key", "key", "key", "hold", "let"]), dice.of(&KEYS)),
             26..31 => format!("set {}", dice.of(&CHOICES)),
-            31..34 => format!("size {}x{}", dice.side(640), dice.side(480)),
-            34 => format!("drop {}", dice.of(&FILES)),
+            31..33 => format!("size {}x{}", dice.side(640), dice.side(480)),
+            33..35 => format!("drop {}", dice.of(&FILES)),
             35 => format!("open {}", dice.of(&SCENES)),
             36..38 => self.life(dice),
             38 => "wait 0.1".to_owned(),
