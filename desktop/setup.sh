@@ -3,7 +3,9 @@
 #
 #   - a C and a C++ compiler (linking Rust; the FLIP metric is C++),
 #   - the Vulkan loader (libvulkan.so.1),
-#   - a Vulkan driver where there is none: Mesa's lavapipe, which renders on the CPU.
+#   - a Vulkan driver where there is none: Mesa's lavapipe, which renders on the CPU,
+#   - the libraries that a window loads when it opens (keyboards, pointers, X11),
+#   - Xvfb, an X server without a screen, in which the tests open windows.
 #
 # Nothing else is touched, and nothing happens when nothing is missing, so it is safe to run twice.
 #
@@ -91,9 +93,26 @@ if ! command -v c++ >/dev/null; then
     packages="$packages g++"
     reasons="$reasons, a C++ compiler"
 fi
-if ! ldconfig -p 2>/dev/null | grep -q 'libvulkan\.so\.1'; then
+libraries=$(ldconfig -p 2>/dev/null || true)
+has_library() { echo "$libraries" | grep -qF "$1"; }
+if ! has_library libvulkan.so.1; then
     packages="$packages libvulkan1"
     reasons="$reasons, the Vulkan loader"
+fi
+window=""
+for pair in libxkbcommon.so.0:libxkbcommon0 libxkbcommon-x11.so.0:libxkbcommon-x11-0 \
+    libX11-xcb.so.1:libx11-xcb1 libXcursor.so.1:libxcursor1 libXi.so.6:libxi6; do
+    if ! has_library "${pair%%:*}"; then
+        window="$window ${pair#*:}"
+    fi
+done
+if [ -n "$window" ]; then
+    packages="$packages$window"
+    reasons="$reasons, libraries of windows"
+fi
+if ! command -v Xvfb >/dev/null; then
+    packages="$packages xvfb"
+    reasons="$reasons, Xvfb for the tests"
 fi
 driver=""
 if ! has_driver; then

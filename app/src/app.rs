@@ -1,6 +1,11 @@
 //! The program that a person sees: everything but the window.
 
-use std::{path::PathBuf, sync::Arc, time::Duration};
+use std::{
+    panic::{AssertUnwindSafe, catch_unwind, resume_unwind},
+    path::PathBuf,
+    sync::Arc,
+    time::Duration,
+};
 
 use egui::{Rect, Sense, Ui};
 use glimpse::{DisplayImage, Gpu};
@@ -62,7 +67,7 @@ pub struct App {
     /// The scene that is shown.
     pub(crate) scene: Option<SceneFacts>,
     /// The one that was asked for last.
-    wanted: String,
+    pub(crate) wanted: String,
     pub(crate) control: Option<CameraControl>,
     gestures: Gestures,
     pub(crate) governor: Governor,
@@ -84,6 +89,16 @@ pub struct App {
     /// Nanoseconds a pixel that frames are taken to need.
     pub(crate) cost: Option<f64>,
     pub(crate) losses: u32,
+    pub(crate) tally: Tally,
+}
+
+/// Frames since the governor was chosen last.
+#[derive(Default)]
+pub(crate) struct Tally {
+    /// Those of a view that moves.
+    pub frames: u32,
+    /// Those of them that took longer than they may.
+    pub late: u32,
 }
 
 /// A device and what was made with it.
@@ -91,6 +106,8 @@ pub(crate) struct Device {
     pub gpu: Arc<Gpu>,
     pub painter: Painter,
     pub worker: Option<Worker>,
+    /// The worker has a scene: what it is asked for will be answered.
+    pub ready: bool,
 }
 
 /// The frame that is shown, as textures of the overlay.
@@ -111,6 +128,8 @@ pub(crate) struct Ordered {
 pub(crate) struct Pending {
     pub load: bool,
     pub frame: Option<Ordered>,
+    /// The one that could not be made: it is not tried again.
+    pub vain: Option<Job>,
     pub count: Option<u64>,
     /// Where the picture goes.
     pub capture: Option<Option<PathBuf>>,
@@ -152,6 +171,7 @@ impl App {
             animated: false,
             cost: None,
             losses: 0,
+            tally: Tally::default(),
         };
         app.list_scenes();
         app
@@ -175,7 +195,12 @@ impl App {
         self.readings.adapter = format!("{} ({})", facts.info.name, facts.info.driver_info);
         self.shown = None;
         self.pending = Pending::default();
-        let painter = Painter::new(&gpu, format);
+        let mut painter = Painter::new(&gpu, format);
+        if self.context.cumulative_pass_nr() > 0 {
+            // The overlay sends what is new of its font texture only.
+            let image = self.context.fonts(|fonts| fonts.image());
+            painter.load_fonts(&gpu, image);
+        }
         let worker = if self.losses < LOSSES {
             Worker::start(gpu.clone(), self.files.clone(), self.wake.clone())
                 .map_err(|error| self.readings.problem = Some(format!("no thread to render with: {error}")))
@@ -183,9 +208,7 @@ impl App {
         } else {
             None
         };
-        self.device = Some(Device { gpu, painter, worker });
-        // Fonts that were sent to another device are sent again.
-        self.context.set_fonts(egui::FontDefinitions::default());
+        self.device = Some(Device { gpu, painter, worker, ready: false });
         let wanted = self.wanted.clone();
         self.load(&wanted);
     }
@@ -210,6 +233,10 @@ impl App {
         let passed = now.saturating_sub(self.now);
         self.now = now;
         self.hear();
+        // A view that rests orders nothing that would tell.
+        if let Some(reason) = self.device.as_ref().and_then(|device| device.gpu.lost()).map(str::to_owned) {
+            self.lost(&reason);
+        }
         self.touch |= input.events.iter().any(|event| matches!(event, egui::Event::Touch { .. }));
         if let Some(file) = input.dropped_files.first() {
             self.open(&file.path().to_string_lossy());
@@ -243,9 +270,17 @@ impl App {
             painting.textures.clear();
             return;
         };
-        painter.update(gpu, painting);
-        if let Some(target) = target {
-            painter.paint(gpu, painting, target, size);
+        let painted = catch_unwind(AssertUnwindSafe(|| {
+            painter.update(gpu, painting);
+            if let Some(target) = target {
+                painter.paint(gpu, painting, target, size);
+            }
+        }));
+        // A device that is lost lends no memory to write to, which the overlay's renderer takes for a bug.
+        if let Err(panic) = painted
+            && gpu.lost().is_none()
+        {
+            resume_unwind(panic);
         }
     }
 
@@ -270,6 +305,9 @@ impl App {
     /// # Errors
     /// What does not go with the other choices.
     pub fn change(&mut self, change: &Change) -> Result<(), String> {
+        if matches!(change, Change::Governor(_)) {
+            self.tally = Tally::default();
+        }
         change.apply(&mut self.choices)
     }
 
@@ -291,9 +329,11 @@ impl App {
 
     /// Saves the frame, under that name or under one that the shell chooses.
     pub fn screenshot(&mut self, file: Option<PathBuf>) {
-        if let (Some(job), Some(worker)) = (self.still_job(), self.worker()) {
+        if let (Some(job), Some(worker)) = (self.still_job(), self.ready_worker()) {
             worker.capture(job);
             self.pending.capture = Some(file);
+        } else {
+            self.complain("There is no frame to save yet.".to_owned());
         }
     }
 
@@ -312,10 +352,15 @@ impl App {
     #[must_use]
     pub fn rests(&self) -> bool {
         let moving = self.control.as_ref().is_some_and(CameraControl::is_moving);
-        let complete =
-            self.shown.as_ref().is_some_and(|shown| Some(&shown.frame.job) == self.still_job().as_ref());
         let idle = !self.is_waiting() && !moving && !self.animated;
-        idle && (complete || self.readings.problem.is_some())
+        idle && self.device.as_ref().is_some_and(|device| !device.ready || self.is_complete())
+    }
+
+    /// The frame of a view that rests is shown, or cannot be made.
+    fn is_complete(&self) -> bool {
+        let shown = self.shown.as_ref().map(|shown| &shown.frame.job);
+        let job = self.still_job();
+        job.as_ref() == shown || job == self.pending.vain
     }
 
     /// Waits until the worker has done what it was asked for.
@@ -327,7 +372,7 @@ impl App {
     }
 
     fn is_waiting(&self) -> bool {
-        let Pending { load, frame, count, capture, pick } = &self.pending;
+        let Pending { load, frame, count, capture, pick, vain: _ } = &self.pending;
         *load || frame.is_some() || count.is_some() || capture.is_some() || *pick
     }
 
@@ -346,8 +391,8 @@ impl App {
         match name {
             "scene" => Some(Value::Text(readings.scene.clone())),
             "command" => self.command().map(Value::Text),
-            "problem" => readings.problem.clone().map(Value::Text),
-            "notice" => readings.notice.clone().map(Value::Text),
+            "problem" => Some(Value::Text(readings.problem.clone().unwrap_or_default())),
+            "notice" => Some(Value::Text(readings.notice.clone().unwrap_or_default())),
             "legend" => Some(Value::Text(readings.legend.clone())),
             "method" => Some(Value::Text(format!("{:?}", self.choices.settings.method).to_lowercase())),
             "show" => Some(Value::Text(self.choices.show.name())),
@@ -362,6 +407,8 @@ impl App {
             "memory" => number(readings.memory.total as f64),
             "psnr" => readings.psnr_db.map(Value::Number),
             "rt_ratio" => counts.map(|counts| Value::Number(counts.rt_ratio())),
+            "frames" => number(self.tally.frames.into()),
+            "late" => number(self.tally.late.into()),
             "rays" => counts.map(|counts| Value::Number(counts.rays.total as f64)),
             "moved" => {
                 let moved = self.control.as_ref().is_some_and(|control| control.command_line().is_some());
@@ -428,8 +475,8 @@ impl App {
         let Some(control) = &mut self.control else { return };
         for motion in motions {
             if let Motion::Focus { at } = motion {
-                let worker = self.device.as_ref().and_then(|device| device.worker.as_ref());
-                if let Some(worker) = worker {
+                let device = self.device.as_ref().filter(|device| device.ready);
+                if let Some(worker) = device.and_then(|device| device.worker.as_ref()) {
                     // A view is two of the camera's units high.
                     worker.pick(control.camera(), (2.0 * at).into());
                     self.pending.pick = true;
@@ -489,6 +536,11 @@ impl App {
 
     pub(crate) fn worker(&mut self) -> Option<&mut Worker> {
         self.device.as_mut()?.worker.as_mut()
+    }
+
+    /// The worker, where it has a scene.
+    pub(crate) fn ready_worker(&mut self) -> Option<&mut Worker> {
+        self.device.as_mut().filter(|device| device.ready)?.worker.as_mut()
     }
 
     /// The scene is shown: it is offered again.

@@ -20,6 +20,10 @@ impl App {
             News::NotOpened(line) => {
                 self.pending.load = false;
                 self.readings.busy = None;
+                // The scene that is shown is the one to come back to.
+                if let Some(scene) = &self.scene {
+                    self.wanted.clone_from(&scene.name);
+                }
                 self.complain(line);
             }
             News::Frame(frame) => self.framed(frame),
@@ -46,7 +50,8 @@ impl App {
                 }
             }
             News::Failed(line) => {
-                (self.pending.frame, self.pending.count, self.pending.capture) = (None, None, None);
+                self.pending.vain = self.pending.frame.take().map(|ordered| ordered.job);
+                (self.pending.count, self.pending.capture) = (None, None);
                 self.pending.pick = false;
                 self.readings.busy = None;
                 self.complain(line);
@@ -74,7 +79,8 @@ impl App {
         }
         self.pending.load = false;
         // Frames that were ordered are of the scene before, and are not made any more.
-        (self.pending.frame, self.pending.count) = (None, None);
+        (self.pending.frame, self.pending.count, self.pending.vain) = (None, None, None);
+        self.device.iter_mut().for_each(|device| device.ready = true);
         self.remember(&facts.name);
         self.scene = Some(facts);
         self.order();
@@ -89,6 +95,10 @@ impl App {
         let ms = self.cost.map_or(frame.ms, |cost| cost * pixels as f64 * 1e-6);
         if !frame.compiled {
             self.report = Some(FrameReport { level: frame.job.level, pixels, ms });
+            if !frame.job.is_still() {
+                self.tally.frames += 1;
+                self.tally.late += u32::from(ms > self.governor.limit_ms());
+            }
             self.readings.push_frame(ms as f32);
         }
         let readings = &mut self.readings;
@@ -113,9 +123,9 @@ impl App {
     }
 
     /// The device or its thread is gone.
-    fn lost(&mut self, reason: &str) {
+    pub(crate) fn lost(&mut self, reason: &str) {
         self.losses += 1;
-        log::warn!("{reason}");
+        log::warn!("the graphics device was lost: {reason}");
         self.device = None;
         self.shown = None;
         self.readings.busy = None;
@@ -134,10 +144,10 @@ impl App {
         };
         let known = self.shown.as_ref().is_some_and(|shown| shown.frame.job == job);
         let coming = self.pending.frame.as_ref().is_some_and(|coming| coming.job == job);
-        if known || coming {
+        if known || coming || self.pending.vain.as_ref() == Some(&job) {
             return;
         }
-        if let Some(worker) = self.worker() {
+        if let Some(worker) = self.ready_worker() {
             let number = worker.order(job.clone());
             self.pending.frame = Some(Ordered { number, job });
         }

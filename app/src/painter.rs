@@ -26,6 +26,12 @@ impl Painter {
         Self { renderer: egui_wgpu::Renderer::new(gpu.device(), format, options) }
     }
 
+    /// Takes over the texture of the overlay's fonts as a whole.
+    pub fn load_fonts(&mut self, gpu: &Gpu, image: egui::ColorImage) {
+        let whole = egui::epaint::ImageDelta::full(image, egui::TextureOptions::LINEAR);
+        self.renderer.update_texture(gpu.device(), gpu.queue(), egui::TextureId::default(), &whole);
+    }
+
     /// The picture as a texture of the overlay, in the place of `known` if that is one. Pixels are repeated where the
     /// picture is shown as large as it is, and interpolated elsewhere.
     pub fn register(

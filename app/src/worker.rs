@@ -99,6 +99,22 @@ impl Office {
         self.desk.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// Waits for a scene; `None` at the end.
+    fn scene(&self) -> Option<Loaded> {
+        let mut desk = self.desk();
+        loop {
+            if desk.stop {
+                return None;
+            }
+            if let Some(loaded) = desk.scene.take() {
+                // Jobs were of the scene before.
+                desk.job = None;
+                return Some(loaded);
+            }
+            desk = self.bell.wait(desk).unwrap_or_else(PoisonError::into_inner);
+        }
+    }
+
     /// Waits for an order.
     pub fn next(&self) -> Order {
         let mut desk = self.desk();
@@ -266,7 +282,7 @@ fn load(gpu: &Gpu, files: &Files, name: &str, teller: &Teller) -> Result<Loaded,
 fn work(gpu: &Gpu, office: &Office, teller: &Teller) {
     // A panic must not leave the app waiting for ever.
     let ended = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
-        while let Some(Loaded { scene, facts }) = next_scene(office) {
+        while let Some(Loaded { scene, facts }) = office.scene() {
             teller.tell(News::Loading(format!("compiling for {}", facts.name), [3, 3]));
             teller.tell(News::Opened(Box::new(facts)));
             if let Err(reason) = Studio::new(gpu, &scene).serve(office, teller) {
@@ -276,23 +292,5 @@ fn work(gpu: &Gpu, office: &Office, teller: &Teller) {
     }));
     if ended.is_err() {
         teller.tell(News::Lost("a frame could not be made: this is a bug, please report it".to_owned()));
-    }
-}
-
-fn next_scene(office: &Office) -> Option<Loaded> {
-    loop {
-        {
-            let mut desk = office.desk();
-            if desk.stop {
-                return None;
-            }
-            if let Some(loaded) = desk.scene.take() {
-                // Jobs were of the scene before.
-                desk.job = None;
-                return Some(loaded);
-            }
-        }
-        // There is no scene to serve orders with: they are dropped.
-        office.next();
     }
 }

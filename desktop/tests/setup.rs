@@ -18,6 +18,20 @@ const NOBLE: &str = "ID=ubuntu\nVERSION_CODENAME=noble\n";
 const MANIFEST: &str = "usr/share/vulkan/icd.d/lvp_icd.json";
 const SOURCES: &str = "etc/apt/sources.list.d/glimpse-backports.sources";
 
+/// What is loaded when a window opens, the loader of Vulkan first.
+const LIBRARIES: [&str; 6] = [
+    "libvulkan.so.1",
+    "libxkbcommon.so.0",
+    "libxkbcommon-x11.so.0",
+    "libX11-xcb.so.1",
+    "libXcursor.so.1",
+    "libXi.so.6",
+];
+
+/// The packages of a system that has nothing, but for the driver.
+const ALL: &str =
+    "gcc libc6-dev g++ libvulkan1 libxkbcommon0 libxkbcommon-x11-0 libx11-xcb1 libxcursor1 libxi6 xvfb";
+
 /// A system in a folder: its files below `root`, its commands in `bin`.
 struct System {
     folder: TempDir,
@@ -55,9 +69,16 @@ impl System {
         let system = Self::fresh(release);
         system.command("cc", "true");
         system.command("c++", "true");
-        system.command("ldconfig", "echo '	libvulkan.so.1 (libc6,x86-64) => /usr/lib/libvulkan.so.1'");
+        system.command("Xvfb", "true");
+        system.libraries(&LIBRARIES);
         system.file(MANIFEST, "{}");
         system
+    }
+
+    /// What the linker knows.
+    fn libraries(&self, names: &[&str]) {
+        let lines = names.iter().map(|name| format!("echo '	{name} (libc6,x86-64) => /usr/lib/{name}'"));
+        self.command("ldconfig", &lines.collect::<Vec<_>>().join("\n"));
     }
 
     fn root(&self) -> PathBuf {
@@ -133,10 +154,17 @@ fn fresh_bookworm_gets_mesa_from_backports() {
     let outcome = system.run();
     assert_eq!(outcome.code, 0, "{}", outcome.said);
     let mesa = "-t bookworm-backports mesa-vulkan-drivers=25.0.7-2~bpo12+1";
-    assert_eq!(outcome.ran, [UPDATE, &install("gcc libc6-dev g++ libvulkan1"), &install(mesa)]);
+    assert_eq!(outcome.ran, [UPDATE, &install(ALL), &install(mesa)]);
     let sources = fs::read_to_string(system.root().join(SOURCES)).unwrap();
     assert!(sources.contains("Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg"), "{sources}");
-    for word in ["a C compiler", "a C++ compiler", "the Vulkan loader", "a Vulkan driver"] {
+    for word in [
+        "a C compiler",
+        "a C++ compiler",
+        "the Vulkan loader",
+        "a Vulkan driver",
+        "libraries of windows",
+        "Xvfb",
+    ] {
         assert!(outcome.said.contains(word), "{}", outcome.said);
     }
 }
@@ -176,7 +204,7 @@ fn elsewhere_the_distributions_driver_is_taken() {
     for release in [TRIXIE, NOBLE] {
         let system = System::fresh(release);
         let outcome = system.run();
-        assert_eq!(outcome.ran, [UPDATE, &install("gcc libc6-dev g++ libvulkan1 mesa-vulkan-drivers")]);
+        assert_eq!(outcome.ran, [UPDATE, &install(&format!("{ALL} mesa-vulkan-drivers"))]);
         assert!(!system.root().join(SOURCES).exists());
     }
 }
@@ -186,6 +214,24 @@ fn only_what_is_missing_is_installed() {
     let system = System::complete(NOBLE);
     system.without("c++");
     assert_eq!(system.run().ran, [UPDATE, &install("g++")]);
+
+    let system = System::complete(NOBLE);
+    system.without("Xvfb");
+    assert_eq!(system.run().ran, [UPDATE, &install("xvfb")]);
+
+    for (missing, package) in LIBRARIES.iter().zip([
+        "libvulkan1",
+        "libxkbcommon0",
+        "libxkbcommon-x11-0",
+        "libx11-xcb1",
+        "libxcursor1",
+        "libxi6",
+    ]) {
+        let system = System::complete(NOBLE);
+        let others: Vec<_> = LIBRARIES.into_iter().filter(|name| name != missing).collect();
+        system.libraries(&others);
+        assert_eq!(system.run().ran, [UPDATE, &install(package)]);
+    }
 }
 
 #[test]

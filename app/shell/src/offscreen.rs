@@ -56,10 +56,14 @@ impl Stage {
     }
 
     fn follow(&mut self, leftover: Leftover) -> Result<bool> {
-        if let (Some(file), Some((gpu, target))) = (leftover.window_shot, &self.target) {
+        if let Some((gpu, target)) = &self.target
+            && self.session.wants_shot()
+            && !self.paused
+            && gpu.lost().is_none()
+        {
             let bytes = gpu.read_texture(target, 4).map_err(|error| error.to_string())?;
             let picture = DisplayImage::from_raw(target.width(), target.height(), bytes);
-            self.session.save(Some(file), &picture.ok_or("short readback")?)?;
+            self.session.shoot(&picture.ok_or("short readback")?)?;
         }
         match leftover.event {
             Some(ShellEvent::Size(size)) => self.resize(size),

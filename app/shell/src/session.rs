@@ -1,6 +1,7 @@
 //! A frame of the app, whatever it is shown on: input in, picture out, and what was asked for done.
 
 use std::{
+    io::Write,
     path::PathBuf,
     sync::Arc,
     time::{Duration, Instant},
@@ -23,6 +24,8 @@ pub struct Session {
     started: Instant,
     /// The window is being turned: what is shown is as wide as the emulated screen is high.
     turned: bool,
+    /// Files for what the window shows, as soon as it shows something.
+    shots: Vec<PathBuf>,
 }
 
 /// What a frame leaves to be done by what shows it.
@@ -30,8 +33,6 @@ pub struct Session {
 pub struct Leftover {
     /// What a script lets happen to the window.
     pub event: Option<ShellEvent>,
-    /// A file for what the window shows.
-    pub window_shot: Option<PathBuf>,
     /// The window as large as the screen, or not.
     pub full_screen: bool,
     /// The device is lost.
@@ -47,7 +48,7 @@ impl Session {
         let recent = std::mem::take(&mut setup.recent);
         let app = App::new(setup.files.clone(), wake, &setup.scene, recent, setup.choices);
         let player = setup.script.take().map(Player::new);
-        Self { app, player, setup, started: Instant::now(), turned: false }
+        Self { app, player, setup, started: Instant::now(), turned: false, shots: Vec::new() }
     }
 
     pub fn setup(&self) -> &Setup {
@@ -130,14 +131,24 @@ impl Session {
         match ask {
             None => {}
             Some(Ask::Open(scene)) => app.open(&scene),
-            Some(Ask::Set(change)) => app.change(&change)?,
+            Some(Ask::Set(change)) => {
+                app.change(&change).map_err(|reason| format!("{}: {reason}", player.place()))?;
+            }
+            Some(Ask::Print(line)) => {
+                writeln!(std::io::stdout(), "{line}").map_err(|error| format!("standard output: {error}"))?;
+            }
             Some(Ask::Cost(cost)) => app.set_cost(cost),
             Some(Ask::Screenshot(file)) => app.screenshot(Some(file)),
-            Some(Ask::Window(file)) => leftover.window_shot = Some(file),
+            Some(Ask::Window(file)) => self.shots.push(file),
             Some(Ask::Shell(ShellEvent::LowMemory)) => app.trim(),
             Some(Ask::Shell(ShellEvent::Thermal(factor))) => app.set_thermal(factor),
             Some(Ask::Shell(event)) => leftover.event = Some(event),
-            Some(Ask::Quit) => leftover.quit = true,
+            Some(Ask::Quit) => {
+                leftover.quit = true;
+                if let Some(file) = self.shots.first() {
+                    return Err(format!("{}: expected a window to save, found none", file.display()));
+                }
+            }
         }
         Ok(player.now())
     }
@@ -150,6 +161,20 @@ impl Session {
             Request::FullScreen => leftover.full_screen = true,
             Request::NewDevice => leftover.new_device = true,
             Request::Quit => leftover.quit = true,
+        }
+        Ok(())
+    }
+
+    /// A picture of the window is wanted.
+    pub fn wants_shot(&self) -> bool {
+        !self.shots.is_empty()
+    }
+
+    /// Saves what the window shows where that is wanted.
+    pub fn shoot(&mut self, picture: &DisplayImage) -> Result<()> {
+        for file in std::mem::take(&mut self.shots) {
+            // No notice: it would be in the next.
+            (self.setup.save)(Some(file), picture)?;
         }
         Ok(())
     }

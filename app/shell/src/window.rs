@@ -43,6 +43,7 @@ pub fn run(event_loop: EventLoop<Wakeup>, setup: Setup) -> Result<()> {
         window: None,
         gpu: None,
         surface: None,
+        size: [1, 1],
         input: None,
         paused: false,
         failed: None,
@@ -58,6 +59,8 @@ struct Shell {
     window: Option<Arc<Window>>,
     gpu: Option<Arc<Gpu>>,
     surface: Option<Surface>,
+    /// Pixels of the surface, or of the last one.
+    size: [u32; 2],
     input: Option<egui_winit::State>,
     /// A script has taken the surface away.
     paused: bool,
@@ -183,11 +186,11 @@ impl Shell {
         let Choices { vsync, .. } = *self.session.app.choices();
         if let Some(surface) = &mut self.surface {
             surface.follow(&window, vsync);
+            self.size = surface.size();
         }
-        let size = self.surface.as_ref().map_or([1, 1], Surface::size);
         let raw = input.take_egui_input(&window);
-        let (mut update, leftover) = self.session.frame(raw, size, window.scale_factor() as f32)?;
-        let lost = self.show(&mut update.painting, &leftover)?;
+        let (mut update, leftover) = self.session.frame(raw, self.size, window.scale_factor() as f32)?;
+        let lost = self.show(&mut update.painting)?;
         if let Some(input) = &mut self.input {
             input.handle_platform_output(&window, update.platform);
         }
@@ -207,7 +210,7 @@ impl Shell {
     }
 
     /// Paints and presents; tells whether the surface is lost.
-    fn show(&mut self, painting: &mut glimpse_app::Painting, leftover: &Leftover) -> Result<bool> {
+    fn show(&mut self, painting: &mut glimpse_app::Painting) -> Result<bool> {
         let acquired = match &mut self.surface {
             Some(surface) if !self.paused => surface.acquire(),
             _ => Acquired::None,
@@ -218,9 +221,8 @@ impl Shell {
         };
         let view = picture.texture.create_view(&wgpu::TextureViewDescriptor::default());
         self.session.app.paint(painting, Some(&view), surface.size());
-        if let Some(file) = &leftover.window_shot {
-            let image = surface.read(picture)?;
-            self.session.save(Some(file.clone()), &image)?;
+        if self.session.wants_shot() {
+            self.session.shoot(&surface.read(picture)?)?;
         }
         if let (Acquired::Picture(picture), Some(surface)) = (acquired, &self.surface) {
             surface.present(picture);

@@ -19,7 +19,8 @@
 //! settle                       until the view rests and its frame is complete
 //! screenshot FILE              the frame, as the key S saves it
 //! window FILE                  what the window shows
-//! expect NAME OP VALUE         OP is = != < <= > >= or contains
+//! expect NAME OP VALUE         OP is = != < <= > >= or contains; nothing after = is the empty text
+//! print NAME                   a line NAME = VALUE on the standard output
 //! quit
 //! ```
 
@@ -78,6 +79,8 @@ pub enum Step {
     Window(PathBuf),
     /// Something must be so.
     Expect(Expectation),
+    /// What is known by a name is told.
+    Print(String),
     /// The end.
     Quit,
 }

@@ -56,6 +56,7 @@ fn step(line: &str) -> Result<Step, String> {
         "screenshot" => Step::Screenshot(text(rest, "a file")?.into()),
         "window" => Step::Window(text(rest, "a file")?.into()),
         "expect" => Step::Expect(expectation(rest)?),
+        "print" => Step::Print(text(rest, "a name")?),
         "size" => Step::Shell(ShellEvent::Size(size(rest)?)),
         "thermal" => Step::Shell(ShellEvent::Thermal(number(rest, 0.0, 1.0)? as f32)),
         "fullscreen" => Step::Shell(ShellEvent::FullScreen(match rest {
@@ -172,7 +173,7 @@ fn size(rest: &str) -> Result<[u32; 2], String> {
 
 fn expectation(rest: &str) -> Result<Expectation, String> {
     let mut words = rest.splitn(3, char::is_whitespace).map(str::trim);
-    let (Some(name), Some(sign), Some(value)) = (words.next(), words.next(), words.next()) else {
+    let (Some(name), Some(sign)) = (words.next(), words.next()) else {
         return Err(format!("expected NAME OP VALUE, found `{rest}`"));
     };
     let operator = Operator::ALL.iter().find(|(text, _)| *text == sign).map(|(_, operator)| *operator);
@@ -180,7 +181,12 @@ fn expectation(rest: &str) -> Result<Expectation, String> {
         let all: Vec<_> = Operator::ALL.iter().map(|(text, _)| *text).collect();
         format!("expected one of {}, found `{sign}`", all.join(" "))
     })?;
-    Ok(Expectation { name: name.to_owned(), operator, value: value.to_owned() })
+    // A text may be expected to be empty.
+    let value = words.next().unwrap_or_default().to_owned();
+    if value.is_empty() && !matches!(operator, Operator::Equal | Operator::NotEqual) {
+        return Err(format!("expected NAME OP VALUE, found `{rest}`"));
+    }
+    Ok(Expectation { name: name.to_owned(), operator, value })
 }
 
 #[cfg(test)]
@@ -215,6 +221,8 @@ mod tests {
         assert_eq!(one("fullscreen off"), Step::Shell(ShellEvent::FullScreen(false)));
         assert_eq!(one("settle"), Step::Settle);
         assert_eq!(one("set block 4"), Step::Set("block 4".parse().expect("a change")));
+        assert!(matches!(one("expect problem ="), Step::Expect(_)));
+        assert_eq!(one("print command"), Step::Print("command".to_owned()));
         assert!(matches!(one("expect problem contains no such file"), Step::Expect(_)));
     }
 
@@ -239,6 +247,7 @@ mod tests {
             ("size 0x9", "expected WIDTHxHEIGHT with sides from 1 to 16384, found `0x9`"),
             ("touch x", "expected FINGER begin X,Y, move X,Y or end, found `x`"),
             ("expect rays", "expected NAME OP VALUE, found `rays`"),
+            ("expect rays <", "expected NAME OP VALUE, found `rays <`"),
             ("expect rays ~ 3", "expected one of = != < <= > >= contains, found `~`"),
         ] {
             let error = Script::parse("a.script", &format!("settle\n{line}")).unwrap_err();

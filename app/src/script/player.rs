@@ -33,6 +33,8 @@ pub enum Ask {
     Window(PathBuf),
     /// Something befalls the window or the phone.
     Shell(ShellEvent),
+    /// To tell that line.
+    Print(String),
     /// The end.
     Quit,
 }
@@ -46,6 +48,8 @@ pub struct Player {
     lasting: Option<Lasting>,
     pointer: [f32; 2],
     fingers: BTreeMap<u64, [f32; 2]>,
+    /// The finger that is a pointer too: the first that came down.
+    pointing: Option<u64>,
 }
 
 /// A file that is dropped on the view.
@@ -79,6 +83,7 @@ impl Player {
             lasting: None,
             pointer: [0.5; 2],
             fingers: BTreeMap::new(),
+            pointing: None,
         }
     }
 
@@ -114,6 +119,14 @@ impl Player {
         self.step(step, input, view, look).map_err(|reason| format!("{}:{line}: {reason}", self.script.file))
     }
 
+    /// The place of the step that was played last, for messages: `FILE:LINE`.
+    #[must_use]
+    pub fn place(&self) -> String {
+        let line =
+            self.next.checked_sub(1).and_then(|last| self.script.steps.get(last)).map_or(0, |step| step.0);
+        format!("{}:{line}", self.script.file)
+    }
+
     fn step(
         &mut self,
         step: Step,
@@ -130,6 +143,14 @@ impl Player {
             Step::Window(file) => return Ok(Some(Ask::Window(file))),
             Step::Shell(event) => return Ok(Some(Ask::Shell(event))),
             Step::Quit => return Ok(Some(Ask::Quit)),
+            Step::Print(name) => {
+                let value = look(&name).ok_or_else(|| format!("expected something known, found `{name}`"))?;
+                let value = match value {
+                    Value::Number(number) => number.to_string(),
+                    Value::Text(text) => text,
+                };
+                return Ok(Some(Ask::Print(format!("{name} = {value}"))));
+            }
             Step::Expect(expectation) => expectation.check(look(expectation.name()).as_ref())?,
             Step::Drop(path) => {
                 input.dropped_files.push(Arc::new(Dropped(path)));
@@ -193,8 +214,7 @@ impl Player {
             Lasting::Rest { .. } if rests => Ok(None),
             Lasting::Rest { until } if self.now < until => Ok(Some(lasting)),
             Lasting::Rest { .. } => {
-                let line = self.script.steps[self.next - 1].0;
-                Err(format!("{}:{line}: expected rest within {PATIENCE} s, found none", self.script.file))
+                Err(format!("{}: expected rest within {PATIENCE} s, found none", self.place()))
             }
             Lasting::Motion { finger, from, to, began, seconds } => {
                 let passed = (self.now - began).as_secs_f64();
@@ -208,6 +228,10 @@ impl Player {
                     Some(finger) => {
                         self.fingers.insert(finger, at);
                         input.events.push(touch(finger, TouchPhase::Move, within(view, at)));
+                        if self.pointing == Some(finger) {
+                            self.pointer = at;
+                            input.events.push(Event::PointerMoved(within(view, at)));
+                        }
                     }
                 }
                 Ok((part < 1.0).then_some(lasting))
@@ -228,7 +252,7 @@ impl Player {
                 self.fingers.insert(finger, at);
                 events.push(touch(finger, TouchPhase::Start, within(view, at)));
                 if self.fingers.len() == 1 {
-                    // One finger is a pointer too.
+                    self.pointing = Some(finger);
                     self.pointer = at;
                     events.extend(pointer(within(view, at), true));
                 }
@@ -239,7 +263,7 @@ impl Player {
             (Finger::End, Some(at)) => {
                 self.fingers.remove(&finger);
                 events.push(touch(finger, TouchPhase::End, within(view, at)));
-                if self.fingers.is_empty() {
+                if self.pointing.take_if(|pointing| *pointing == finger).is_some() {
                     events.extend(pointer(within(view, at), false));
                     events.push(Event::PointerGone);
                 }
@@ -327,10 +351,13 @@ mod tests {
     }
 
     #[test]
-    fn one_finger_is_a_pointer_and_the_second_is_not() {
-        let frames = played("touch 0 begin 0.5,0.5\ntouch 1 begin 0.6,0.5\ntouch 1 end\ntouch 0 end", true);
-        let counts: Vec<_> = frames.expect("played").iter().map(|(events, _)| events.len()).collect();
-        assert_eq!(counts, [3, 1, 1, 4, 0]);
+    fn the_first_finger_is_a_pointer_and_the_second_is_not() {
+        let script = "touch 0 begin 0.5,0.5\ntouch 1 begin 0.6,0.5\ntouch 1 move 0.7,0.5\ntouch 1 end\n\
+            touch 0 move 0.2,0.5\ntouch 0 end";
+        let frames = played(script, true).expect("played");
+        let counts: Vec<_> = frames.iter().map(|(events, _)| events.len()).collect();
+        assert_eq!(counts, [3, 1, 0, 1, 1, 0, 2, 4, 0]);
+        assert_eq!(frames[6].0[1], Event::PointerMoved(egui::pos2(40.0, 50.0)));
         assert!(played("touch 0 end", true).unwrap_err().contains("expected finger 0 down"));
         assert!(played("touch 0 begin 0,0\ntouch 0 begin 0,0", true).unwrap_err().contains("finger 0 up"));
     }

@@ -9,7 +9,7 @@ use crate::{Error, Result};
 #[derive(Default)]
 pub(super) struct Health {
     /// Why the device was lost.
-    lost: OnceLock<String>,
+    pub lost: OnceLock<String>,
     /// The first error that no scope caught.
     uncaught: Mutex<Option<wgpu::Error>>,
 }

@@ -151,6 +151,12 @@ impl Gpu {
         self.device.destroy();
     }
 
+    /// Why the device is lost, if it is. It may be lost the moment after.
+    #[must_use]
+    pub fn lost(&self) -> Option<&str> {
+        self.health.lost.get().map(String::as_str)
+    }
+
     /// All adapters.
     #[must_use]
     pub fn adapters() -> Vec<AdapterFacts> {

@@ -1,0 +1,60 @@
+//! What is shown and saved is what `glimpse render` makes.
+
+use crate::stage::Stage;
+
+/// Plays the script in a window of 160x90 and renders its last frame by the command that it tells: all three are equal.
+fn is_rendered_again(scene: &str, script: &str) -> String {
+    let stage = Stage::with_window();
+    let all = format!(
+        "set overlay hidden\n{script}\nsettle\nwindow window.png\nscreenshot saved.png\nprint command"
+    );
+    let ended = stage.plays(&format!("{scene} --size 160x90"), &all);
+    let command = ended.told("command")[0].to_owned();
+    let words = command.strip_prefix("glimpse ").unwrap().split_whitespace();
+    let output = stage.glimpse().args(words).output().unwrap();
+    assert!(output.status.success(), "{command}: {output:?}");
+    let rendered = stage.picture("glimpse.png");
+    assert_eq!(rendered.dimensions(), (160, 90), "{command}");
+    assert!(rendered == stage.picture("saved.png"), "not what was saved: {command}");
+    assert!(rendered == stage.picture("window.png"), "not what was shown: {command}");
+    command
+}
+
+const ORBIT: &str = "settle\npress\nmove 0.7,0.4 over 0.3\nrelease";
+
+#[test]
+fn a_first_picture() {
+    let command = is_rendered_again("builtin:minray", "");
+    assert_eq!(command, "glimpse render builtin:minray -o glimpse.png --size 160x90");
+}
+
+#[test]
+fn another_camera() {
+    let command = is_rendered_again("builtin:cornell", ORBIT);
+    for option in ["--eye", "--target", "--up", "--fov"] {
+        assert!(command.contains(option), "{command}");
+    }
+    is_rendered_again(
+        "builtin:minray",
+        "settle\nmove 0.4,0.6\nscroll -4\nsettle\npress right\nmove 0.5,0.3 over 0.2\nrelease right",
+    );
+}
+
+#[test]
+fn a_visualisation() {
+    assert!(
+        is_rendered_again("builtin:cornell", &format!("set show origin\n{ORBIT}")).contains("--show origin")
+    );
+    is_rendered_again("builtin:cornell", "set show check:pos\nsize 64x64\nsettle\nsize 160x90");
+}
+
+#[test]
+fn other_settings() {
+    let all = "set method adaptive\nset block 4\nset postcorrect on\nset t-pos 0.01\nset t-norm 0.95
+        set t-tex 0.1\nset t-gcol 0.05\nset depth 5\nset min-weight 0.01";
+    let command = is_rendered_again("builtin:cornell", all);
+    assert_eq!(command.matches("--").count(), 9, "{command}");
+    is_rendered_again("builtin:cornell", "set sampling 2\nset block 8");
+    is_rendered_again("builtin:cornell", "set method checkerboard");
+    is_rendered_again("builtin:cornell", "set method full");
+}

@@ -1,0 +1,14 @@
+//! The window itself: scripts are played with the program on an X server of the test's own (Xvfb).
+#![cfg(target_os = "linux")]
+#![allow(clippy::unwrap_used, reason = "a test may fail wherever it is surprised")]
+
+mod display;
+mod files;
+mod frames;
+mod governor;
+mod input;
+mod life_cycle;
+mod phones;
+mod random;
+mod scripts;
+mod stage;

@@ -1,0 +1,68 @@
+//! Scripts themselves: how they fail, and that they give the same every time and everywhere.
+
+use crate::stage::Stage;
+
+#[test]
+fn what_is_not_met_fails_with_its_line() {
+    for stage in [Stage::with_window(), Stage::headless()] {
+        let view = "builtin:cornell --size 64x36";
+        let line = stage.fails(view, "settle\n\nexpect width = 65", 1);
+        assert_eq!(line, "a.script:3: expected width = 65, found 64");
+        let line = stage.fails(view, "settle\nset method checkerboard\nset sampling 2", 1);
+        assert!(line.starts_with("a.script:3: "), "{line}");
+        let line = stage.fails(view, "settle\nprint cats", 1);
+        assert_eq!(line, "a.script:2: expected something known, found `cats`");
+        let line = stage.fails(view, "settle\nscreenshot gone/a.png\nwait 1", 1);
+        assert!(line.contains("gone/a.png"), "{line}");
+        let line = stage.fails(view, "settle\npause\nwindow a.png\nwait 0.1", 1);
+        assert_eq!(line, "a.png: expected a window to save, found none");
+    }
+}
+
+/// Without a display the window could not even begin.
+#[test]
+fn a_malformed_line_is_refused_before_there_is_a_window() {
+    let stage = Stage::with_window();
+    let line = stage.fails("builtin:cornell", "settle\ndance", 1);
+    assert_eq!(line, "a.script:2: expected a step, found `dance`");
+}
+
+/// Motion, the governor with made-up costs, heat, sizes, another scene.
+const MUCH: &str = "set overlay hidden
+    set governor 30
+    cost 900
+    settle
+    screenshot 1.png
+    press
+    move 0.8,0.3 over 0.5
+    window 2.png
+    thermal 0.5
+    move 0.2,0.6 over 0.5
+    window 3.png
+    screenshot 4.png
+    release
+    window 5.png
+    settle
+    size 100x70
+    set show depth
+    settle
+    window 6.png
+    open builtin:minray
+    set show final
+    settle
+    screenshot 7.png";
+
+#[test]
+fn pictures_are_the_same_every_time_and_without_a_window() {
+    let stages = [Stage::with_window(), Stage::with_window(), Stage::headless()];
+    for stage in &stages {
+        stage.plays("builtin:cornell --size 160x90", MUCH);
+    }
+    for picture in 1..=7 {
+        let name = format!("{picture}.png");
+        let [first, again, headless] =
+            [0, 1, 2].map(|i: usize| std::fs::read(stages[i].path(&name)).unwrap());
+        assert!(first == again, "{name} differs the second time");
+        assert!(first == headless, "{name} differs without a window");
+    }
+}
