@@ -7,13 +7,11 @@ use std::{
     time::Duration,
 };
 
-use egui::{Rect, Sense, Ui};
 use glimpse::{DisplayImage, Gpu};
 
 use crate::{
-    CameraControl, Change, Choices, Files, Frame, FrameRate, FrameReport, Gestures, Governor, Hud, Job,
-    Motion, Painter, Painting, Quality, Readings, SceneFacts, Wake, Wish, Worker, command::command,
-    script::Value,
+    CameraControl, Change, Choices, Files, Frame, FrameRate, FrameReport, Gestures, Governor, Job, Painter,
+    Painting, Quality, Readings, SceneFacts, Wake, Worker,
 };
 
 /// Scenes from files that are remembered.
@@ -61,7 +59,7 @@ pub struct App {
     wake: Wake,
     pub(crate) choices: Choices,
     pub(crate) readings: Readings,
-    scenes: Vec<String>,
+    pub(crate) scenes: Vec<String>,
     recent: Vec<String>,
     pub(crate) device: Option<Device>,
     /// The scene that is shown.
@@ -69,21 +67,21 @@ pub struct App {
     /// The one that was asked for last.
     pub(crate) wanted: String,
     pub(crate) control: Option<CameraControl>,
-    gestures: Gestures,
+    pub(crate) gestures: Gestures,
     pub(crate) governor: Governor,
     /// Of the frame that was ordered last.
     pub(crate) quality: Quality,
     /// What the governor has not been told.
     pub(crate) report: Option<FrameReport>,
     /// Pixels of the view, where they are not the window's.
-    view: Option<[u32; 2]>,
+    pub(crate) view: Option<[u32; 2]>,
     pub(crate) shown: Option<Shown>,
     pub(crate) pending: Pending,
     pub(crate) requests: Vec<Request>,
     pub(crate) now: Duration,
-    notice_until: Duration,
+    pub(crate) notice_until: Duration,
     pub(crate) busy_since: Duration,
-    touch: bool,
+    pub(crate) touch: bool,
     /// The overlay is not done with what it fades or moves.
     animated: bool,
     /// Nanoseconds a pixel that frames are taken to need.
@@ -380,137 +378,6 @@ impl App {
     fn is_live(&self) -> bool {
         let moving = self.control.as_ref().is_some_and(CameraControl::is_moving);
         moving || self.quality != Quality::FULL && self.pending.frame.is_none()
-    }
-
-    /// What is known by a name, for scripts.
-    #[must_use]
-    pub fn look(&self, name: &str) -> Option<Value> {
-        let readings = &self.readings;
-        let number = |value: f64| Some(Value::Number(value));
-        let counts = readings.counts.as_ref();
-        match name {
-            "scene" => Some(Value::Text(readings.scene.clone())),
-            "command" => self.command().map(Value::Text),
-            "problem" => Some(Value::Text(readings.problem.clone().unwrap_or_default())),
-            "notice" => Some(Value::Text(readings.notice.clone().unwrap_or_default())),
-            "legend" => Some(Value::Text(readings.legend.clone())),
-            "method" => Some(Value::Text(format!("{:?}", self.choices.settings.method).to_lowercase())),
-            "show" => Some(Value::Text(self.choices.show.name())),
-            "block" => number(self.choices.settings.block.into()),
-            "split" => self.choices.split.map(|split| Value::Number(split.into())),
-            "primitives" => number(readings.primitives as f64),
-            "cameras" => number(readings.cameras.len() as f64),
-            "width" => number(readings.size[0].into()),
-            "height" => number(readings.size[1].into()),
-            "view_width" => number(readings.view[0].into()),
-            "view_height" => number(readings.view[1].into()),
-            "memory" => number(readings.memory.total as f64),
-            "psnr" => readings.psnr_db.map(Value::Number),
-            "rt_ratio" => counts.map(|counts| Value::Number(counts.rt_ratio())),
-            "frames" => number(self.tally.frames.into()),
-            "late" => number(self.tally.late.into()),
-            "rays" => counts.map(|counts| Value::Number(counts.rays.total as f64)),
-            "moved" => {
-                let moved = self.control.as_ref().is_some_and(|control| control.command_line().is_some());
-                number(f64::from(u8::from(moved)))
-            }
-            _ => None,
-        }
-    }
-
-    /// The command that makes the frame that is shown.
-    #[must_use]
-    pub fn command(&self) -> Option<String> {
-        let job = self.still_job()?;
-        let moved = self.control.as_ref()?.command_line();
-        let camera = moved.unwrap_or_else(|| match self.readings.camera {
-            0 => String::new(),
-            index => format!("--camera {index}"),
-        });
-        Some(command(&self.scene.as_ref()?.name, &camera, &job))
-    }
-
-    fn show(&mut self, ui: &mut Ui, passed: Duration) -> Vec<Wish> {
-        let context = ui.ctx().clone();
-        let view = context.viewport_rect();
-        let response = ui.interact(view, egui::Id::unique("picture"), Sense::CLICK | Sense::DRAG);
-        let pixels = context.pixels_per_point();
-        let window = [view.width(), view.height()].map(|side| ((side * pixels).round() as u32).max(1));
-        self.readings.view = self.view.unwrap_or(window);
-        self.draw_picture(ui, view);
-        self.tell_what_is_going_on();
-        let motions = self.gestures.read(&response, self.choices.navigation, passed);
-        let hud = Hud {
-            choices: &mut self.choices,
-            readings: &self.readings,
-            scenes: &self.scenes,
-            touch: self.touch,
-        };
-        let wishes = hud.show(&context);
-        self.steer(motions, passed);
-        wishes
-    }
-
-    fn draw_picture(&self, ui: &Ui, view: Rect) {
-        let Some(shown) = &self.shown else { return };
-        let whole = Rect::from_min_max(egui::Pos2::ZERO, egui::pos2(1.0, 1.0));
-        ui.painter().image(shown.picture, view, whole, egui::Color32::WHITE);
-        if let (Some(full), Some(split)) = (shown.full, self.choices.split) {
-            let mut right = view;
-            right.min.x = view.left() + split * view.width();
-            ui.painter().with_clip_rect(right).image(full, view, whole, egui::Color32::WHITE);
-        }
-    }
-
-    fn tell_what_is_going_on(&mut self) {
-        if let Some(busy) = &mut self.readings.busy {
-            busy.seconds = (self.now - self.busy_since).as_secs_f64();
-        }
-        if self.now >= self.notice_until {
-            self.readings.notice = None;
-        }
-    }
-
-    fn steer(&mut self, motions: Vec<Motion>, passed: Duration) {
-        let Some(control) = &mut self.control else { return };
-        for motion in motions {
-            if let Motion::Focus { at } = motion {
-                let device = self.device.as_ref().filter(|device| device.ready);
-                if let Some(worker) = device.and_then(|device| device.worker.as_ref()) {
-                    // A view is two of the camera's units high.
-                    worker.pick(control.camera(), (2.0 * at).into());
-                    self.pending.pick = true;
-                }
-            } else {
-                control.apply(motion, self.choices.navigation);
-            }
-        }
-        control.advance(passed);
-    }
-
-    fn grant(&mut self, wish: Wish, context: &egui::Context) {
-        match wish {
-            Wish::Open(name) => self.open(&name),
-            Wish::OpenDialog => self.requests.push(Request::OpenDialog),
-            Wish::Screenshot => self.screenshot(None),
-            Wish::CopyCommand => {
-                if let Some(command) = self.command() {
-                    context.copy_text(command);
-                    self.notify("The command of this frame is in the clipboard.".to_owned());
-                }
-            }
-            Wish::FullScreen => self.requests.push(Request::FullScreen),
-            Wish::ResetCamera => self.control.iter_mut().for_each(CameraControl::reset),
-            Wish::Camera(index) => {
-                let camera = self.scene.as_ref().and_then(|scene| scene.cameras.get(index));
-                if let (Some((_, camera)), Some(control)) = (camera, &mut self.control) {
-                    control.go_to(*camera);
-                    self.readings.camera = index;
-                }
-            }
-            Wish::CloseProblem => self.readings.problem = None,
-            Wish::Quit => self.requests.push(Request::Quit),
-        }
     }
 
     /// The frame of a view that rests: with everything as it was chosen.

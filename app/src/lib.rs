@@ -13,12 +13,15 @@ mod exclusions;
 mod gestures;
 mod governor;
 mod hud;
+mod look;
 mod news;
+mod office;
 mod painter;
 mod phones;
 mod readings;
 pub mod script;
 mod studio;
+mod view;
 mod worker;
 
 pub use app::{App, Request, Update};

@@ -10,7 +10,10 @@ use glimpse::{
     show,
 };
 
-use crate::worker::{News, Office, Order, Teller};
+use crate::{
+    office::{Office, Order},
+    worker::{News, Teller},
+};
 
 /// A frame to be made.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,9 +2,10 @@
 //! gives up one that nobody waits for any more. Scenes are loaded by threads of their own meanwhile.
 
 use std::{
+    panic::{AssertUnwindSafe, catch_unwind},
     sync::{
-        Arc, Condvar, Mutex, MutexGuard, PoisonError,
-        mpsc::{Receiver, Sender, TryRecvError, channel},
+        Arc,
+        mpsc::{Receiver, Sender, channel},
     },
     thread,
 };
@@ -12,7 +13,10 @@ use std::{
 use glam::Vec3;
 use glimpse::{Camera, DisplayImage, Gpu, GpuScene, Scene};
 
-use crate::studio::{Counted, Frame, Job, Studio};
+use crate::{
+    office::{Loaded, Office},
+    studio::{Counted, Frame, Job, Studio},
+};
 
 /// Gives the scene of a name: `builtin:NAME`, or what a shell calls a file. Called on threads of the app's.
 pub type Files = Arc<dyn Fn(&str) -> Result<Scene, String> + Send + Sync>;
@@ -61,87 +65,6 @@ pub enum News {
     Lost(String),
 }
 
-/// What lies on the worker's desk. A newer order of a kind replaces the older.
-#[derive(Default)]
-struct Desk {
-    scene: Option<Loaded>,
-    job: Option<(u64, Job)>,
-    capture: Option<Job>,
-    pick: Option<(Camera, [f32; 2])>,
-    /// The number of the last scene that was asked for: loads that are late are thrown away.
-    asked: u64,
-    stop: bool,
-}
-
-struct Loaded {
-    scene: GpuScene,
-    facts: SceneFacts,
-}
-
-/// The desk and the bell on it.
-#[derive(Default)]
-pub(crate) struct Office {
-    desk: Mutex<Desk>,
-    bell: Condvar,
-}
-
-/// What is to be done next.
-pub(crate) enum Order {
-    Frame(u64, Job),
-    Capture(Job),
-    Pick(Camera, [f32; 2]),
-    /// Another scene, or the end.
-    Leave,
-}
-
-impl Office {
-    fn desk(&self) -> MutexGuard<'_, Desk> {
-        self.desk.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// Waits for a scene; `None` at the end.
-    fn scene(&self) -> Option<Loaded> {
-        let mut desk = self.desk();
-        loop {
-            if desk.stop {
-                return None;
-            }
-            if let Some(loaded) = desk.scene.take() {
-                // Jobs were of the scene before.
-                desk.job = None;
-                return Some(loaded);
-            }
-            desk = self.bell.wait(desk).unwrap_or_else(PoisonError::into_inner);
-        }
-    }
-
-    /// Waits for an order.
-    pub fn next(&self) -> Order {
-        let mut desk = self.desk();
-        loop {
-            if desk.stop || desk.scene.is_some() {
-                return Order::Leave;
-            }
-            if let Some((camera, at)) = desk.pick.take() {
-                return Order::Pick(camera, at);
-            }
-            if let Some(job) = desk.capture.take() {
-                return Order::Capture(job);
-            }
-            if let Some((number, job)) = desk.job.take() {
-                return Order::Frame(number, job);
-            }
-            desk = self.bell.wait(desk).unwrap_or_else(PoisonError::into_inner);
-        }
-    }
-
-    /// Whether something waits that is more urgent than a frame of a still view.
-    pub fn is_urgent(&self) -> bool {
-        let desk = self.desk();
-        desk.stop || desk.scene.is_some() || desk.job.is_some() || desk.pick.is_some()
-    }
-}
-
 /// The worker as the app sees it.
 pub struct Worker {
     gpu: Arc<Gpu>,
@@ -183,7 +106,8 @@ impl Worker {
         let teller = Teller { sender: self.sender.clone(), wake: self.wake.clone() };
         let owned = name.to_owned();
         let spawned = thread::Builder::new().name("glimpse-load".to_owned()).spawn(move || {
-            let loaded = load(&gpu, &files, &owned, &teller);
+            let loaded = caught(|| load(&gpu, &files, &owned, &teller))
+                .unwrap_or_else(|bug| Err(format!("{owned} could not be opened: {bug}")));
             let mut desk = office.desk();
             match loaded {
                 _ if desk.asked != asked => {}
@@ -222,11 +146,8 @@ impl Worker {
 
     /// What has been told since; does not wait.
     pub fn news(&mut self) -> Option<News> {
-        match self.news.try_recv() {
-            Ok(news) => Some(news),
-            // This worker holds a sender.
-            Err(TryRecvError::Empty | TryRecvError::Disconnected) => None,
-        }
+        // This worker holds a sender: there is none, or none yet.
+        self.news.try_recv().ok()
     }
 
     /// The next that is told, waited for.
@@ -280,8 +201,7 @@ fn load(gpu: &Gpu, files: &Files, name: &str, teller: &Teller) -> Result<Loaded,
 
 /// The thread: a scene after the other.
 fn work(gpu: &Gpu, office: &Office, teller: &Teller) {
-    // A panic must not leave the app waiting for ever.
-    let ended = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+    let ended = caught(|| {
         while let Some(Loaded { scene, facts }) = office.scene() {
             teller.tell(News::Loading(format!("compiling for {}", facts.name), [3, 3]));
             teller.tell(News::Opened(Box::new(facts)));
@@ -289,8 +209,13 @@ fn work(gpu: &Gpu, office: &Office, teller: &Teller) {
                 return teller.tell(News::Lost(reason));
             }
         }
-    }));
-    if ended.is_err() {
-        teller.tell(News::Lost("a frame could not be made: this is a bug, please report it".to_owned()));
+    });
+    if let Err(bug) = ended {
+        teller.tell(News::Lost(format!("a frame could not be made: {bug}")));
     }
+}
+
+/// Does work of a thread whose panic must not leave the app waiting for ever.
+fn caught<T>(work: impl FnOnce() -> T) -> Result<T, &'static str> {
+    catch_unwind(AssertUnwindSafe(work)).map_err(|_| "this is a bug, please report it")
 }
