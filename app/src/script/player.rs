@@ -299,8 +299,11 @@ mod tests {
         Player::new(Script::parse("a.script", text).expect("a script"))
     }
 
-    /// Plays to the end; each frame's events and ask.
-    fn played(text: &str, rests: bool) -> Result<Vec<(Vec<Event>, Option<Ask>)>, String> {
+    /// A frame's events and ask.
+    type Played = (Vec<Event>, Option<Ask>);
+
+    /// Plays to the end.
+    fn played(text: &str, rests: bool) -> Result<Vec<Played>, String> {
         let mut player = player(text);
         let mut frames = Vec::new();
         loop {
