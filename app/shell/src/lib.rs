@@ -4,6 +4,7 @@
 mod offscreen;
 mod session;
 mod surface;
+mod touch;
 mod window;
 
 use std::path::PathBuf;

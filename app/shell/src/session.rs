@@ -14,7 +14,7 @@ use glimpse_app::{
     script::{Ask, Player, ShellEvent},
 };
 
-use crate::{Chosen, Result, Screen, Setup};
+use crate::{Chosen, Result, Screen, Setup, touch::Finger};
 
 /// The app, the script that plays it, and what the platform lends.
 pub struct Session {
@@ -22,6 +22,8 @@ pub struct Session {
     player: Option<Player>,
     setup: Setup,
     started: Instant,
+    /// The mouse of a phone.
+    finger: Finger,
     /// The window is being turned: what is shown is as wide as the emulated screen is high.
     turned: bool,
     /// Files for what the window shows, as soon as it shows something.
@@ -48,7 +50,15 @@ impl Session {
         let recent = std::mem::take(&mut setup.recent);
         let app = App::new(setup.files.clone(), wake, &setup.scene, recent, setup.choices);
         let player = setup.script.take().map(Player::new);
-        Self { app, player, setup, started: Instant::now(), turned: false, shots: Vec::new() }
+        Self {
+            app,
+            player,
+            setup,
+            started: Instant::now(),
+            finger: Finger::default(),
+            turned: false,
+            shots: Vec::new(),
+        }
     }
 
     pub fn setup(&self) -> &Setup {
@@ -99,14 +109,16 @@ impl Session {
             Some(screen) => screen.pixels_per_point * size[0] as f32 / screen.pixels[0] as f32,
             None => pixels_per_point,
         };
+        let points = native * self.app.context().zoom_factor();
+        let view = Rect::from_min_size(pos2(0.0, 0.0), vec2(size[0] as f32, size[1] as f32) / points);
         if let Some(screen) = screen {
+            // Positions are in points of the window's own.
+            self.finger.translate(&mut input.events, pixels_per_point / native, view.center());
             let [left, top, right, bottom] = screen.insets;
             input.safe_area_insets =
                 Some(egui::SafeAreaInsets(egui::epaint::MarginF32 { left, right, top, bottom }));
         }
         input.viewports.entry(input.viewport_id).or_default().native_pixels_per_point = Some(native);
-        let points = native * self.app.context().zoom_factor();
-        let view = Rect::from_min_size(pos2(0.0, 0.0), vec2(size[0] as f32, size[1] as f32) / points);
         input.screen_rect = Some(view);
         let mut leftover = Leftover::default();
         let now = self.play(&mut input, view, &mut leftover)?;
