@@ -4,7 +4,7 @@
 use std::{
     sync::{
         Arc, Condvar, Mutex, MutexGuard, PoisonError,
-        mpsc::{Receiver, Sender, TryRecvError, channel},
+        mpsc::{Receiver, Sender, channel},
     },
     thread,
 };
@@ -222,11 +222,8 @@ impl Worker {
 
     /// What has been told since; does not wait.
     pub fn news(&mut self) -> Option<News> {
-        match self.news.try_recv() {
-            Ok(news) => Some(news),
-            // This worker holds a sender.
-            Err(TryRecvError::Empty | TryRecvError::Disconnected) => None,
-        }
+        // This worker holds a sender: only an empty channel gives nothing.
+        self.news.try_recv().ok()
     }
 
     /// The next that is told, waited for.

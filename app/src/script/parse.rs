@@ -145,13 +145,12 @@ fn key(rest: &str, stroke: Stroke) -> Result<Step, String> {
     let mut names = rest.split('+').collect::<Vec<_>>();
     let name = names.pop().filter(|name| !name.is_empty()).unwrap_or("+");
     for modifier in names.into_iter().filter(|name| !name.is_empty()) {
-        modifiers = modifiers
-            | match modifier {
-                "ctrl" => Modifiers::CTRL | Modifiers::COMMAND,
-                "shift" => Modifiers::SHIFT,
-                "alt" => Modifiers::ALT,
-                _ => return Err(format!("expected ctrl, shift or alt, found `{modifier}`")),
-            };
+        modifiers |= match modifier {
+            "ctrl" => Modifiers::CTRL | Modifiers::COMMAND,
+            "shift" => Modifiers::SHIFT,
+            "alt" => Modifiers::ALT,
+            _ => return Err(format!("expected ctrl, shift or alt, found `{modifier}`")),
+        };
     }
     let upper = name.to_uppercase();
     let key = Key::from_name(name)
