@@ -106,7 +106,7 @@ fn bare_view_and_scene_alone() {
     assert_eq!(parse("a.glb --adapter nv -vv").unwrap().scene.as_deref(), Some("a.glb"));
     let view = parse("view builtin:cornell -v").unwrap();
     assert_eq!(view.verbose, 1);
-    assert!(matches!(view.command, Some(Command::View(ViewOptions { scene: Some(_) }))));
+    assert!(matches!(view.command, Some(Command::View(ViewOptions { scene: Some(_), .. }))));
 }
 
 #[test]

@@ -17,6 +17,12 @@ pub use window::{Wakeup, run as run_window};
 /// Calls back with the file that a person has chosen, from whatever thread.
 pub type Chosen = Box<dyn FnOnce(PathBuf) + Send>;
 
+/// Saves a picture under a name, or under one of its own; returns what to tell.
+pub type Save = Box<dyn FnMut(Option<PathBuf>, &DisplayImage) -> Result<String>>;
+
+/// Remembers the names of scenes.
+pub type Remember = Box<dyn FnMut(&[String])>;
+
 /// What the platform lends.
 pub struct Setup {
     /// Reads scenes.
@@ -38,9 +44,9 @@ pub struct Setup {
     /// What happens by itself.
     pub script: Option<Script>,
     /// Saves a picture under a name, or under one of its own; returns what to tell.
-    pub save: Box<dyn FnMut(Option<PathBuf>, &DisplayImage) -> Result<String>>,
+    pub save: Save,
     /// Remembers files that were opened.
-    pub remember: Box<dyn FnMut(&[String])>,
+    pub remember: Remember,
     /// Lets a person choose a file, without blocking.
     pub open_dialog: Box<dyn FnMut(Chosen)>,
 }
