@@ -139,6 +139,7 @@ impl App {
     pub(crate) fn order(&mut self) {
         let Some(quality) = self.next_quality() else { return };
         self.quality = quality;
+        self.readings.governor = self.governor_at_work();
         let Some(job) = (if quality == Quality::FULL { self.still_job() } else { self.job(&quality) }) else {
             return;
         };
@@ -150,6 +151,20 @@ impl App {
         if let Some(worker) = self.ready_worker() {
             let number = worker.order(job.clone());
             self.pending.frame = Some(Ordered { number, job });
+        }
+    }
+
+    /// What the governor does, for people.
+    fn governor_at_work(&self) -> String {
+        let Quality { level, scale, block, relax } = self.quality;
+        match (self.choices.governor, level) {
+            (None, _) => String::new(),
+            (Some(_), None) => "at rest: everything as chosen".to_owned(),
+            (Some(_), Some(level)) => format!(
+                "level {level}: {:.0} % a side, blocks from {block}, tolerances x {relax:.1}, at most {:.1} ms",
+                100.0 * scale,
+                self.governor.limit_ms()
+            ),
         }
     }
 
