@@ -356,12 +356,12 @@ mod tests {
     #[test]
     fn the_first_finger_is_a_pointer_and_the_second_is_not() {
         let script = "touch 0 begin 0.5,0.5\ntouch 1 begin 0.6,0.5\ntouch 1 move 0.7,0.5\ntouch 1 end\n\
-            touch 0 move 0.2,0.5\ntouch 0 end";
+            touch 0 move 0.25,0.5\ntouch 0 end";
         let frames = played(script, true).expect("played");
         let counts: Vec<_> = frames.iter().map(|(events, _)| events.len()).collect();
         // A motion arrives in the frame of the step that follows.
         assert_eq!(counts, [3, 1, 0, 2, 0, 6, 0]);
-        assert_eq!(frames[5].0[1], Event::PointerMoved(egui::pos2(40.0, 50.0)));
+        assert_eq!(frames[5].0[1], Event::PointerMoved(egui::pos2(50.0, 50.0)));
         assert!(played("touch 0 end", true).unwrap_err().contains("expected finger 0 down"));
         assert!(played("touch 0 begin 0,0\ntouch 0 begin 0,0", true).unwrap_err().contains("finger 0 up"));
     }
