@@ -64,7 +64,7 @@ impl Phone {
     pub fn named(name: &str) -> Result<Self, String> {
         let all = Self::all()?;
         let names: Vec<_> = all.iter().map(|phone| phone.name.as_str()).collect();
-        let error = format!("--phone: expected one of {}, found {name}", names.join(", "));
+        let error = format!("expected one of {}, found {name}", names.join(", "));
         all.into_iter().find(|phone| phone.name == name).ok_or(error)
     }
 
