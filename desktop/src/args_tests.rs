@@ -143,7 +143,7 @@ fn wrong_usage_exits_with_two_and_says_what_was_expected() {
         ("render a.glb -o png", "ends in .png or .exr"),
         ("render a.glb", "--output"),
         ("render a.glb -o b.png --method fast", "full, adaptive"),
-        ("render a.glb -o b.png --show check:blue", "oid, pos, norm"),
+        ("render a.glb -o b.png --show check:blue", "check:oid, check:pos, check:norm"),
         ("render a.glb -o b.png --frames 0", "0"),
         ("render a.glb -o b.png --depth=-1", "--depth"),
         ("render a.glb -o b.png --t-pos wide", "--t-pos"),
