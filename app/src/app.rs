@@ -108,6 +108,13 @@ pub(crate) struct Device {
     pub ready: bool,
 }
 
+impl Device {
+    /// The worker, where it has a scene.
+    pub fn ready_worker(&mut self) -> Option<&mut Worker> {
+        self.worker.as_mut().filter(|_| self.ready)
+    }
+}
+
 /// The frame that is shown, as textures of the overlay.
 pub(crate) struct Shown {
     pub frame: Box<Frame>,
@@ -349,8 +356,7 @@ impl App {
     /// Whether the view rests and its frame is complete.
     #[must_use]
     pub fn rests(&self) -> bool {
-        let moving = self.control.as_ref().is_some_and(CameraControl::is_moving);
-        let idle = !self.is_waiting() && !moving && !self.animated;
+        let idle = !self.is_waiting() && !self.is_moving() && !self.animated;
         idle && self.device.as_ref().is_some_and(|device| !device.ready || self.is_complete())
     }
 
@@ -376,15 +382,22 @@ impl App {
 
     /// Something changes by itself.
     fn is_live(&self) -> bool {
-        let moving = self.control.as_ref().is_some_and(CameraControl::is_moving);
-        moving || self.quality != Quality::FULL && self.pending.frame.is_none()
+        self.is_moving() || self.quality.level.is_some() && self.pending.frame.is_none()
+    }
+
+    pub(crate) fn is_moving(&self) -> bool {
+        self.control.as_ref().is_some_and(CameraControl::is_moving)
     }
 
     /// The frame of a view that rests: with everything as it was chosen.
     pub(crate) fn still_job(&self) -> Option<Job> {
+        self.job(&self.still_quality())
+    }
+
+    pub(crate) fn still_quality(&self) -> Quality {
         let scale =
             if self.choices.governor.is_some() { self.governor.largest() } else { self.choices.scale };
-        self.job(&Quality { scale, ..Quality::FULL })
+        Quality { scale, ..Quality::FULL }
     }
 
     pub(crate) fn job(&self, quality: &Quality) -> Option<Job> {
@@ -407,7 +420,7 @@ impl App {
 
     /// The worker, where it has a scene.
     pub(crate) fn ready_worker(&mut self) -> Option<&mut Worker> {
-        self.device.as_mut().filter(|device| device.ready)?.worker.as_mut()
+        self.device.as_mut()?.ready_worker()
     }
 
     /// The scene is shown: it is offered again.

@@ -122,20 +122,10 @@ impl FromStr for Change {
 
 fn setting(name: &str, value: &str) -> Result<Setting, String> {
     Ok(match name {
-        "method" => Setting::Method(one_of(
-            value,
-            &[("full", Method::Full), ("adaptive", Method::Adaptive), ("checkerboard", Method::Checkerboard)],
-        )?),
-        "postcorrect" => Setting::Postcorrect(one_of(
-            value,
-            &[
-                ("auto", Postcorrect::Auto),
-                ("off", Postcorrect::Off),
-                ("objects", Postcorrect::Objects),
-                ("on", Postcorrect::On),
-                ("scans", Postcorrect::Scans),
-            ],
-        )?),
+        "method" => Setting::Method(one_of(value, &Method::ALL.map(|method| (method.name(), method)))?),
+        "postcorrect" => {
+            Setting::Postcorrect(one_of(value, &Postcorrect::ALL.map(|wish| (wish.name(), wish)))?)
+        }
         "block" => Setting::Block(number(value)?),
         "sampling" => Setting::Sampling(number(value)?),
         "depth" => Setting::Depth(number(value)?),

@@ -1,6 +1,6 @@
 //! The `glimpse render` command that makes a frame again.
 
-use glimpse::{Method, Postcorrect, Settings, Show};
+use glimpse::{Settings, Show};
 
 use crate::Job;
 
@@ -22,23 +22,11 @@ pub fn command(scene: &str, camera: &str, job: &Job) -> String {
 fn options(settings: &Settings) -> Vec<String> {
     let usual = Settings::default();
     let (tolerances, usual_tolerances) = (settings.tolerances, usual.tolerances);
-    let method = match settings.method {
-        Method::Full => "full",
-        Method::Adaptive => "adaptive",
-        Method::Checkerboard => "checkerboard",
-    };
-    let postcorrect = match settings.postcorrect {
-        Postcorrect::Auto => "auto",
-        Postcorrect::Off => "off",
-        Postcorrect::Objects => "objects",
-        Postcorrect::On => "on",
-        Postcorrect::Scans => "scans",
-    };
     let words = [
-        (settings.method != usual.method, "method", method.to_owned()),
+        (settings.method != usual.method, "method", settings.method.name().to_owned()),
         (settings.sampling != usual.sampling, "sampling", settings.sampling.to_string()),
         (settings.block != usual.block, "block", settings.block.to_string()),
-        (settings.postcorrect != usual.postcorrect, "postcorrect", postcorrect.to_owned()),
+        (settings.postcorrect != usual.postcorrect, "postcorrect", settings.postcorrect.name().to_owned()),
         (tolerances.pos != usual_tolerances.pos, "t-pos", tolerances.pos.to_string()),
         (tolerances.norm != usual_tolerances.norm, "t-norm", tolerances.norm.to_string()),
         (tolerances.tex != usual_tolerances.tex, "t-tex", tolerances.tex.to_string()),
@@ -65,7 +53,7 @@ fn quoted(word: &str) -> String {
 #[cfg(test)]
 mod tests {
     use glam::Vec3;
-    use glimpse::{Camera, Tolerances};
+    use glimpse::{Camera, Method, Tolerances};
 
     use super::*;
 

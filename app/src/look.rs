@@ -15,7 +15,7 @@ impl App {
             "problem" => Some(Value::Text(readings.problem.clone().unwrap_or_default())),
             "notice" => Some(Value::Text(readings.notice.clone().unwrap_or_default())),
             "legend" => Some(Value::Text(readings.legend.clone())),
-            "method" => Some(Value::Text(format!("{:?}", self.choices.settings.method).to_lowercase())),
+            "method" => Some(Value::Text(self.choices.settings.method.name().to_owned())),
             "show" => Some(Value::Text(self.choices.show.name())),
             "block" => number(self.choices.settings.block.into()),
             "split" => self.choices.split.map(|split| Value::Number(split.into())),

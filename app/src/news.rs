@@ -38,9 +38,9 @@ impl App {
                     self.readings.psnr_db = counted.psnr_db;
                 }
             }
-            News::Captured(captured) => {
+            News::Captured(picture) => {
                 if let Some(file) = self.pending.capture.take() {
-                    self.requests.push(Request::Save(file, captured.1));
+                    self.requests.push(Request::Save(file, picture));
                 }
             }
             News::Picked(point) => {
@@ -137,12 +137,9 @@ impl App {
 
     /// Orders the frame that this moment needs, if it is not there and not being made.
     pub(crate) fn order(&mut self) {
-        let Some(quality) = self.next_quality() else { return };
-        self.quality = quality;
+        self.quality = self.next_quality();
         self.readings.governor = self.governor_at_work();
-        let Some(job) = (if quality == Quality::FULL { self.still_job() } else { self.job(&quality) }) else {
-            return;
-        };
+        let Some(job) = self.job(&self.quality) else { return };
         let known = self.shown.as_ref().is_some_and(|shown| shown.frame.job == job);
         let coming = self.pending.frame.as_ref().is_some_and(|coming| coming.job == job);
         if known || coming || self.pending.vain.as_ref() == Some(&job) {
@@ -169,11 +166,10 @@ impl App {
     }
 
     /// The quality that the governor allows now.
-    fn next_quality(&mut self) -> Option<Quality> {
-        let moving = self.control.as_ref()?.is_moving();
-        let Some(rate) = self.choices.governor else { return Some(Quality::FULL) };
+    fn next_quality(&mut self) -> Quality {
+        let Some(rate) = self.choices.governor else { return self.still_quality() };
+        let moving = self.is_moving();
         self.governor.set_budget(rate.budget_ms());
-        let quality = self.governor.next(self.now, self.report.take(), moving);
-        Some(if quality.level.is_none() { Quality::FULL } else { quality })
+        self.governor.next(self.now, self.report.take(), moving)
     }
 }

@@ -93,9 +93,7 @@ impl<'a> Studio<'a> {
             let result = match office.next() {
                 Order::Leave => return Ok(()),
                 Order::Frame(number, job) => self.frame(number, job, office, teller),
-                Order::Capture(job) => {
-                    self.capture(&job).map(|image| teller.tell(News::Captured(Box::new((job, image)))))
-                }
+                Order::Capture(job) => self.capture(&job).map(|image| teller.tell(News::Captured(image))),
                 Order::Pick(camera, at) => {
                     self.pick(&camera, at).map(|point| teller.tell(News::Picked(point)))
                 }

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use egui::{Rect, Sense, Ui};
 
-use crate::{App, CameraControl, Hud, Motion, Request, Wish};
+use crate::{App, CameraControl, Hud, Motion, Request, Wish, app::Device};
 
 impl App {
     /// Shows the picture and the overlay, and lets the camera follow; returns what is wished.
@@ -53,8 +53,7 @@ impl App {
         let Some(control) = &mut self.control else { return };
         for motion in motions {
             if let Motion::Focus { at } = motion {
-                let device = self.device.as_ref().filter(|device| device.ready);
-                if let Some(worker) = device.and_then(|device| device.worker.as_ref()) {
+                if let Some(worker) = self.device.as_mut().and_then(Device::ready_worker) {
                     // A view is two of the camera's units high.
                     worker.pick(control.camera(), (2.0 * at).into());
                     self.pending.pick = true;

@@ -55,8 +55,8 @@ pub enum News {
     GivenUp(u64),
     /// What was counted in it.
     Counted(u64, Box<Counted>),
-    /// The frame that was asked for in main memory, with its job.
-    Captured(Box<(Job, DisplayImage)>),
+    /// The frame that was asked for, in main memory.
+    Captured(DisplayImage),
     /// The surface point that was asked for, world space; `None` where the ray meets nothing.
     Picked(Option<Vec3>),
     /// What was ordered failed; the next may not.
@@ -69,10 +69,9 @@ pub enum News {
 pub struct Worker {
     gpu: Arc<Gpu>,
     files: Files,
-    wake: Wake,
     office: Arc<Office>,
     news: Receiver<News>,
-    sender: Sender<News>,
+    teller: Teller,
     thread: Option<thread::JoinHandle<()>>,
     jobs: u64,
 }
@@ -85,14 +84,14 @@ impl Worker {
     pub fn start(gpu: Arc<Gpu>, files: Files, wake: Wake) -> std::io::Result<Self> {
         let office = Arc::new(Office::default());
         let (sender, news) = channel();
+        let teller = Teller { sender, wake };
         let thread = {
-            let (gpu, office) = (gpu.clone(), office.clone());
-            let teller = Teller { sender: sender.clone(), wake: wake.clone() };
+            let (gpu, office, teller) = (gpu.clone(), office.clone(), teller.clone());
             thread::Builder::new()
                 .name("glimpse-frames".to_owned())
                 .spawn(move || work(&gpu, &office, &teller))?
         };
-        Ok(Self { gpu, files, wake, office, news, sender, thread: Some(thread), jobs: 0 })
+        Ok(Self { gpu, files, office, news, teller, thread: Some(thread), jobs: 0 })
     }
 
     /// Begins to load a scene. Frames go on meanwhile.
@@ -103,7 +102,7 @@ impl Worker {
             desk.asked
         };
         let (gpu, files, office) = (self.gpu.clone(), self.files.clone(), self.office.clone());
-        let teller = Teller { sender: self.sender.clone(), wake: self.wake.clone() };
+        let teller = self.teller.clone();
         let owned = name.to_owned();
         let spawned = thread::Builder::new().name("glimpse-load".to_owned()).spawn(move || {
             let loaded = caught(|| load(&gpu, &files, &owned, &teller))
@@ -119,8 +118,7 @@ impl Worker {
             }
         });
         if let Err(error) = spawned {
-            // The receiver is this worker's own.
-            let _ = self.sender.send(News::NotOpened(format!("{name}: {error}")));
+            self.teller.tell(News::NotOpened(format!("{name}: {error}")));
         }
     }
 
@@ -146,7 +144,7 @@ impl Worker {
 
     /// What has been told since; does not wait.
     pub fn news(&mut self) -> Option<News> {
-        // This worker holds a sender: there is none, or none yet.
+        // This worker can tell itself: there is none, or none yet.
         self.news.try_recv().ok()
     }
 

@@ -15,6 +15,21 @@ pub enum Method {
     Checkerboard,
 }
 
+impl Method {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Full, Self::Adaptive, Self::Checkerboard];
+
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Full => "full",
+            Self::Adaptive => "adaptive",
+            Self::Checkerboard => "checkerboard",
+        }
+    }
+}
+
 /// What is traced again after an adaptive frame, from traced pixels into interpolated neighbours that differ from them
 /// (Kim 2016, section 4).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
@@ -30,6 +45,23 @@ pub enum Postcorrect {
     On,
     /// As `On`, by the paper's scans along rows and columns (section 5).
     Scans,
+}
+
+impl Postcorrect {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Auto, Self::Off, Self::Objects, Self::On, Self::Scans];
+
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::Off => "off",
+            Self::Objects => "objects",
+            Self::On => "on",
+            Self::Scans => "scans",
+        }
+    }
 }
 
 /// Which pieces of the shaders are linked.

@@ -74,11 +74,8 @@ fn named<T: Copy>(values: &[(T, &str)]) -> Vec<(T, String)> {
 pub const METHOD: Options<Method> = Options {
     name: "method",
     values: || {
-        named(&[
-            (Method::Adaptive, "adaptive"),
-            (Method::Full, "full"),
-            (Method::Checkerboard, "checkerboard"),
-        ])
+        let order = [Method::Adaptive, Method::Full, Method::Checkerboard];
+        named(&order.map(|method| (method, method.name())))
     },
     action: Some(Action::Method),
     get: |choices| choices.settings.method,
@@ -103,15 +100,7 @@ pub const SAMPLING: Options<u32> = Options {
 
 pub const POSTCORRECT: Options<Postcorrect> = Options {
     name: "postcorrection",
-    values: || {
-        named(&[
-            (Postcorrect::Auto, "auto"),
-            (Postcorrect::Off, "off"),
-            (Postcorrect::Objects, "objects"),
-            (Postcorrect::On, "on"),
-            (Postcorrect::Scans, "scans"),
-        ])
-    },
+    values: || named(&Postcorrect::ALL.map(|wish| (wish, wish.name()))),
     action: None,
     get: |choices| choices.settings.postcorrect,
     set: |choices, postcorrect| choices.settings.postcorrect = postcorrect,
