@@ -1,28 +1,37 @@
 //! The library of the Android activity.
 //!
-//! The phone app is not there yet: the activity starts, says so in the system's log, and ends. On other systems this
-//! library is empty.
+//! `android_main` runs a [`glimpse_shell::Session`], which the desktop runs too, on what `android_activity` tells. No logic
+//! but the shell: life cycle, surface, input, and what the system lends.
+//!
+//! | event | what is done |
+//! | --- | --- |
+//! | window created, destroyed | a surface, none; the device and all that is on it stay |
+//! | window resized, turned | the surface is configured once, the frame keeps its pixels |
+//! | resumed | the bars of the system are hidden, an intent's file is opened |
+//! | paused | what the driver has compiled is kept for the next start |
+//! | low memory | frames become smaller, the split view ends |
+//! | destroyed | `android_main` returns; another may begin in the same process |
+//!
+//! On other systems this library holds what can be tested there: touches and the painter of last resort.
+
+pub mod canvas;
+pub mod fingers;
+pub mod heat;
+pub mod wishes;
 
 #[cfg(target_os = "android")]
-mod activity {
-    use winit::platform::android::activity::{AndroidApp, MainEvent, PollEvent};
-
-    /// Called by `android_activity` on a thread of its own once the activity exists; it ends when this returns.
-    #[allow(unsafe_code, reason = "android_activity finds the entry point by its unmangled name")]
-    #[unsafe(no_mangle)]
-    fn android_main(app: AndroidApp) {
-        android_logger::init_once(
-            android_logger::Config::default().with_max_level(log::LevelFilter::Info).with_tag("glimpse"),
-        );
-        log::info!(
-            "the phone app is not there yet; scenes: {}",
-            glimpse_app::scenes().collect::<Vec<_>>().join(", ")
-        );
-        let mut destroyed = false;
-        while !destroyed {
-            app.poll_events(None, |event| {
-                destroyed |= matches!(event, PollEvent::Main(MainEvent::Destroy));
-            });
-        }
-    }
-}
+mod activity;
+#[cfg(target_os = "android")]
+mod compiled;
+#[cfg(target_os = "android")]
+mod files;
+#[cfg(target_os = "android")]
+mod input;
+#[cfg(target_os = "android")]
+mod java;
+#[cfg(target_os = "android")]
+mod ndk_late;
+#[cfg(target_os = "android")]
+mod pace;
+#[cfg(target_os = "android")]
+mod shell;

@@ -10,8 +10,8 @@ use std::{
 use glimpse::{DisplayImage, Gpu};
 
 use crate::{
-    CameraControl, Change, Choices, Files, Frame, FrameRate, FrameReport, Gestures, Governor, Job, Painter,
-    Painting, Quality, Readings, SceneFacts, Wake, Worker,
+    CameraControl, Change, Choices, Files, Frame, FrameRate, FrameReport, Gestures, Governor, Job, Overlay,
+    Painter, Painting, Quality, Readings, SceneFacts, Wake, Worker,
 };
 
 /// Scenes from files that are remembered.
@@ -75,6 +75,8 @@ pub struct App {
     pub(crate) report: Option<FrameReport>,
     /// Pixels of the view, where they are not the window's.
     pub(crate) view: Option<[u32; 2]>,
+    /// Pixels of the screen that the picture takes.
+    pub(crate) picture: [u32; 2],
     pub(crate) shown: Option<Shown>,
     pub(crate) pending: Pending,
     pub(crate) requests: Vec<Request>,
@@ -88,6 +90,8 @@ pub struct App {
     pub(crate) cost: Option<f64>,
     pub(crate) losses: u32,
     pub(crate) tally: Tally,
+    /// Frames that were timed.
+    pub(crate) frames: u64,
 }
 
 /// Frames since the governor was chosen last.
@@ -120,6 +124,8 @@ pub(crate) struct Shown {
     pub frame: Box<Frame>,
     pub picture: egui::TextureId,
     pub full: Option<egui::TextureId>,
+    /// Pixels are repeated, not interpolated.
+    pub exact: bool,
 }
 
 /// A frame that was ordered.
@@ -166,6 +172,7 @@ impl App {
             quality: Quality::FULL,
             report: None,
             view: None,
+            picture: [0, 0],
             shown: None,
             pending: Pending::default(),
             requests: Vec::new(),
@@ -177,6 +184,7 @@ impl App {
             cost: None,
             losses: 0,
             tally: Tally::default(),
+            frames: 0,
         };
         app.list_scenes();
         app
@@ -324,6 +332,35 @@ impl App {
     /// The system is hot: a factor on the time that a frame may take, 1 when it is cool.
     pub fn set_thermal(&mut self, factor: f32) {
         self.governor.set_thermal(factor);
+    }
+
+    /// A step back: closes what lies open above the picture; tells whether there was anything.
+    pub fn back(&mut self) -> bool {
+        let closed = self.readings.problem.take().is_some() || self.choices.help;
+        self.choices.help = false;
+        if !closed && self.choices.overlay == Overlay::Full {
+            self.choices.overlay = Overlay::Brief;
+            return true;
+        }
+        closed
+    }
+
+    /// Frames that were timed so far, and milliseconds of the last one.
+    #[must_use]
+    pub fn last_frame(&self) -> (u64, Option<f32>) {
+        (self.frames, self.readings.frame_ms.back().copied())
+    }
+
+    /// The scene that is shown, or that was asked for since.
+    #[must_use]
+    pub fn scene_wanted(&self) -> &str {
+        &self.wanted
+    }
+
+    /// What went wrong and is being told.
+    #[must_use]
+    pub fn problem(&self) -> Option<&str> {
+        self.readings.problem.as_deref()
     }
 
     /// The system wants memory back.

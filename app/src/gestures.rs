@@ -17,7 +17,7 @@ mod tests;
 
 use std::time::Duration;
 
-use egui::{InputState, Key, PointerButton, Pos2, Response};
+use egui::{InputState, Key, PointerButton, Pos2, Rect, Response};
 use glam::{Vec2, Vec3};
 
 use crate::Navigation;
@@ -81,10 +81,16 @@ pub struct Gestures {
 }
 
 impl Gestures {
-    /// The motions of this frame over the view whose response that is (which senses clicks and drags); `time` has passed
-    /// since the last one. Keys count while nothing else has the focus.
-    pub fn read(&mut self, response: &Response, navigation: Navigation, time: Duration) -> Vec<Motion> {
-        let view = View::of(response);
+    /// The motions of this frame over the picture, wherever in the view they happen whose response that is (which senses
+    /// clicks and drags); `time` has passed since the last one. Keys count while nothing else has the focus.
+    pub fn read(
+        &mut self,
+        response: &Response,
+        picture: Rect,
+        navigation: Navigation,
+        time: Duration,
+    ) -> Vec<Motion> {
+        let view = View { center: picture.center(), height: picture.height() };
         let over = response.contains_pointer() || response.dragged();
         let keys = response.ctx.memory(|memory| memory.focused()).is_none_or(|id| id == response.id);
         let buttons = [PointerButton::Primary, PointerButton::Secondary, PointerButton::Middle];
@@ -110,17 +116,13 @@ impl Gestures {
     }
 }
 
-/// Where the view is, in points.
+/// Where the picture is, in points.
 struct View {
     center: Pos2,
     height: f32,
 }
 
 impl View {
-    fn of(response: &Response) -> Self {
-        Self { center: response.rect.center(), height: response.rect.height() }
-    }
-
     /// View heights, right and up.
     fn heights(&self, by: egui::Vec2) -> Vec2 {
         Vec2::new(by.x, -by.y) / self.height

@@ -94,6 +94,7 @@ impl App {
         let pixels = frame.job.size.map(u64::from).iter().product();
         let ms = self.cost.map_or(frame.ms, |cost| cost * pixels as f64 * 1e-6);
         if !frame.compiled {
+            self.frames += 1;
             self.report = Some(FrameReport { level: frame.job.level, pixels, ms });
             if !frame.job.is_still() {
                 self.tally.frames += 1;
@@ -107,10 +108,20 @@ impl App {
         readings.size = frame.job.size;
         readings.memory = frame.memory;
         readings.legend.clone_from(&frame.legend);
-        let Some(Device { gpu, painter, .. }) = &mut self.device else { return };
-        let exact = frame.job.size == readings.view;
         let (known, known_full) =
             self.shown.take().map_or((None, None), |shown| (Some(shown.picture), shown.full));
+        self.present(frame, known, known_full);
+    }
+
+    /// Shows a frame, in the textures that the overlay knows already.
+    pub(crate) fn present(
+        &mut self,
+        frame: Box<Frame>,
+        known: Option<egui::TextureId>,
+        known_full: Option<egui::TextureId>,
+    ) {
+        let Some(Device { gpu, painter, .. }) = &mut self.device else { return };
+        let exact = frame.job.size == self.picture;
         let picture = painter.register(gpu, &frame.picture, exact, known);
         let full = match &frame.full {
             Some(full) => Some(painter.register(gpu, full, exact, known_full)),
@@ -119,7 +130,7 @@ impl App {
                 None
             }
         };
-        self.shown = Some(Shown { frame, picture, full });
+        self.shown = Some(Shown { frame, picture, full, exact });
     }
 
     /// The device or its thread is gone.

@@ -15,13 +15,16 @@ impl App {
         let pixels = context.pixels_per_point();
         let window = [view.width(), view.height()].map(|side| ((side * pixels).round() as u32).max(1));
         self.readings.view = self.view.unwrap_or(window);
-        self.draw_picture(ui, view);
+        let picture = fitted(self.readings.view, view, pixels);
+        self.sharpen((picture.size() * pixels).round());
+        self.draw_picture(ui, picture);
         self.tell_what_is_going_on();
-        let motions = self.gestures.read(&response, self.choices.navigation, passed);
+        let motions = self.gestures.read(&response, picture, self.choices.navigation, passed);
         let hud = Hud {
             choices: &mut self.choices,
             readings: &self.readings,
             scenes: &self.scenes,
+            picture,
             touch: self.touch,
         };
         let wishes = hud.show(&context);
@@ -29,14 +32,24 @@ impl App {
         wishes
     }
 
-    fn draw_picture(&self, ui: &Ui, view: Rect) {
+    /// Shows every pixel of the frame as it is where the picture has as many on the screen.
+    fn sharpen(&mut self, picture: egui::Vec2) {
+        self.picture = [picture.x, picture.y].map(|side| side as u32);
+        let blurred =
+            self.shown.as_ref().is_some_and(|shown| shown.exact != (shown.frame.job.size == self.picture));
+        if let (true, Some(shown)) = (blurred, self.shown.take()) {
+            self.present(shown.frame, Some(shown.picture), shown.full);
+        }
+    }
+
+    fn draw_picture(&self, ui: &Ui, picture: Rect) {
         let Some(shown) = &self.shown else { return };
         let whole = Rect::from_min_max(egui::Pos2::ZERO, egui::pos2(1.0, 1.0));
-        ui.painter().image(shown.picture, view, whole, egui::Color32::WHITE);
+        ui.painter().image(shown.picture, picture, whole, egui::Color32::WHITE);
         if let (Some(full), Some(split)) = (shown.full, self.choices.split) {
-            let mut right = view;
-            right.min.x = view.left() + split * view.width();
-            ui.painter().with_clip_rect(right).image(full, view, whole, egui::Color32::WHITE);
+            let mut right = picture;
+            right.min.x = picture.left() + split * picture.width();
+            ui.painter().with_clip_rect(right).image(full, picture, whole, egui::Color32::WHITE);
         }
     }
 
@@ -88,5 +101,44 @@ impl App {
             Wish::CloseProblem => self.readings.problem = None,
             Wish::Quit => self.requests.push(Request::Quit),
         }
+    }
+}
+
+/// Where a frame of that shape is shown: in the middle of the view, as large as it fits, on whole pixels. What would miss
+/// the view's own shape by less than a pixel fills it.
+fn fitted(frame: [u32; 2], view: Rect, pixels_per_point: f32) -> Rect {
+    let [width, height] = frame.map(|side| side as f32);
+    let room = view.size() * pixels_per_point;
+    let scale = (room.x / width).min(room.y / height);
+    let size = (egui::vec2(width, height) * scale).round().max(egui::Vec2::splat(1.0));
+    let spare = (room - size).max(egui::Vec2::ZERO);
+    if spare.x < 1.0 && spare.y < 1.0 {
+        return view;
+    }
+    let corner = view.min + (0.5 * spare).floor() / pixels_per_point;
+    Rect::from_min_size(corner, size / pixels_per_point)
+}
+
+#[cfg(test)]
+mod tests {
+    use egui::{pos2, vec2};
+
+    use super::*;
+
+    #[test]
+    fn a_frame_of_another_shape_lies_in_the_middle() {
+        let phone = Rect::from_min_size(pos2(0.0, 0.0), vec2(1200.0, 540.0));
+        let picture = fitted([2560, 1440], phone, 2.0);
+        assert_eq!(picture, Rect::from_min_size(pos2(120.0, 0.0), vec2(960.0, 540.0)));
+        let upright = Rect::from_min_size(pos2(0.0, 0.0), vec2(540.0, 1200.0));
+        let picture = fitted([2560, 1440], upright, 1.0);
+        assert_eq!(picture, Rect::from_min_size(pos2(0.0, 448.0), vec2(540.0, 304.0)));
+    }
+
+    #[test]
+    fn a_frame_of_the_same_shape_fills_the_view() {
+        let view = Rect::from_min_size(pos2(0.0, 0.0), vec2(405.0, 900.0));
+        assert_eq!(fitted([1080, 2400], view, 1.0), view);
+        assert_eq!(fitted([1081, 2400], view, 1.0), view, "less than a pixel");
     }
 }

@@ -51,7 +51,7 @@ mod targets;
 
 pub use camera::Camera;
 pub use error::{Error, Result};
-pub use gpu::Gpu;
+pub use gpu::{Gpu, instance};
 pub use gpu_scene::GpuScene;
 pub use image::{DisplayImage, LinearImage, Picture, encode_display, to_exr, to_png};
 pub use missing::Missing;

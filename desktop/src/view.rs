@@ -25,7 +25,9 @@ pub fn run(options: &ViewOptions, adapter: Option<&str>) -> anyhow::Result<()> {
         return glimpse_shell::run_offscreen(setup).map_err(|line| anyhow!(line));
     }
     match EventLoop::<Wakeup>::with_user_event().build() {
-        Ok(event_loop) => glimpse_shell::run_window(event_loop, setup).map_err(|line| anyhow!(line)),
+        Ok(event_loop) => {
+            glimpse_shell::run_window(event_loop, setup, Box::new(open_dialog)).map_err(|line| anyhow!(line))
+        }
         Err(error @ (EventLoopError::Os(_) | EventLoopError::NotSupported(_)))
             if options.script.is_none() =>
         {
@@ -52,6 +54,7 @@ fn setup(options: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::R
         adapter: adapter.map(str::to_owned),
         limits: phone.as_ref().map(Phone::limits),
         screen: phone.as_ref().map(screen),
+        view: None,
         size,
         script,
         save: Box::new(|file, picture| save(file, picture).map_err(|error| format!("{error:#}"))),
@@ -60,7 +63,6 @@ fn setup(options: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::R
                 log::warn!("{error:#}");
             }
         }),
-        open_dialog: Box::new(open_dialog),
     })
 }
 

@@ -1,10 +1,11 @@
-//! The window around the app, on winit: what the desktop and Android have in common. No logic but the shell: how a frame is
-//! made and what a gesture means is the app's.
+//! What is around the app: a [`Session`] and a [`Surface`], which the desktop and Android have in common, and the desktop's
+//! window on winit. No logic but the shell: how a frame is made and what a gesture means is the app's.
 
 mod offscreen;
 mod session;
 mod surface;
 mod touch;
+#[cfg(not(target_os = "android"))]
 mod window;
 
 use std::path::PathBuf;
@@ -13,10 +14,10 @@ use glimpse::DisplayImage;
 use glimpse_app::{Choices, Files, script::Script};
 
 pub use offscreen::run as run_offscreen;
-pub use window::{Wakeup, run as run_window};
-
-/// Calls back with the file that a person has chosen, from whatever thread.
-pub type Chosen = Box<dyn FnOnce(PathBuf) + Send>;
+pub use session::{Leftover, Session};
+pub use surface::{Acquired, Surface};
+#[cfg(not(target_os = "android"))]
+pub use window::{Chosen, OpenDialog, Wakeup, run as run_window};
 
 /// Saves a picture under a name, or under one of its own; returns what to tell.
 pub type Save = Box<dyn FnMut(Option<PathBuf>, &DisplayImage) -> Result<String>>;
@@ -40,6 +41,8 @@ pub struct Setup {
     pub limits: Option<wgpu::Limits>,
     /// The screen that is emulated, in portrait; else the window's own.
     pub screen: Option<Screen>,
+    /// Pixels of the frame of a view that rests, in landscape, whatever the screen has.
+    pub view: Option<[u32; 2]>,
     /// Pixels of the window at first.
     pub size: [u32; 2],
     /// What happens by itself.
@@ -48,8 +51,6 @@ pub struct Setup {
     pub save: Save,
     /// Remembers files that were opened.
     pub remember: Remember,
-    /// Lets a person choose a file, without blocking.
-    pub open_dialog: Box<dyn FnMut(Chosen)>,
 }
 
 /// A screen that is emulated.

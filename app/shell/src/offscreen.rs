@@ -36,8 +36,8 @@ struct Stage {
 impl Stage {
     fn attach(&mut self) -> Result<()> {
         let setup = self.session.setup();
-        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-        let gpu = Gpu::for_surface(&instance, setup.adapter.as_deref(), None, setup.limits.as_ref());
+        let gpu =
+            Gpu::for_surface(&glimpse::instance(), setup.adapter.as_deref(), None, setup.limits.as_ref());
         let gpu = Arc::new(gpu.map_err(|error| error.to_string())?);
         self.session.attach(&gpu, FORMAT);
         self.target = Some((gpu.clone(), image(&gpu, self.size)));

@@ -10,14 +10,15 @@ use std::{
 use egui::{Rect, pos2, vec2};
 use glimpse::{DisplayImage, Gpu};
 use glimpse_app::{
-    App, Request, Update, Wake,
+    App, Painting, Request, Update, Wake,
     script::{Ask, Player, ShellEvent},
 };
 
-use crate::{Chosen, Result, Screen, Setup, touch::Finger};
+use crate::{Acquired, Result, Screen, Setup, Surface, touch::Finger};
 
 /// The app, the script that plays it, and what the platform lends.
 pub struct Session {
+    /// The app.
     pub app: App,
     player: Option<Player>,
     setup: Setup,
@@ -46,6 +47,8 @@ pub struct Leftover {
 }
 
 impl Session {
+    /// Without a device: see [`Session::attach`]. `wake` is called from other threads when there is news.
+    #[must_use]
     pub fn new(mut setup: Setup, wake: Wake) -> Self {
         let recent = std::mem::take(&mut setup.recent);
         let app = App::new(setup.files.clone(), wake, &setup.scene, recent, setup.choices);
@@ -61,6 +64,8 @@ impl Session {
         }
     }
 
+    /// What the platform lends.
+    #[must_use]
     pub fn setup(&self) -> &Setup {
         &self.setup
     }
@@ -70,14 +75,12 @@ impl Session {
         self.player.is_some()
     }
 
+    /// Takes a device, as [`App::attach`].
     pub fn attach(&mut self, gpu: &Arc<Gpu>, format: wgpu::TextureFormat) {
         self.app.attach(gpu.clone(), format);
     }
 
-    pub fn dialog(&mut self, chosen: Chosen) {
-        (self.setup.open_dialog)(chosen);
-    }
-
+    /// Turns the screen that is emulated.
     pub fn turn(&mut self) {
         self.turned = !self.turned;
     }
@@ -103,7 +106,10 @@ impl Session {
         pixels_per_point: f32,
     ) -> Result<(Update, Leftover)> {
         let screen = self.screen();
-        self.app.set_view(screen.map(|screen| screen.pixels));
+        let lying = size[0] >= size[1];
+        let chosen =
+            self.setup.view.map(|[width, height]| if lying { [width, height] } else { [height, width] });
+        self.app.set_view(chosen.or(screen.map(|screen| screen.pixels)));
         let native = match screen {
             // As many points as on the phone, however large the window is.
             Some(screen) => screen.pixels_per_point * size[0] as f32 / screen.pixels[0] as f32,
@@ -177,13 +183,34 @@ impl Session {
         Ok(())
     }
 
+    /// Paints and presents; tells whether the surface is lost. Without a surface the overlay is kept up to date.
+    ///
+    /// # Errors
+    /// A picture of the window that could not be saved.
+    pub fn show(&mut self, painting: &mut Painting, mut surface: Option<&mut Surface>) -> Result<bool> {
+        let acquired = surface.as_mut().map_or(Acquired::None, |surface| surface.acquire());
+        let (Acquired::Picture(picture), Some(surface)) = (&acquired, &surface) else {
+            self.app.paint(painting, None, [1, 1]);
+            return Ok(matches!(acquired, Acquired::Lost));
+        };
+        let view = picture.texture.create_view(&wgpu::TextureViewDescriptor::default());
+        self.app.paint(painting, Some(&view), surface.size());
+        if self.wants_shot() {
+            self.shoot(&surface.read(picture)?)?;
+        }
+        if let Acquired::Picture(picture) = acquired {
+            surface.present(picture);
+        }
+        Ok(false)
+    }
+
     /// A picture of the window is wanted.
-    pub fn wants_shot(&self) -> bool {
+    pub(crate) fn wants_shot(&self) -> bool {
         !self.shots.is_empty()
     }
 
     /// Saves what the window shows where that is wanted.
-    pub fn shoot(&mut self, picture: &DisplayImage) -> Result<()> {
+    pub(crate) fn shoot(&mut self, picture: &DisplayImage) -> Result<()> {
         for file in std::mem::take(&mut self.shots) {
             // No notice: it would be in the next.
             (self.setup.save)(Some(file), picture)?;
@@ -192,7 +219,7 @@ impl Session {
     }
 
     /// Saves a picture; a script ends where that fails.
-    pub fn save(&mut self, file: Option<PathBuf>, picture: &DisplayImage) -> Result<()> {
+    fn save(&mut self, file: Option<PathBuf>, picture: &DisplayImage) -> Result<()> {
         match (self.setup.save)(file, picture) {
             Ok(text) => self.app.notify(text),
             Err(line) if self.player.is_some() => return Err(line),

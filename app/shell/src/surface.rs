@@ -5,11 +5,10 @@ use std::sync::Arc;
 use glimpse::{DisplayImage, Gpu};
 use glimpse_app::Vsync;
 use wgpu::CurrentSurfaceTexture as Current;
-use winit::window::Window;
 
 use crate::Result;
 
-/// A surface that is configured for the size of its window.
+/// A surface that is configured for the size of its window. What the window is, its owner knows.
 pub struct Surface {
     surface: wgpu::Surface<'static>,
     gpu: Arc<Gpu>,
@@ -29,18 +28,18 @@ pub enum Acquired {
 }
 
 impl Surface {
-    /// Takes a surface of the window.
+    /// Takes a surface of a window that has that many pixels.
     ///
     /// # Errors
     /// An adapter that cannot show pictures there.
     pub fn new(
         surface: wgpu::Surface<'static>,
         gpu: &Arc<Gpu>,
-        window: &Window,
+        size: [u32; 2],
         vsync: Vsync,
     ) -> Result<Self> {
         let capabilities = surface.get_capabilities(gpu.adapter());
-        let [width, height] = extent(window);
+        let [width, height] = extent(size);
         let mut config = surface
             .get_default_config(gpu.adapter(), width, height)
             .ok_or_else(|| format!("`{}` cannot show pictures in this window", gpu.facts().info.name))?;
@@ -67,8 +66,8 @@ impl Surface {
     }
 
     /// Follows the window and the choice of a present mode.
-    pub fn follow(&mut self, window: &Window, vsync: Vsync) {
-        let size = extent(window);
+    pub fn follow(&mut self, size: [u32; 2], vsync: Vsync) {
+        let size = extent(size);
         if size != self.size() || vsync != self.vsync {
             [self.config.width, self.config.height] = size;
             self.vsync = vsync;
@@ -131,8 +130,7 @@ impl Surface {
     }
 }
 
-/// The window's pixels; a window without any gets one.
-fn extent(window: &Window) -> [u32; 2] {
-    let size = window.inner_size();
-    [size.width.max(1), size.height.max(1)]
+/// A window without pixels gets one.
+fn extent(size: [u32; 2]) -> [u32; 2] {
+    size.map(|side| side.max(1))
 }

@@ -15,8 +15,14 @@ use winit::{
 use crate::{
     Result, Setup,
     session::{Leftover, Session},
-    surface::{Acquired, Surface},
+    surface::Surface,
 };
+
+/// Calls back with the file that a person has chosen, from whatever thread.
+pub type Chosen = Box<dyn FnOnce(PathBuf) + Send>;
+
+/// Lets a person choose a file, without blocking.
+pub type OpenDialog = Box<dyn FnMut(Chosen)>;
 
 /// What wakes the event loop from outside.
 #[derive(Debug)]
@@ -31,7 +37,7 @@ pub enum Wakeup {
 ///
 /// # Errors
 /// No display, no device, or a script that was not met.
-pub fn run(event_loop: EventLoop<Wakeup>, setup: Setup) -> Result<()> {
+pub fn run(event_loop: EventLoop<Wakeup>, setup: Setup, open_dialog: OpenDialog) -> Result<()> {
     let proxy = event_loop.create_proxy();
     let waker = proxy.clone();
     // A loop that has ended needs no news.
@@ -39,6 +45,7 @@ pub fn run(event_loop: EventLoop<Wakeup>, setup: Setup) -> Result<()> {
     let mut shell = Shell {
         session: Session::new(setup, wake),
         proxy,
+        open_dialog,
         instance: None,
         window: None,
         gpu: None,
@@ -55,6 +62,7 @@ pub fn run(event_loop: EventLoop<Wakeup>, setup: Setup) -> Result<()> {
 struct Shell {
     session: Session,
     proxy: EventLoopProxy<Wakeup>,
+    open_dialog: OpenDialog,
     instance: Option<wgpu::Instance>,
     window: Option<Arc<Window>>,
     gpu: Option<Arc<Gpu>>,
@@ -163,7 +171,7 @@ impl Shell {
                 Arc::new(gpu.map_err(|error| error.to_string())?)
             }
         };
-        let surface = Surface::new(surface, &gpu, window, self.session.app.choices().vsync)?;
+        let surface = Surface::new(surface, &gpu, pixels(window), self.session.app.choices().vsync)?;
         if is_new {
             self.session.attach(&gpu, surface.format());
             self.input = Some(egui_winit::State::new(
@@ -185,12 +193,13 @@ impl Shell {
         let (Some(window), Some(input)) = (self.window.clone(), &mut self.input) else { return Ok(()) };
         let Choices { vsync, .. } = *self.session.app.choices();
         if let Some(surface) = &mut self.surface {
-            surface.follow(&window, vsync);
+            surface.follow(pixels(&window), vsync);
             self.size = surface.size();
         }
         let raw = input.take_egui_input(&window);
         let (mut update, leftover) = self.session.frame(raw, self.size, window.scale_factor() as f32)?;
-        let lost = self.show(&mut update.painting)?;
+        let surface = self.surface.as_mut().filter(|_| !self.paused);
+        let lost = self.session.show(&mut update.painting, surface)?;
         if let Some(input) = &mut self.input {
             input.handle_platform_output(&window, update.platform);
         }
@@ -207,27 +216,6 @@ impl Shell {
         };
         event_loop.set_control_flow(flow);
         self.follow(event_loop, &window, leftover)
-    }
-
-    /// Paints and presents; tells whether the surface is lost.
-    fn show(&mut self, painting: &mut glimpse_app::Painting) -> Result<bool> {
-        let acquired = match &mut self.surface {
-            Some(surface) if !self.paused => surface.acquire(),
-            _ => Acquired::None,
-        };
-        let (Acquired::Picture(picture), Some(surface)) = (&acquired, &self.surface) else {
-            self.session.app.paint(painting, None, [1, 1]);
-            return Ok(matches!(acquired, Acquired::Lost));
-        };
-        let view = picture.texture.create_view(&wgpu::TextureViewDescriptor::default());
-        self.session.app.paint(painting, Some(&view), surface.size());
-        if self.session.wants_shot() {
-            self.session.shoot(&surface.read(picture)?)?;
-        }
-        if let (Acquired::Picture(picture), Some(surface)) = (acquired, &self.surface) {
-            surface.present(picture);
-        }
-        Ok(false)
     }
 
     fn follow(&mut self, event_loop: &ActiveEventLoop, window: &Window, leftover: Leftover) -> Result<()> {
@@ -259,7 +247,7 @@ impl Shell {
         if leftover.dialog {
             let proxy = self.proxy.clone();
             // A loop that has ended opens no files.
-            self.session.dialog(Box::new(move |file| drop(proxy.send_event(Wakeup::Chosen(file)))));
+            (self.open_dialog)(Box::new(move |file| drop(proxy.send_event(Wakeup::Chosen(file)))));
         }
         if leftover.new_device {
             self.gpu = None;
@@ -270,6 +258,10 @@ impl Shell {
         }
         Ok(())
     }
+}
+
+fn pixels(window: &Window) -> [u32; 2] {
+    window.inner_size().into()
 }
 
 fn resize(window: &Window, [width, height]: [u32; 2]) {

@@ -57,7 +57,7 @@ impl Hand {
             let mut place = ui.ctx().content_rect();
             place.set_width(part * place.width());
             let view = ui.interact(place, egui::Id::unique("view"), Sense::click_and_drag());
-            motions = gestures.read(&view, navigation, FRAME);
+            motions = gestures.read(&view, view.rect, navigation, FRAME);
         });
         motions
     }

@@ -105,7 +105,13 @@ mod tests {
             choices.help = shortcut.action == Action::Close;
             let before = choices;
             let scenes = ["builtin:room".to_owned()];
-            let mut hud = Hud { choices: &mut choices, readings: &readings, scenes: &scenes, touch: false };
+            let mut hud = Hud {
+                choices: &mut choices,
+                readings: &readings,
+                scenes: &scenes,
+                picture: egui::Rect::ZERO,
+                touch: false,
+            };
             let wish = act(&mut hud, shortcut.action, 0);
             assert!(wish.is_some() != (choices != before), "{:?}: {wish:?}", shortcut.action);
         }

@@ -19,7 +19,7 @@ mod style;
 #[cfg(test)]
 mod tests;
 
-use egui::Context;
+use egui::{Context, Rect};
 
 use crate::{Choices, Overlay, Readings};
 
@@ -56,6 +56,8 @@ pub struct Hud<'a> {
     pub readings: &'a Readings,
     /// Scenes to choose from: the built-in ones, then those that were opened last.
     pub scenes: &'a [String],
+    /// Where the picture is.
+    pub picture: Rect,
     /// Fingers point, not a mouse: everything that can be hit is large enough for them.
     pub touch: bool,
 }
@@ -80,7 +82,7 @@ impl Hud<'_> {
     }
 
     fn draw(&mut self, ctx: &Context, wishes: &mut Vec<Wish>) {
-        split::show(ctx, self.choices, self.readings);
+        split::show(ctx, self.choices, self.readings, self.picture);
         match self.choices.overlay {
             Overlay::Full => panel::show(ctx, self, wishes),
             Overlay::Brief => status::show(ctx, self.choices, self.readings),

@@ -11,27 +11,26 @@ use crate::{Choices, Readings};
 /// What a press of an arrow key moves the divider by, as a share of the width.
 const KEY_STEP: f32 = 0.01;
 
-/// Shows the divider while the view is split. The handle alone takes input: beside it the picture is dragged.
-pub fn show(ctx: &Context, choices: &mut Choices, readings: &Readings) {
+/// Shows the divider while the picture is split. The handle alone takes input: beside it the picture is dragged.
+pub fn show(ctx: &Context, choices: &mut Choices, readings: &Readings, picture: Rect) {
     let Some(share) = choices.split else { return };
-    let view = ctx.viewport_rect();
-    let x = view.left() + share.clamp(0.0, 1.0) * view.width();
+    let x = picture.left() + share.clamp(0.0, 1.0) * picture.width();
     let line = ctx.layer_painter(LayerId::new(Order::Middle, Id::unique("split line")));
-    line.vline(x, view.y_range(), Stroke::new(3.0, Color32::from_black_alpha(110)));
-    line.vline(x, view.y_range(), Stroke::new(1.0, Color32::WHITE));
+    line.vline(x, picture.y_range(), Stroke::new(3.0, Color32::from_black_alpha(110)));
+    line.vline(x, picture.y_range(), Stroke::new(1.0, Color32::WHITE));
     labels(&line, ctx, choices, readings, x);
     let content = ctx.content_rect();
     let size = Vec2::splat(style::TOUCH_TARGET);
     let corner = pos2(x, content.center().y) - 0.5 * size;
     let area = Area::new(Id::unique("split")).order(Order::Middle).fixed_pos(corner).constrain_to(content);
     area.show(ctx, |ui| {
-        let moved = handle(ui, size, share, view);
+        let moved = handle(ui, size, share, picture.width());
         choices.split = Some(moved.clamp(0.0, 1.0));
     });
 }
 
 /// The handle; returns the share of the width where it is now.
-fn handle(ui: &mut Ui, size: Vec2, share: f32, view: Rect) -> f32 {
+fn handle(ui: &mut Ui, size: Vec2, share: f32, width: f32) -> f32 {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
     let response = response.on_hover_and_drag_cursor(CursorIcon::ResizeHorizontal);
     paint_handle(ui, rect, &response);
@@ -41,7 +40,7 @@ fn handle(ui: &mut Ui, size: Vec2, share: f32, view: Rect) -> f32 {
     }
     let mut moved = share;
     if response.dragged() {
-        moved += response.drag_delta().x / view.width();
+        moved += response.drag_delta().x / width;
     }
     if response.has_focus() {
         let arrows = EventFilter { horizontal_arrows: true, ..Default::default() };

@@ -68,7 +68,7 @@ impl Kernel {
                     zero_initialize_workgroup_memory: false,
                     ..Default::default()
                 },
-                cache: None,
+                cache: gpu.compiled.as_ref(),
             })
         });
         let pipeline = pipeline.map_err(|error| match error {

@@ -4,6 +4,7 @@ mod health;
 mod kernel;
 mod memory;
 pub(crate) mod mirror;
+mod pipelines;
 pub mod shader;
 #[cfg(test)]
 mod tests;
@@ -61,6 +62,8 @@ pub struct Gpu {
     /// Held from a submission until its result has been copied: whoever polls a lost device frees its buffers, those
     /// that another thread has mapped included.
     turn: Mutex<()>,
+    /// What drivers compiled before.
+    compiled: Option<wgpu::PipelineCache>,
 }
 
 impl Gpu {
@@ -120,7 +123,8 @@ impl Gpu {
         }
         let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("glimpse"),
-            required_features: adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
+            required_features: adapter.features()
+                & (wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::PIPELINE_CACHE),
             required_limits: limits,
             ..Default::default()
         }))
@@ -135,7 +139,8 @@ impl Gpu {
             facts.info.driver_info
         );
         let health = Health::watch(&device);
-        Ok(Self { device, queue, adapter, facts, health, patience: PATIENCE, turn: Mutex::new(()) })
+        let turn = Mutex::new(());
+        Ok(Self { device, queue, adapter, facts, health, patience: PATIENCE, turn, compiled: None })
     }
 
     /// Waits at most that long for a frame or a readback ([`PATIENCE`]).
@@ -195,7 +200,9 @@ impl Gpu {
     }
 }
 
-fn instance() -> wgpu::Instance {
+/// Of the backends that are Vulkan's kind: others' compute is not enough.
+#[must_use]
+pub fn instance() -> wgpu::Instance {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
     descriptor.backends &= wgpu::Backends::PRIMARY;
     wgpu::Instance::new(descriptor)

@@ -48,6 +48,7 @@ fn frame(ui: &mut egui::Ui, stage: &mut Stage) {
         choices: &mut stage.choices,
         readings: &stage.readings,
         scenes: &stage.scenes,
+        picture: ui.ctx().viewport_rect(),
         touch: stage.touch,
     };
     stage.wishes.extend(hud.show(ui.ctx()));

@@ -1,0 +1,89 @@
+//! Scenes by their names: built-in ones, those of the package, files of other apps.
+
+use std::{
+    collections::HashMap,
+    ffi::CString,
+    fs::File,
+    io::Read,
+    os::fd::FromRawFd,
+    sync::{Arc, Mutex, PoisonError},
+};
+
+use android_activity::AndroidApp;
+use glimpse::{Scene, scene};
+use glimpse_app::Files;
+
+use crate::java;
+
+/// The content URIs of this process by what people call their files.
+pub type Names = Arc<Mutex<HashMap<String, String>>>;
+
+/// The name under which the file of a content URI is opened from now on.
+pub fn name(app: &AndroidApp, names: &Names, uri: &str) -> String {
+    let told = java::display_name(app, uri).unwrap_or_else(|error| {
+        log::info!("{uri} has no name: {error}");
+        None
+    });
+    let last = uri.rsplit('/').next().unwrap_or(uri);
+    let name = told.unwrap_or_else(|| last.to_owned());
+    names.lock().unwrap_or_else(PoisonError::into_inner).insert(name.clone(), uri.to_owned());
+    name
+}
+
+/// The package's scenes, as `asset:NAME`.
+pub fn assets(app: &AndroidApp) -> Vec<String> {
+    let mut names = Vec::new();
+    if let Some(mut folder) = app.asset_manager().open_dir(c"scenes") {
+        while let Some(name) = folder.with_next(|name| name.to_string_lossy().into_owned()) {
+            names.push(format!("asset:{name}"));
+        }
+    }
+    names.sort();
+    names
+}
+
+/// Reads scenes, from whatever thread.
+pub fn reader(app: &AndroidApp, names: &Names) -> Files {
+    let (app, names) = (app.clone(), names.clone());
+    Arc::new(move |name| load(&app, &names, name).map_err(|reason| format!("{name}: {reason}")))
+}
+
+fn load(app: &AndroidApp, names: &Names, name: &str) -> Result<Scene, String> {
+    if let Some(builtin) = name.strip_prefix("builtin:") {
+        return scene::builtin(builtin)
+            .ok_or_else(|| format!("no such scene; there are {}", scene::BUILTIN_NAMES.join(", ")));
+    }
+    let bytes = match name.strip_prefix("asset:") {
+        Some(asset) => read_asset(app, asset)?,
+        None => {
+            let uri = names.lock().unwrap_or_else(PoisonError::into_inner).get(name).cloned();
+            read_content(app, &uri.unwrap_or_else(|| name.to_owned()))?
+        }
+    };
+    let mut alone = |uri: &str| {
+        Err(format!(
+            "expected a .glb with everything in it, found a scene that needs the file `{uri}` beside it"
+        ))
+    };
+    Scene::from_gltf(&bytes, &mut alone).map_err(|error| error.to_string())
+}
+
+fn read_asset(app: &AndroidApp, name: &str) -> Result<Vec<u8>, String> {
+    let path = CString::new(format!("scenes/{name}")).map_err(|error| error.to_string())?;
+    let missing = || format!("no such scene in the package; there are {}", assets(app).join(", "));
+    let mut asset = app.asset_manager().open(&path).ok_or_else(missing)?;
+    asset.buffer().map(<[u8]>::to_vec).map_err(|error| format!("cannot be read: {error}"))
+}
+
+fn read_content(app: &AndroidApp, uri: &str) -> Result<Vec<u8>, String> {
+    let descriptor = java::open(app, uri).map_err(|error| format!("cannot be read: {error}"))?;
+    if descriptor < 0 {
+        return Err("cannot be read: its owner gives no file".to_owned());
+    }
+    #[allow(unsafe_code, reason = "Java gave the descriptor away")]
+    // SAFETY: it is open, and nobody else closes it.
+    let mut file = unsafe { File::from_raw_fd(descriptor) };
+    let mut bytes = Vec::new();
+    file.read_to_end(&mut bytes).map_err(|error| format!("cannot be read: {error}"))?;
+    Ok(bytes)
+}
