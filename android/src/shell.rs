@@ -198,7 +198,10 @@ impl Shell {
     fn surface_of(&mut self, window: NativeWindow) -> Result<Surface, String> {
         let size = pixels(&window);
         let surface = self.instance.create_surface(Shown(window));
-        let surface = surface.map_err(|error| format!("{NEEDS_VULKAN} ({error})"))?;
+        let surface = surface.map_err(|error| match Gpu::adapters().is_empty() {
+            true => NEEDS_VULKAN.to_owned(),
+            false => format!("The window takes no pictures: {error}"),
+        })?;
         let known = self.gpu.clone();
         let gpu = match &known {
             Some(gpu) => gpu.clone(),

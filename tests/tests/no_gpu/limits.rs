@@ -1,6 +1,7 @@
 //! Every pipeline is created and whole frames are recorded on a device that has the limits of a phone and no driver.
 
 use glimpse::{Error, Gpu, GpuScene, Linking, Method, Renderer, Settings, scene::builtin};
+use glimpse_app::Phone;
 
 /// A device without a driver that enforces these limits.
 pub fn device(limits: wgpu::Limits) -> glimpse::Result<Gpu> {
@@ -25,16 +26,29 @@ pub fn phone() -> wgpu::Limits {
 }
 
 #[test]
-fn a_phone_takes_every_pass_at_qhd() {
-    let gpu = device(phone()).unwrap();
-    for name in ["room", "cornell", "minray"] {
+fn the_least_phone_takes_every_pass_at_qhd() {
+    takes_every_pass(&device(phone()).unwrap(), &["room", "cornell", "minray"]);
+}
+
+#[test]
+fn every_phone_takes_every_pass_at_qhd() {
+    let phones = Phone::all().unwrap();
+    assert!(phones.len() >= 9, "{} phones", phones.len());
+    for phone in phones {
+        let gpu = device(phone.limits()).unwrap_or_else(|error| panic!("{}: {error}", phone.name));
+        takes_every_pass(&gpu, &["room"]);
+    }
+}
+
+fn takes_every_pass(gpu: &Gpu, scenes: &[&str]) {
+    for name in scenes {
         let scene = builtin(name).unwrap();
         let camera = *scene.camera(None).unwrap();
-        let scene = GpuScene::upload(&gpu, scene).unwrap();
-        for method in [Method::Full, Method::Adaptive, Method::Checkerboard] {
+        let scene = GpuScene::upload(gpu, scene).unwrap();
+        for method in Method::ALL {
             for features in [Linking::Auto, Linking::All] {
                 let settings = Settings { method, features, ..Settings::default() };
-                let mut renderer = Renderer::new(&gpu, &scene, [2560, 1440], &settings).unwrap();
+                let mut renderer = Renderer::new(gpu, &scene, [2560, 1440], &settings).unwrap();
                 renderer.render(&camera).unwrap();
                 renderer.inspect(&camera).unwrap();
                 renderer.linear_image(&camera).unwrap();
