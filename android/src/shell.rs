@@ -137,9 +137,14 @@ impl Shell {
         match event {
             MainEvent::InitWindow { .. } => {
                 self.immerse();
+                self.session.app.set_hidden(false);
                 self.make_surface();
             }
-            MainEvent::TerminateWindow { .. } => self.surface = None,
+            MainEvent::TerminateWindow { .. } => {
+                // Before the surface, which waits for what the device is doing.
+                self.session.app.set_hidden(true);
+                self.surface = None;
+            }
             MainEvent::WindowResized { .. }
             | MainEvent::ContentRectChanged { .. }
             | MainEvent::ConfigChanged { .. }

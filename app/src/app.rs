@@ -302,6 +302,11 @@ impl App {
         self.view = pixels;
     }
 
+    /// Nobody sees the view from now on, or somebody does again: the frame of a resting view is not made meanwhile.
+    pub fn set_hidden(&mut self, hidden: bool) {
+        self.worker().into_iter().for_each(|worker| worker.set_hidden(hidden));
+    }
+
     /// What is chosen.
     #[must_use]
     pub fn choices(&self) -> &Choices {

@@ -16,6 +16,8 @@ pub(crate) struct Desk {
     /// The number of the last scene that was asked for: loads that are late are thrown away.
     pub asked: u64,
     pub stop: bool,
+    /// Nobody sees the view: frames of a resting one are given up.
+    pub hidden: bool,
 }
 
 pub(crate) struct Loaded {
@@ -81,9 +83,9 @@ impl Office {
         }
     }
 
-    /// Whether something waits that is more urgent than a frame of a still view.
+    /// Whether a frame of a still view is to be given up for something more urgent, or because nobody sees it.
     pub fn is_urgent(&self) -> bool {
         let desk = self.desk();
-        desk.stop || desk.scene.is_some() || desk.job.is_some() || desk.pick.is_some()
+        desk.hidden || desk.stop || desk.scene.is_some() || desk.job.is_some() || desk.pick.is_some()
     }
 }

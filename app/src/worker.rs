@@ -142,6 +142,11 @@ impl Worker {
         self.office.bell.notify_one();
     }
 
+    /// Whether nobody sees the frames, from now on.
+    pub fn set_hidden(&self, hidden: bool) {
+        self.office.desk().hidden = hidden;
+    }
+
     /// What has been told since; does not wait.
     pub fn news(&mut self) -> Option<News> {
         // This worker can tell itself: there is none, or none yet.
