@@ -105,14 +105,14 @@ impl App {
 }
 
 /// Where a frame of that shape is shown: in the middle of the view, as large as it fits, on whole pixels. What would miss
-/// the view's own shape by less than a pixel fills it.
+/// the view's own shape by a pixel fills it.
 fn fitted(frame: [u32; 2], view: Rect, pixels_per_point: f32) -> Rect {
     let [width, height] = frame.map(|side| side as f32);
     let room = view.size() * pixels_per_point;
     let scale = (room.x / width).min(room.y / height);
     let size = (egui::vec2(width, height) * scale).round().max(egui::Vec2::splat(1.0));
     let spare = (room - size).max(egui::Vec2::ZERO);
-    if spare.x < 1.0 && spare.y < 1.0 {
+    if spare.x <= 1.0 && spare.y <= 1.0 {
         return view;
     }
     let corner = view.min + (0.5 * spare).floor() / pixels_per_point;
@@ -139,6 +139,6 @@ mod tests {
     fn a_frame_of_the_same_shape_fills_the_view() {
         let view = Rect::from_min_size(pos2(0.0, 0.0), vec2(405.0, 900.0));
         assert_eq!(fitted([1080, 2400], view, 1.0), view);
-        assert_eq!(fitted([1081, 2400], view, 1.0), view, "less than a pixel");
+        assert_eq!(fitted([1081, 2400], view, 1.0), view, "a pixel");
     }
 }

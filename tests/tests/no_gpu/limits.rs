@@ -42,19 +42,25 @@ fn every_phone_takes_every_pass_at_qhd() {
 
 fn takes_every_pass(gpu: &Gpu, scenes: &[&str]) {
     for name in scenes {
-        let scene = builtin(name).unwrap();
-        let camera = *scene.camera(None).unwrap();
-        let scene = GpuScene::upload(gpu, scene).unwrap();
-        for method in Method::ALL {
-            for features in [Linking::Auto, Linking::All] {
-                let settings = Settings { method, features, ..Settings::default() };
-                let mut renderer = Renderer::new(gpu, &scene, [2560, 1440], &settings).unwrap();
-                renderer.render(&camera).unwrap();
-                renderer.inspect(&camera).unwrap();
-                renderer.linear_image(&camera).unwrap();
-            }
+        let passes = every_pass(gpu, name);
+        passes.unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+}
+
+fn every_pass(gpu: &Gpu, name: &str) -> glimpse::Result<()> {
+    let scene = builtin(name).expect("a built-in scene");
+    let camera = *scene.camera(None)?;
+    let scene = GpuScene::upload(gpu, scene)?;
+    for method in Method::ALL {
+        for features in [Linking::Auto, Linking::All] {
+            let settings = Settings { method, features, ..Settings::default() };
+            let mut renderer = Renderer::new(gpu, &scene, [2560, 1440], &settings)?;
+            renderer.render(&camera)?;
+            renderer.inspect(&camera)?;
+            renderer.linear_image(&camera)?;
         }
     }
+    Ok(())
 }
 
 #[test]
