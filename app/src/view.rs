@@ -4,7 +4,10 @@ use std::time::Duration;
 
 use egui::{Rect, Sense, Ui};
 
-use crate::{App, CameraControl, Hud, Motion, Request, Wish, app::Device};
+use crate::{
+    App, CameraControl, Hud, Motion, Request, Wish,
+    app::{Device, Shown},
+};
 
 impl App {
     /// Shows the picture and the overlay, and lets the camera follow; returns what is wished.
@@ -35,9 +38,9 @@ impl App {
     /// Shows every pixel of the frame as it is where the picture has as many on the screen.
     fn sharpen(&mut self, picture: egui::Vec2) {
         self.picture = [picture.x, picture.y].map(|side| side as u32);
-        let blurred =
-            self.shown.as_ref().is_some_and(|shown| shown.exact != (shown.frame.job.size == self.picture));
-        if let (true, Some(shown)) = (blurred, self.shown.take()) {
+        let picture = self.picture;
+        let other = |shown: &mut Shown| shown.exact != (shown.frame.job.size == picture);
+        if let Some(shown) = self.shown.take_if(other) {
             self.present(shown.frame, Some(shown.picture), shown.full);
         }
     }
