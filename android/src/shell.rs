@@ -12,7 +12,7 @@ use android_activity::{AndroidApp, AndroidAppWaker, MainEvent, PollEvent, Window
 use egui::epaint::MarginF32;
 use glimpse::Gpu;
 use glimpse_app::Painting;
-use glimpse_shell::{Leftover, Session, Setup, Surface};
+use glimpse_shell::{Leftover, RETRY, Session, Setup, Shown, Surface};
 use ndk::{hardware_buffer_format::HardwareBufferFormat, native_window::NativeWindow};
 
 use crate::{
@@ -202,7 +202,7 @@ impl Shell {
 
     fn surface_of(&mut self, window: NativeWindow) -> Result<Surface, String> {
         let size = pixels(&window);
-        let surface = self.instance.create_surface(Shown(window));
+        let surface = self.instance.create_surface(Handle(window));
         let surface = surface.map_err(|error| match Gpu::adapters().is_empty() {
             true => NEEDS_VULKAN.to_owned(),
             false => format!("The window takes no pictures: {error}"),
@@ -250,19 +250,22 @@ impl Shell {
                 self.copy(text.clone());
             }
         }
-        self.due = Instant::now().checked_add(update.repaint_after);
-        self.show(&mut update.painting, &window);
+        let shown = self.show(&mut update.painting, &window);
+        let rest = if shown == Shown::NotNow { RETRY } else { update.repaint_after };
+        self.due = Instant::now().checked_add(rest);
         self.follow(leftover);
         self.tell();
     }
 
-    fn show(&mut self, painting: &mut Painting, window: &NativeWindow) {
+    fn show(&mut self, painting: &mut Painting, window: &NativeWindow) -> Shown {
         let Some(canvas) = &mut self.canvas else {
             // Only a picture of the window that is to be saved could fail: there is none.
-            if self.session.show(painting, self.surface.as_mut()) == Ok(true) {
+            let shown = self.session.show(painting, self.surface.as_mut()).unwrap_or(Shown::NotNow);
+            if shown == Shown::Lost {
                 self.make_surface();
+                return Shown::NotNow;
             }
-            return;
+            return shown;
         };
         canvas.update(std::mem::take(&mut painting.textures));
         let size = pixels(window).map(|side| side as usize);
@@ -270,6 +273,7 @@ impl Shell {
         if let Err(error) = post(window, &picture) {
             log::warn!("nothing can be shown: {error}");
         }
+        Shown::Yes
     }
 
     fn follow(&mut self, leftover: Leftover) {
@@ -366,15 +370,15 @@ fn setup(android: &AndroidApp, names: &Names, intent: &Intent, view: [u32; 2]) -
 }
 
 /// What wgpu makes a surface of.
-struct Shown(NativeWindow);
+struct Handle(NativeWindow);
 
-impl wgpu::rwh::HasWindowHandle for Shown {
+impl wgpu::rwh::HasWindowHandle for Handle {
     fn window_handle(&self) -> Result<wgpu::rwh::WindowHandle<'_>, wgpu::rwh::HandleError> {
         self.0.window_handle()
     }
 }
 
-impl wgpu::rwh::HasDisplayHandle for Shown {
+impl wgpu::rwh::HasDisplayHandle for Handle {
     fn display_handle(&self) -> Result<wgpu::rwh::DisplayHandle<'_>, wgpu::rwh::HandleError> {
         Ok(wgpu::rwh::DisplayHandle::android())
     }

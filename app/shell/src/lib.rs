@@ -14,8 +14,8 @@ use glimpse::DisplayImage;
 use glimpse_app::{Choices, Files, script::Script};
 
 pub use offscreen::run as run_offscreen;
-pub use session::{Leftover, Session};
-pub use surface::{Acquired, Surface};
+pub use session::{Leftover, RETRY, Session, Shown};
+pub use surface::Surface;
 #[cfg(not(target_os = "android"))]
 pub use window::{Chosen, OpenDialog, Wakeup, run as run_window};
 

@@ -14,7 +14,7 @@ use glimpse_app::{
     script::{Ask, Player, ShellEvent},
 };
 
-use crate::{Acquired, Result, Screen, Setup, Surface, touch::Finger};
+use crate::{Result, Screen, Setup, Surface, surface::Acquired, touch::Finger};
 
 /// The app, the script that plays it, and what the platform lends.
 pub struct Session {
@@ -30,6 +30,20 @@ pub struct Session {
     /// Files for what the window shows, as soon as it shows something.
     shots: Vec<PathBuf>,
 }
+
+/// What became of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shown {
+    /// It is shown, or there is nothing to show it on.
+    Yes,
+    /// The surface takes none now: to be tried again after [`RETRY`].
+    NotNow,
+    /// The surface is gone: a new one is to be made.
+    Lost,
+}
+
+/// How long a surface that takes no picture is left alone.
+pub const RETRY: Duration = Duration::from_millis(100);
 
 /// What a frame leaves to be done by what shows it.
 #[derive(Default)]
@@ -183,25 +197,29 @@ impl Session {
         Ok(())
     }
 
-    /// Paints and presents; tells whether the surface is lost. Without a surface the overlay is kept up to date.
+    /// Paints and presents. Without a surface the overlay is kept up to date.
     ///
     /// # Errors
     /// A picture of the window that could not be saved.
-    pub fn show(&mut self, painting: &mut Painting, mut surface: Option<&mut Surface>) -> Result<bool> {
-        let acquired = surface.as_mut().map_or(Acquired::None, |surface| surface.acquire());
-        let (Acquired::Picture(picture), Some(surface)) = (&acquired, &surface) else {
+    pub fn show(&mut self, painting: &mut Painting, surface: Option<&mut Surface>) -> Result<Shown> {
+        let Some(surface) = surface else {
             self.app.paint(painting, None, [1, 1]);
-            return Ok(matches!(acquired, Acquired::Lost));
+            return Ok(Shown::Yes);
+        };
+        let picture = match surface.acquire() {
+            Acquired::Picture(picture) => picture,
+            other => {
+                self.app.paint(painting, None, [1, 1]);
+                return Ok(if matches!(other, Acquired::Lost) { Shown::Lost } else { Shown::NotNow });
+            }
         };
         let view = picture.texture.create_view(&wgpu::TextureViewDescriptor::default());
         self.app.paint(painting, Some(&view), surface.size());
         if self.wants_shot() {
-            self.shoot(&surface.read(picture)?)?;
+            self.shoot(&surface.read(&picture)?)?;
         }
-        if let Acquired::Picture(picture) = acquired {
-            surface.present(picture);
-        }
-        Ok(false)
+        surface.present(picture);
+        Ok(Shown::Yes)
     }
 
     /// A picture of the window is wanted.

@@ -15,14 +15,16 @@ pub struct Surface {
     config: wgpu::SurfaceConfiguration,
     vsync: Vsync,
     modes: Vec<wgpu::PresentMode>,
+    /// It can be asked for pictures.
+    ready: bool,
 }
 
 /// What there is to paint on now.
-pub enum Acquired {
+pub(crate) enum Acquired {
     /// A picture to be filled.
     Picture(wgpu::SurfaceTexture),
-    /// None, for the time being.
-    None,
+    /// None, for the time being: to be asked for again.
+    NotNow,
     /// The surface is gone: a new one is to be made.
     Lost,
 }
@@ -49,7 +51,7 @@ impl Surface {
         config.usage |= capabilities.usages & wgpu::TextureUsages::COPY_SRC;
         config.desired_maximum_frame_latency = 1;
         let modes = capabilities.present_modes;
-        let mut made = Self { surface, gpu: gpu.clone(), config, vsync, modes };
+        let mut made = Self { surface, gpu: gpu.clone(), config, vsync, modes, ready: false };
         made.config.present_mode = made.mode(vsync);
         made.configure();
         Ok(made)
@@ -77,22 +79,28 @@ impl Surface {
     }
 
     /// The next picture. An outdated surface is configured again once; a storm of that is not waited for.
-    pub fn acquire(&mut self) -> Acquired {
+    pub(crate) fn acquire(&mut self) -> Acquired {
         for _ in 0..2 {
+            if !self.ready {
+                self.configure();
+            }
+            if !self.ready {
+                break;
+            }
             match self.surface.get_current_texture() {
                 Current::Success(picture) | Current::Suboptimal(picture) => {
                     return Acquired::Picture(picture);
                 }
-                Current::Outdated => self.configure(),
+                Current::Outdated => self.ready = false,
                 Current::Lost => return Acquired::Lost,
-                Current::Timeout | Current::Occluded | Current::Validation => return Acquired::None,
+                Current::Timeout | Current::Occluded | Current::Validation => break,
             }
         }
-        Acquired::None
+        Acquired::NotNow
     }
 
     /// Shows a picture.
-    pub fn present(&self, picture: wgpu::SurfaceTexture) {
+    pub(crate) fn present(&self, picture: wgpu::SurfaceTexture) {
         self.gpu.queue().present(picture);
     }
 
@@ -100,7 +108,7 @@ impl Surface {
     ///
     /// # Errors
     /// A surface whose pictures cannot be read, or a device that failed.
-    pub fn read(&self, picture: &wgpu::SurfaceTexture) -> Result<DisplayImage> {
+    pub(crate) fn read(&self, picture: &wgpu::SurfaceTexture) -> Result<DisplayImage> {
         if !self.config.usage.contains(wgpu::TextureUsages::COPY_SRC) {
             return Err("expected a window whose pictures can be read, found none".to_owned());
         }
@@ -115,8 +123,12 @@ impl Surface {
         DisplayImage::from_raw(width, height, bytes).ok_or_else(|| "short readback".to_owned())
     }
 
-    fn configure(&self) {
-        self.surface.configure(self.gpu.device(), &self.config);
+    fn configure(&mut self) {
+        let configured = self.gpu.configure(&self.surface, &self.config);
+        self.ready = configured.is_ok();
+        if let Err(error) = configured {
+            log::warn!("{error}");
+        }
     }
 
     fn mode(&self, vsync: Vsync) -> wgpu::PresentMode {

@@ -14,7 +14,7 @@ use winit::{
 
 use crate::{
     Result, Setup,
-    session::{Leftover, Session},
+    session::{Leftover, RETRY, Session, Shown},
     surface::Surface,
 };
 
@@ -199,14 +199,17 @@ impl Shell {
         let raw = input.take_egui_input(&window);
         let (mut update, leftover) = self.session.frame(raw, self.size, window.scale_factor() as f32)?;
         let surface = self.surface.as_mut().filter(|_| !self.paused);
-        let lost = self.session.show(&mut update.painting, surface)?;
+        let shown = self.session.show(&mut update.painting, surface)?;
         if let Some(input) = &mut self.input {
             input.handle_platform_output(&window, update.platform);
         }
-        if lost {
-            self.make_surface()?;
+        let mut rest = update.repaint_after;
+        match shown {
+            Shown::Yes => {}
+            Shown::NotNow => rest = RETRY,
+            Shown::Lost => self.make_surface()?,
         }
-        let flow = match Instant::now().checked_add(update.repaint_after) {
+        let flow = match Instant::now().checked_add(rest) {
             _ if self.session.is_scripted() || update.repaint_after.is_zero() => {
                 window.request_redraw();
                 ControlFlow::Wait

@@ -8,7 +8,26 @@ use std::{
 use super::{Gpu, memory::padded_row};
 use crate::{Error, Result};
 
+/// A submission of another thread makes wgpu give a configuration up: it is tried so often.
+const CONFIGURATIONS: usize = 100;
+
 impl Gpu {
+    /// Prepares a surface for pictures, between the frames that other threads submit.
+    ///
+    /// # Errors
+    /// A device that failed, or a configuration that the surface does not take.
+    pub fn configure(&self, surface: &wgpu::Surface<'_>, config: &wgpu::SurfaceConfiguration) -> Result<()> {
+        let _turn = self.turn();
+        let mut done = Ok(());
+        for _ in 0..CONFIGURATIONS {
+            done = self.checked("surface", None, |device| surface.configure(device, config));
+            if !matches!(done, Err(Error::Device(_))) {
+                break;
+            }
+        }
+        done
+    }
+
     /// Submits and waits until the device is done.
     pub(crate) fn submit_and_wait(&self, encoder: wgpu::CommandEncoder) -> Result<()> {
         self.submit_all_and_wait([encoder])
