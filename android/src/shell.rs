@@ -28,9 +28,6 @@ use crate::{
 /// Pixels of the frame of a view that rests, in landscape, on whatever display.
 const QHD: [u32; 2] = [2560, 1440];
 
-/// The scene of a start without an intent.
-const FIRST_SCENE: &str = "builtin:room";
-
 /// The activity that shows pictures now: an older one of the same process leaves when a new one begins.
 static CURRENT: Mutex<Option<Arc<Leave>>> = Mutex::new(None);
 
@@ -342,7 +339,7 @@ fn setup(android: &AndroidApp, names: &Names, intent: &Intent, view: [u32; 2]) -
     let scene = match (&intent.uri, &intent.scene) {
         (Some(uri), _) => files::name(android, names, uri),
         (None, Some(scene)) => scene.clone(),
-        (None, None) => FIRST_SCENE.to_owned(),
+        (None, None) => glimpse_app::scenes().next().unwrap_or_default(),
     };
     let folder = android.external_data_path().or_else(|| android.internal_data_path());
     Setup {

@@ -233,7 +233,7 @@ impl App {
         self.load(name);
     }
 
-    fn load(&mut self, name: &str) {
+    pub(crate) fn load(&mut self, name: &str) {
         let Some(worker) = self.device.as_mut().and_then(|device| device.worker.as_mut()) else { return };
         worker.open(name);
         self.pending.load = true;

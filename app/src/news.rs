@@ -20,11 +20,8 @@ impl App {
             News::NotOpened(line) => {
                 self.pending.load = false;
                 self.readings.busy = None;
-                // The scene that is shown is the one to come back to.
-                if let Some(scene) = &self.scene {
-                    self.wanted.clone_from(&scene.name);
-                }
                 self.complain(line);
+                self.come_back();
             }
             News::Frame(frame) => self.framed(frame),
             News::GivenUp(number) => {
@@ -57,6 +54,18 @@ impl App {
                 self.complain(line);
             }
             News::Lost(reason) => self.lost(&reason),
+        }
+    }
+
+    /// The scene that is shown is the one to come back to; where there is none yet, the first of the built-in ones.
+    fn come_back(&mut self) {
+        match (&self.scene, crate::scenes().next()) {
+            (Some(scene), _) => self.wanted.clone_from(&scene.name),
+            (None, Some(first)) if self.wanted != first => {
+                self.load(&first);
+                self.wanted = first;
+            }
+            _ => {}
         }
     }
 

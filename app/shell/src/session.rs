@@ -219,7 +219,8 @@ impl Session {
             self.shoot(&surface.read(&picture)?)?;
         }
         surface.present(picture);
-        Ok(Shown::Yes)
+        // A device that is lost by that tells nobody else.
+        Ok(if surface.is_lost() { Shown::NotNow } else { Shown::Yes })
     }
 
     /// A picture of the window is wanted.

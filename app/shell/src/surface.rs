@@ -104,6 +104,11 @@ impl Surface {
         self.gpu.queue().present(picture);
     }
 
+    /// Whether its device is lost.
+    pub(crate) fn is_lost(&self) -> bool {
+        self.gpu.lost().is_some()
+    }
+
     /// A picture in main memory, before it is shown.
     ///
     /// # Errors
