@@ -35,6 +35,8 @@ pub use constants::{
 pub use demand::Demands;
 pub use linked::Linked;
 pub use operations::Demand;
+#[cfg(test)]
+pub(crate) use operations::count as count_operations;
 pub use variant::{Output, Variant};
 
 use crate::gpu::shader::Source;

@@ -7,7 +7,7 @@ mod ray;
 #[cfg(test)]
 pub(crate) use fresnel::fresnel_sources;
 pub use fresnel::{ProbeBoundary, ProbeFresnel, fresnel};
-pub use peak::{Peak, peak};
+pub use peak::peak_gflops;
 pub use ray::ProbeRay;
 
 use crate::{

@@ -9,7 +9,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let term = vec4f(0.001 * f32(id.x & 7u) + 0.001);
     var a = term;
     var b = term + 0.1;
-    for (var turn = 0u; turn < PEAK_TURNS; turn += 1u) {
+    for (var turn = 0u; turn < TURNS; turn += 1u) {
         a = fma(a, factor, term);
         b = fma(b, factor, term);
         a = fma(a, factor, term);

@@ -3,11 +3,12 @@
 use std::cell::OnceCell;
 
 use anyhow::Context;
-use glimpse::{DisplayImage, Gpu, Missing, Renderer, Settings, metrics};
+use glimpse::{Demands, DisplayImage, Gpu, Inspection, Missing, Renderer, Settings, metrics, probe};
 
 use super::complete::complete;
 use super::job::Job;
 use super::ladder::Rung;
+use super::prediction::Work;
 use super::record::{Frame, Record};
 use super::store::Store;
 use super::subject::{Prepared, Subject, Subjects};
@@ -138,10 +139,14 @@ impl Bench<'_> {
                 let identity = identities[index].clone();
                 let record = Record::new(identity, job.shown, &inspection, &subject.reflects, error);
                 let missing = objects.get().and_then(|full| Missing::of(full, &inspection.pixels));
+                let lights = scene.statistics.lights;
+                let work =
+                    job.counts_work().then(|| self.work(subject, lights, renderer.settings(), &inspection));
+                let work = work.transpose()?;
                 if job.counts_missing() {
                     objects.get_or_init(|| inspection.pixels);
                 }
-                Ok(Record { missing, ..record })
+                Ok(Record { missing, work, ..record })
             },
             |index, renderer| {
                 let (frame, ms) = timed(|| renderer.render(&camera))?;
@@ -151,6 +156,18 @@ impl Bench<'_> {
             },
         )?;
         Ok(Measured { job, identities, converged: converged_identity, records })
+    }
+
+    /// What a frame asks of a device, and what this one can do at that moment.
+    fn work(
+        &self,
+        subject: &Subject,
+        lights: usize,
+        settings: &Settings,
+        inspection: &Inspection,
+    ) -> anyhow::Result<Work> {
+        let demands = Demands::of(&subject.scene, settings)?;
+        Ok(Work::of(inspection, &demands, lights, probe::peak_gflops(self.gpu)?))
     }
 
     /// The kept picture that errors are measured against.

@@ -5,6 +5,7 @@ use glimpse::{Camera, Method, Settings};
 use super::identity::Identity;
 use super::ladder::{self, Family, Rung};
 use super::missing;
+use super::prediction;
 use super::record::Record;
 use super::subject::{Prepared, SHARES, TABLE_SIDE, Variant, turned};
 use crate::args::{ReportOptions, TableName};
@@ -77,6 +78,10 @@ impl Job {
                 let rungs = missing::rungs(base, size);
                 vec![Self { tables: vec![table], variant: Variant::AsIs, turn: 0.0, shown: size, rungs }]
             }
+            TableName::Phones => {
+                let (shown, rungs) = (prediction::SIZE, prediction::rungs(base));
+                vec![Self { tables: vec![table], variant: Variant::AsIs, turn: 0.0, shown, rungs }]
+            }
         }
     }
 
@@ -95,9 +100,15 @@ impl Job {
         self.tables.contains(&TableName::Missing)
     }
 
+    /// What the rungs ask of a device is counted.
+    pub fn counts_work(&self) -> bool {
+        self.tables.contains(&TableName::Phones)
+    }
+
     /// Whether a record has all that is shown of a rung.
     pub fn accepts(&self, index: usize, record: &Record) -> bool {
-        index == 0 || record.missing.is_some() || !self.counts_missing()
+        let searched = index == 0 || record.missing.is_some() || !self.counts_missing();
+        searched && (record.work.is_some() || !self.counts_work())
     }
 
     /// The view.
