@@ -1,12 +1,53 @@
 //! What a frame's units of work ask of a device: arithmetic and bytes, from the code of the kernels that do them.
 
+use std::ops::{Add, AddAssign};
+
 use serde::{Deserialize, Serialize};
 
-use super::{
-    Stage, Variant,
-    operations::{ByLoops, Demand, count},
-};
+use super::{Stage, Variant, operations::count};
 use crate::{GpuScene, Method, Result, Settings, gpu::shader::link};
+
+/// What some work asks of a device.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
+pub struct Demand {
+    /// Arithmetic on one 32-bit number each; a quotient or a transcendental function counts as four, the rate at which
+    /// graphics devices do them. A fused multiply-add would be two.
+    pub operations: f64,
+    /// Bytes read of the scene: nodes, primitives, materials, texels. Caches spare most of them.
+    pub scene_bytes: f64,
+    /// Bytes read and written of what is stored by sample: attributes, lists, colours.
+    pub frame_bytes: f64,
+}
+
+impl Demand {
+    /// So many times this.
+    #[must_use]
+    pub fn times(self, count: f64) -> Self {
+        Self {
+            operations: count * self.operations,
+            scene_bytes: count * self.scene_bytes,
+            frame_bytes: count * self.frame_bytes,
+        }
+    }
+}
+
+impl Add for Demand {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            operations: self.operations + other.operations,
+            scene_bytes: self.scene_bytes + other.scene_bytes,
+            frame_bytes: self.frame_bytes + other.frame_bytes,
+        }
+    }
+}
+
+impl AddAssign for Demand {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
 
 /// What few tests need: an edge where rounding does not decide it, a triangle beyond the range of f32, and what is asked
 /// about hits, of which a ray has one or two among many tests.
@@ -45,10 +86,10 @@ impl Demands {
     }
 
     fn of_variant(variant: &Variant, method: Method) -> Result<Self> {
-        let (traced, between) = match method {
-            Method::Full => (Stage::Full, None),
-            Method::Adaptive => (Stage::TraceA1, Some(Stage::SimilarityA1)),
-            Method::Checkerboard => (Stage::Checkerboard, Some(Stage::Fill)),
+        let traced = match method {
+            Method::Full => Stage::Full,
+            Method::Adaptive => Stage::TraceA1,
+            Method::Checkerboard => Stage::Checkerboard,
         };
         let kernel = link(&variant.sources(traced))?;
         let of = |function, apart: &[&str]| count(&kernel, function, apart).unwrap_or_default();
@@ -57,10 +98,7 @@ impl Demands {
         // Its own loop is over lights.
         let [surface, shadow, _] = of(Some(SHADOWS), &tree);
         let [ray, node_visit, primitive_test] = of(Some(TRAVERSAL), &RARE);
-        let [interpolated, interpolated_light, deeper]: ByLoops = match between {
-            Some(stage) => count(&link(&variant.sources(stage))?, None, &[]).unwrap_or_default(),
-            None => ByLoops::default(),
-        };
+        let (interpolated, interpolated_light) = between(variant, method)?;
         Ok(Self {
             sample,
             followed_ray: followed + surface,
@@ -69,9 +107,26 @@ impl Demands {
             node_visit,
             primitive_test,
             interpolated,
-            interpolated_light: interpolated_light + deeper,
+            interpolated_light,
         })
     }
+}
+
+/// What is not traced: at each sample, and there for each light.
+fn between(variant: &Variant, method: Method) -> Result<(Demand, Demand)> {
+    let of =
+        |stage| Ok::<_, crate::Error>(count(&link(&variant.sources(stage))?, None, &[]).unwrap_or_default());
+    Ok(match method {
+        Method::Full => Default::default(),
+        Method::Adaptive => {
+            let [once, light, deeper] = of(Stage::SimilarityA1)?;
+            (once, light + deeper)
+        }
+        Method::Checkerboard => {
+            let [once, neighbour, _] = of(Stage::Fill)?;
+            (once + neighbour.times(4.0), Demand::default())
+        }
+    })
 }
 
 #[cfg(test)]
@@ -114,6 +169,9 @@ mod tests {
         assert!(adaptive.sample.frame_bytes >= 4.0 + planes + 4.0, "{adaptive:?}");
         assert!(adaptive.interpolated.frame_bytes >= 4.0 + 3.0 * planes, "two references read, one written");
         assert_eq!(adaptive.node_visit, full.node_visit);
+        let checkerboard = demands("room", Method::Checkerboard);
+        // Four neighbours (12 bytes each) and the pixel, and what the other half does beside it: its own sample, its pixel.
+        assert_eq!(checkerboard.interpolated.frame_bytes, (4.0 * 12.0 + 4.0) + (12.0 + 4.0));
     }
 
     fn adaptive_planes() -> usize {

@@ -32,9 +32,8 @@ pub use constants::{
     COUNTER_CLAIMED, COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS,
     COUNTER_RAYS, COUNTER_WORDS, TRACE_GROUP, TRACE_ROW,
 };
-pub use demand::Demands;
+pub use demand::{Demand, Demands};
 pub use linked::Linked;
-pub use operations::Demand;
 #[cfg(test)]
 pub(crate) use operations::count as count_operations;
 pub use variant::{Output, Variant};

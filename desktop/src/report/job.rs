@@ -254,9 +254,21 @@ mod tests {
     }
 
     #[test]
+    fn predictions_are_one_job_of_their_own_size_whose_work_is_counted() {
+        let jobs = jobs("--tables phones --size 64x32", "a.glb");
+        let [ladder, counting] = jobs.as_slice() else { panic!("{jobs:?}") };
+        assert!(counting.counts_work() && !ladder.counts_work());
+        assert_eq!((counting.shown, counting.rungs.len()), (prediction::SIZE, 4));
+        let without = example("r", 10.0, Some(40.0));
+        assert!(
+            ladder.accepts(1, &without) && !counting.accepts(1, &without) && !counting.accepts(0, &without)
+        );
+    }
+
+    #[test]
     fn every_setting_has_an_identity_of_its_own() {
         let scene = Prepared::new("builtin:minray", None).unwrap();
-        let mut all: Vec<_> = jobs("--tables 3a,3b,3c,4,5,missing", "hairball.glb")
+        let mut all: Vec<_> = jobs("--tables 3a,3b,3c,4,5,missing,phones", "hairball.glb")
             .iter()
             .flat_map(|job| job.identities("p", "a", &scene).unwrap())
             .collect();

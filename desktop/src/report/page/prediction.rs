@@ -208,3 +208,47 @@ fn phones(predictions: &Predictions) -> Markup {
         } }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::prediction::tests::predictions;
+
+    #[test]
+    fn the_section_says_that_it_predicts_and_what_it_rests_on() {
+        let outcome = Ok(predictions());
+        let page = section(&outcome).into_string();
+        let predictions = outcome.expect("they were made");
+        assert!(page.contains("This is a prediction, not a measurement"), "{page}");
+        for row in &predictions.rows {
+            assert!(page.contains(&format!("<td>{}</td>", time(row))), "{row:?}");
+        }
+        for phone in &predictions.phones {
+            assert!(
+                page.contains(&phone.gflops.source) && page.contains(&phone.gigabytes.source),
+                "{}",
+                phone.gpu
+            );
+        }
+        for published in PUBLISHED {
+            assert!(page.contains(published.source), "{}", published.what);
+        }
+        assert_eq!(page.matches(" %</td></tr>").count(), predictions.checks.len(), "an error for each check");
+        assert!(page.contains("widened by 2.00"), "by the worst of them");
+    }
+
+    #[test]
+    fn without_a_calibration_there_is_no_number() {
+        let page = section(&Err("no frame has times of traced lists".to_owned())).into_string();
+        assert!(page.contains("Not calibrated: no frame has times of traced lists"), "{page}");
+        assert!(!page.contains("<td>") && !page.contains(" ms"), "{page}");
+    }
+
+    #[test]
+    fn times_have_their_range_and_unit() {
+        let mut row = predictions().rows.remove(0);
+        (row.predicted_low_ms, row.predicted_mid_ms, row.predicted_high_ms, row.predicted_mid_fps) =
+            (51.4, 117.6, 310.2, 8.503);
+        assert_eq!(time(&row), "118 ms (51 to 310), 8.5 fps");
+    }
+}

@@ -84,7 +84,7 @@ impl Calibration {
         if peaks.is_empty() {
             return Err("the device's peak could not be measured, as it has no timestamps".to_owned());
         }
-        let peak_gflops = Spread::of(peaks.into_iter()).median;
+        let peak_gflops = Spread::of(peaks).median;
         let mut shares = [0.0; 3];
         for kind in Kind::ALL {
             let rates = cells.clone().filter_map(|cell| {
@@ -95,7 +95,7 @@ impl Calibration {
             if rates.is_empty() {
                 return Err(format!("no frame has times of {}", kind.name()));
             }
-            shares[kind as usize] = Spread::of(rates.into_iter()).median / peak_gflops;
+            shares[kind as usize] = Spread::of(rates).median / peak_gflops;
         }
         Ok(Self { peak_gflops, shares })
     }

@@ -177,11 +177,12 @@ pub fn csv(rows: &[Prediction]) -> anyhow::Result<Vec<u8>> {
 }
 
 #[cfg(test)]
-mod tests {
+pub mod tests {
     use super::*;
     use calibration::tests::{cell, scenes};
 
-    fn predictions() -> Predictions {
+    /// Of two scenes, for every phone.
+    pub fn predictions() -> Predictions {
         Predictions::new(scenes(), Phone::all().expect("the file")).expect("calibrated")
     }
 

@@ -90,3 +90,83 @@ impl Work {
 fn is_listed(origin: Origin) -> bool {
     matches!(origin, Origin::TracedA1 | Origin::TracedA2 | Origin::Postcorrected)
 }
+
+#[cfg(test)]
+mod tests {
+    use glimpse::{Cost, Counts, PixelRecord, Rays, Samples};
+
+    use super::*;
+
+    fn operations(operations: f64) -> Demand {
+        Demand { operations, ..Demand::default() }
+    }
+
+    fn pixel(origin: Origin, cost: u32) -> PixelRecord {
+        PixelRecord { origin, failed: 0, cost, object: None, depth: 1.0, normal: [0.0; 3] }
+    }
+
+    #[test]
+    fn work_is_counters_times_demands() {
+        let demands = Demands {
+            sample: operations(1.0),
+            followed_ray: operations(10.0),
+            light: operations(100.0),
+            ray: operations(1e3),
+            node_visit: operations(1e4),
+            primitive_test: operations(1e5),
+            interpolated: operations(1e6),
+            interpolated_light: operations(1e7),
+        };
+        let counts = Counts {
+            rays: Rays { primary: 3, shadow: 4, reflection: 1, refraction: 0, total: 8 },
+            samples: Samples {
+                total: 9,
+                base: 2,
+                traced_a1: 1,
+                traced_a2: 0,
+                postcorrected: 1,
+                interpolated: 5,
+            },
+            cost: Cost { node_visits: 16, primitive_tests: 8, traced_share: None },
+            ..Counts::default()
+        };
+        let pixels = vec![
+            pixel(Origin::Base, 10),
+            pixel(Origin::Base, 8),
+            pixel(Origin::TracedA1, 4),
+            pixel(Origin::Postcorrected, 2),
+            pixel(Origin::Interpolated, 0),
+        ];
+        let work = Work::of(&Inspection { counts, pixels, uncorrected: 0 }, &demands, 2, Some(7.0));
+        // Four rays are followed, with two lights each; the lists have 6 of 24 visits and tests.
+        let traced = 8.0 * 1e3 + 16.0 * 1e4 + 8.0 * 1e5 + 4.0 * (10.0 + 2.0 * 100.0);
+        let expected = [0.75 * traced + 2.0, 0.25 * traced + 2.0, 7.0 * (1e6 + 2.0 * 1e7)];
+        assert_eq!(work.loads.map(|load| load.operations), expected);
+        assert_eq!((work.node_visits, work.primitive_tests, work.peak_gflops), (16, 8, Some(7.0)));
+    }
+
+    #[test]
+    fn passes_that_trace_are_told_from_those_that_do_not() {
+        let of = |kind| move |pass: &&str| Kind::of(pass) == kind;
+        let passes = [
+            "full",
+            "base",
+            "checkerboard",
+            "trace_a1",
+            "trace_a2",
+            "postcorrect",
+            "postcorrect_scan",
+            "similarity_a1",
+            "compact_a1",
+            "compact_seed",
+            "postcorrect_seed",
+            "postcorrect_landmarks",
+            "compact_postcorrect",
+            "fill",
+            "resolve",
+        ];
+        let [neighbours, listed, untraced] =
+            Kind::ALL.map(|kind| passes.iter().filter(|pass| of(kind)(pass)).count());
+        assert_eq!((neighbours, listed, untraced), (3, 4, 8));
+    }
+}
