@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 
 use anyhow::Context;
-use glimpse::{Demands, DisplayImage, Gpu, Inspection, Missing, Renderer, Settings, metrics, probe};
+use glimpse::{Demands, DisplayImage, Gpu, Missing, Renderer, Settings, metrics, probe};
 
 use super::complete::complete;
 use super::job::Job;
@@ -140,8 +140,10 @@ impl Bench<'_> {
                 let record = Record::new(identity, job.shown, &inspection, &subject.reflects, error);
                 let missing = objects.get().and_then(|full| Missing::of(full, &inspection.pixels));
                 let lights = scene.statistics.lights;
-                let work =
-                    job.counts_work().then(|| self.work(subject, lights, renderer.settings(), &inspection));
+                let work = job.counts_work().then(|| {
+                    let demands = Demands::of(&subject.scene, renderer.settings())?;
+                    anyhow::Ok(Work::of(&inspection, &demands, lights))
+                });
                 let work = work.transpose()?;
                 if job.counts_missing() {
                     objects.get_or_init(|| inspection.pixels);
@@ -152,22 +154,16 @@ impl Bench<'_> {
                 let (frame, ms) = timed(|| renderer.render(&camera))?;
                 progress.steps(job.rungs[index].samples());
                 // Adapters without timestamps measure nothing.
-                Ok(if frame.passes.is_empty() { Frame { ms, passes: vec![] } } else { frame.into() })
+                let frame = if frame.passes.is_empty() {
+                    Frame { ms, passes: vec![], peak_gflops: None }
+                } else {
+                    frame.into()
+                };
+                let peak = job.counts_work().then(|| probe::peak_gflops(self.gpu)).transpose()?;
+                Ok(Frame { peak_gflops: peak.flatten(), ..frame })
             },
         )?;
         Ok(Measured { job, identities, converged: converged_identity, records })
-    }
-
-    /// What a frame asks of a device, and what this one can do at that moment.
-    fn work(
-        &self,
-        subject: &Subject,
-        lights: usize,
-        settings: &Settings,
-        inspection: &Inspection,
-    ) -> anyhow::Result<Work> {
-        let demands = Demands::of(&subject.scene, settings)?;
-        Ok(Work::of(inspection, &demands, lights, probe::peak_gflops(self.gpu)?))
     }
 
     /// The kept picture that errors are measured against.

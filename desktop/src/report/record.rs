@@ -37,11 +37,15 @@ pub struct Frame {
     pub ms: f64,
     /// Milliseconds of each pass, in order.
     pub passes: Vec<(String, f64)>,
+    /// Billions of operations a second that the device did at its best right after it; none where nobody asked, or without
+    /// timestamps.
+    pub peak_gflops: Option<f64>,
 }
 
 impl From<FrameTime> for Frame {
     fn from(time: FrameTime) -> Self {
-        Self { ms: time.ms, passes: time.passes.into_iter().map(|p| (p.name.to_owned(), p.ms)).collect() }
+        let passes = time.passes.into_iter().map(|p| (p.name.to_owned(), p.ms)).collect();
+        Self { ms: time.ms, passes, peak_gflops: None }
     }
 }
 
@@ -129,6 +133,7 @@ pub mod tests {
             frames: vec![Frame {
                 ms,
                 passes: vec![("base".into(), 0.75 * ms), ("trace_a1".into(), 0.25 * ms)],
+                peak_gflops: None,
             }],
         }
     }

@@ -106,7 +106,7 @@ fn calibration(predictions: &Predictions) -> Markup {
     html! {
         p {
             "This device does " (format!("{:.0}", calibration.peak_gflops)) " billion operations a second at its best (a \
-             kernel of nothing but multiply-adds, the median of what was measured beside the frames). Of it the passes reach, in \
+             kernel of nothing but multiply-adds, the median of what was measured right after each frame). Of it the passes reach, in \
              the median frame:"
         }
         div class="wide" { table {

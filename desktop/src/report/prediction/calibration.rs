@@ -5,6 +5,7 @@ use glimpse::Demand;
 
 use super::work::Kind;
 use crate::report::bench::Measured;
+use crate::report::record::Frame;
 use crate::statistics::Spread;
 
 /// A frame that was counted and timed.
@@ -16,10 +17,8 @@ pub struct Cell {
     pub method: String,
     /// By [`Kind`].
     pub loads: [Demand; 3],
-    /// Median milliseconds by [`Kind`]; zero where nothing was timed.
-    pub ms: [f64; 3],
-    /// Measured with it.
-    pub peak_gflops: Option<f64>,
+    /// The timed ones.
+    pub frames: Vec<Timed>,
     /// All of them.
     pub rays: u64,
     /// Of the acceleration structure.
@@ -36,16 +35,11 @@ impl Cell {
         let counted = measured.job.rungs.iter().zip(&measured.records);
         let counted = counted.filter_map(|(rung, record)| {
             let work = record.work.as_ref()?;
-            let mut ms = [0.0; 3];
-            for (pass, time) in record.passes() {
-                ms[Kind::of(pass) as usize] += time;
-            }
             Some(Self {
                 scene: scene.to_owned(),
                 method: rung.name.clone(),
                 loads: work.loads,
-                ms,
-                peak_gflops: work.peak_gflops,
+                frames: record.frames.iter().map(Timed::of).collect(),
                 rays: record.rays,
                 node_visits: work.node_visits,
                 primitive_tests: work.primitive_tests,
@@ -60,9 +54,54 @@ impl Cell {
         self.loads.iter().map(|load| load.operations).sum()
     }
 
-    fn measured_ms(&self) -> f64 {
-        self.ms.iter().sum()
+    /// The share of the peak that a kind of pass reaches: the median over frames, each against the peak of its own moment, so
+    /// that what else the device does counts on both sides. None where nothing was timed.
+    fn share(&self, kind: Kind) -> Option<f64> {
+        let operations = self.loads[kind as usize].operations;
+        let shares = self.frames.iter().filter_map(|frame| {
+            let share = operations / frame.ms[kind as usize] * 1e-6 / frame.peak_gflops?;
+            positive(&share).then_some(share)
+        });
+        median(shares)
     }
+
+    /// Median milliseconds of all passes, and the device's peak at the time.
+    fn measured(&self) -> Option<(f64, f64)> {
+        let ms = self.frames.iter().map(|frame| frame.ms.iter().sum()).filter(positive);
+        median(ms).zip(median(self.peaks()))
+    }
+
+    fn peaks(&self) -> impl Iterator<Item = f64> {
+        self.frames.iter().filter_map(|frame| frame.peak_gflops).filter(positive)
+    }
+}
+
+/// The time of a frame.
+#[derive(Clone, Debug)]
+pub struct Timed {
+    /// Milliseconds by [`Kind`]; zero where nothing was timed.
+    pub ms: [f64; 3],
+    /// Billions of operations a second, measured right after it.
+    pub peak_gflops: Option<f64>,
+}
+
+impl Timed {
+    fn of(frame: &Frame) -> Self {
+        let mut ms = [0.0; 3];
+        for (pass, time) in &frame.passes {
+            ms[Kind::of(pass) as usize] += time;
+        }
+        Self { ms, peak_gflops: frame.peak_gflops }
+    }
+}
+
+fn positive(value: &f64) -> bool {
+    *value > 0.0 && value.is_finite()
+}
+
+fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
+    let values: Vec<_> = values.collect();
+    (!values.is_empty()).then(|| Spread::of(values).median)
 }
 
 /// What this device reaches.
@@ -80,35 +119,21 @@ impl Calibration {
     /// # Errors
     /// Says what is missing where they do not tell: never a number that nothing was measured for.
     pub fn of<'c>(cells: impl Iterator<Item = &'c Cell> + Clone) -> Result<Self, String> {
-        let peaks: Vec<_> = cells.clone().filter_map(|cell| cell.peak_gflops).filter(positive).collect();
-        if peaks.is_empty() {
-            return Err("the device's peak could not be measured, as it has no timestamps".to_owned());
-        }
-        let peak_gflops = Spread::of(peaks).median;
+        let peak_gflops = median(cells.clone().flat_map(Cell::peaks))
+            .ok_or("the device's peak could not be measured, as it has no timestamps")?;
         let mut shares = [0.0; 3];
         for kind in Kind::ALL {
-            let rates = cells.clone().filter_map(|cell| {
-                let (operations, ms) = (cell.loads[kind as usize].operations, cell.ms[kind as usize]);
-                (positive(&operations) && positive(&ms)).then(|| operations / ms * 1e-6)
-            });
-            let rates: Vec<_> = rates.collect();
-            if rates.is_empty() {
-                return Err(format!("no frame has times of {}", kind.name()));
-            }
-            shares[kind as usize] = Spread::of(rates).median / peak_gflops;
+            shares[kind as usize] = median(cells.clone().filter_map(|cell| cell.share(kind)))
+                .ok_or_else(|| format!("no frame has times of {}", kind.name()))?;
         }
         Ok(Self { peak_gflops, shares })
     }
 
-    /// What a frame would take on this device.
-    fn ms(&self, cell: &Cell) -> f64 {
+    /// What a frame would take on this device while its peak is that.
+    fn ms(&self, cell: &Cell, peak_gflops: f64) -> f64 {
         let parts = cell.loads.iter().zip(self.shares);
-        parts.map(|(load, share)| load.operations / (share * self.peak_gflops) * 1e-6).sum()
+        parts.map(|(load, share)| load.operations / (share * peak_gflops) * 1e-6).sum()
     }
-}
-
-fn positive(value: &f64) -> bool {
-    *value > 0.0 && value.is_finite()
 }
 
 /// A frame of a scene that the calibration has not seen.
@@ -133,14 +158,15 @@ impl Check {
 
 /// Every timed frame, predicted from the frames of the other scenes; none where there is one scene.
 pub fn leave_one_out(cells: &[Cell]) -> Vec<Check> {
-    let checks = cells.iter().filter(|cell| positive(&cell.measured_ms())).filter_map(|cell| {
+    let checks = cells.iter().filter_map(|cell| {
+        let (measured_ms, peak_gflops) = cell.measured()?;
         let others = cells.iter().filter(|other| other.scene != cell.scene);
         let calibration = Calibration::of(others).ok()?;
         Some(Check {
             scene: cell.scene.clone(),
             method: cell.method.clone(),
-            predicted_ms: calibration.ms(cell),
-            measured_ms: cell.measured_ms(),
+            predicted_ms: calibration.ms(cell, peak_gflops),
+            measured_ms,
         })
     });
     checks.collect()
@@ -161,8 +187,7 @@ pub mod tests {
             scene: scene.to_owned(),
             method: method.to_owned(),
             loads: operations.map(load),
-            ms,
-            peak_gflops: Some(100.0),
+            frames: vec![Timed { ms, peak_gflops: Some(100.0) }],
             rays: 10_000_000,
             node_visits: 60_000_000,
             primitive_tests: 30_000_000,
@@ -198,13 +223,26 @@ pub mod tests {
         assert_eq!(leave_one_out(&scenes()[..2]), [], "nothing was left to predict from");
     }
 
+    /// A frame that took twice as long while the device did half as much says the same.
+    #[test]
+    fn each_frame_counts_against_the_peak_of_its_own_moment() {
+        let mut cells = scenes()[..2].to_vec();
+        let slow = |frame: &Timed| Timed { ms: frame.ms.map(|ms| 2.0 * ms), peak_gflops: Some(50.0) };
+        cells[1].frames = cells[1].frames.iter().map(slow).collect();
+        assert_eq!(Calibration::of(cells.iter()).expect("calibrated").shares, [0.2, 0.1, 0.4]);
+    }
+
     #[test]
     fn without_times_there_is_no_calibration() {
-        let untimed: Vec<_> = scenes().into_iter().map(|cell| Cell { ms: [0.0; 3], ..cell }).collect();
+        let untimed: Vec<_> = scenes()
+            .into_iter()
+            .map(|cell| Cell { frames: vec![Timed { ms: [0.0; 3], peak_gflops: Some(100.0) }], ..cell })
+            .collect();
         let error = Calibration::of(untimed.iter()).expect_err("no times");
         assert!(error.contains("traced neighbours"), "{error}");
-        let unmeasured: Vec<_> =
-            scenes().into_iter().map(|cell| Cell { peak_gflops: None, ..cell }).collect();
+        let frames = vec![Timed { ms: [1.0; 3], peak_gflops: None }];
+        let unmeasured = scenes().into_iter().map(|cell| Cell { frames: frames.clone(), ..cell });
+        let unmeasured: Vec<_> = unmeasured.collect();
         assert!(Calibration::of(unmeasured.iter()).expect_err("no peak").contains("no timestamps"));
         let traced_fully: Vec<_> = scenes().into_iter().filter(|cell| cell.method == "full").collect();
         assert!(Calibration::of(traced_fully.iter()).expect_err("no lists").contains("traced lists"));

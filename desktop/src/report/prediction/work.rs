@@ -37,7 +37,7 @@ impl Kind {
     }
 }
 
-/// The work of a frame, with the peak of the device that it was timed on.
+/// The work of a frame.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Work {
     /// Visited nodes of the acceleration structure.
@@ -46,9 +46,6 @@ pub struct Work {
     pub primitive_tests: u64,
     /// By [`Kind`].
     pub loads: [Demand; 3],
-    /// Billions of operations a second that the device does at its best, measured when the frame was; none without
-    /// timestamps.
-    pub peak_gflops: Option<f64>,
 }
 
 impl Work {
@@ -56,7 +53,7 @@ impl Work {
     ///
     /// The counters are of the whole frame. Nodes and primitives are known of each pixel too: by them rays and visits are
     /// divided between the base and the lists.
-    pub fn of(inspection: &Inspection, demands: &Demands, lights: usize, peak_gflops: Option<f64>) -> Self {
+    pub fn of(inspection: &Inspection, demands: &Demands, lights: usize) -> Self {
         let counts = &inspection.counts;
         let lights = lights as f64;
         let costs = |listed: Option<bool>| -> u64 {
@@ -82,7 +79,6 @@ impl Work {
                 traced.times(share) + demands.sample.times(listed as f64),
                 interpolated.times(checked as f64),
             ],
-            peak_gflops,
         }
     }
 }
@@ -137,12 +133,12 @@ mod tests {
             pixel(Origin::Postcorrected, 2),
             pixel(Origin::Interpolated, 0),
         ];
-        let work = Work::of(&Inspection { counts, pixels, uncorrected: 0 }, &demands, 2, Some(7.0));
+        let work = Work::of(&Inspection { counts, pixels, uncorrected: 0 }, &demands, 2);
         // Four rays are followed, with two lights each; the lists have 6 of 24 visits and tests.
         let traced = 8.0 * 1e3 + 16.0 * 1e4 + 8.0 * 1e5 + 4.0 * (10.0 + 2.0 * 100.0);
         let expected = [0.75 * traced + 2.0, 0.25 * traced + 2.0, 7.0 * (1e6 + 2.0 * 1e7)];
         assert_eq!(work.loads.map(|load| load.operations), expected);
-        assert_eq!((work.node_visits, work.primitive_tests, work.peak_gflops), (16, 8, Some(7.0)));
+        assert_eq!((work.node_visits, work.primitive_tests), (16, 8));
     }
 
     #[test]
