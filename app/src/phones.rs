@@ -38,6 +38,10 @@ pub struct Phone {
     pub insets: Sourced<[f32; 4]>,
     /// 3DMark Wild Life Extreme, where it was published: how fast phones are over each other.
     pub wild_life_extreme: Option<Sourced<u32>>,
+    /// Peak of 32-bit floating point: billions of operations a second, a multiply-add as two.
+    pub gflops: Sourced<f64>,
+    /// Peak of the memory: billions of bytes a second.
+    pub gigabytes: Sourced<f64>,
     limits: BTreeMap<String, Sourced<u64>>,
 }
 
@@ -91,6 +95,8 @@ impl Phone {
             &mut self.refresh_hz.source,
             &mut self.scale.source,
             &mut self.insets.source,
+            &mut self.gflops.source,
+            &mut self.gigabytes.source,
         ];
         let keys = keys.into_iter().chain(self.wild_life_extreme.iter_mut().map(|score| &mut score.source));
         for key in keys.chain(self.limits.values_mut().map(|figure| &mut figure.source)) {
@@ -187,6 +193,26 @@ mod tests {
                 assert!(published || figure.source.starts_with("WebGPU default"), "{name}: {limit}");
             }
         }
+    }
+
+    /// Every peak is of the size that phones have, and names a page, or what it is estimated from.
+    #[test]
+    fn peaks_are_published_or_say_what_they_are_estimated_from() {
+        let phones = Phone::all().expect("the file");
+        for phone in &phones {
+            assert!((200.0..5000.0).contains(&phone.gflops.value), "{}", phone.name);
+            assert!((10.0..100.0).contains(&phone.gigabytes.value), "{}", phone.name);
+            for source in [&phone.gflops.source, &phone.gigabytes.source] {
+                let page = [".com/", ".net/", ".ua/"].iter().any(|of| source.contains(of));
+                assert!(page, "{}: {source}", phone.name);
+            }
+        }
+        let published = |phone: &&Phone| {
+            [&phone.gflops.source, &phone.gigabytes.source]
+                .iter()
+                .all(|source| !source.starts_with("estimate"))
+        };
+        assert!(phones.iter().filter(published).count() >= 4, "estimates are the exception");
     }
 
     /// What is said to be the WebGPU default is it.

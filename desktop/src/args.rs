@@ -180,7 +180,7 @@ pub struct ReportOptions {
     /// Warm frames of each setting
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: u32,
-    /// The tables to measure for each scene: those of Kim 2016, and missing objects
+    /// The tables to measure for each scene: those of Kim 2016, missing objects, predictions for phones
     #[arg(
         long,
         value_enum,
@@ -220,6 +220,9 @@ pub enum TableName {
     /// Objects that are lost, by block, without and with postcorrection
     #[value(name = "missing")]
     Missing,
+    /// Predicted times of phones, 2560x1440
+    #[value(name = "phones")]
+    Phones,
 }
 
 /// `glimpse stress`

@@ -195,8 +195,9 @@ fn reports_have_smaller_frames_and_name_their_tables() {
     assert_eq!((bare.scenes.len(), bare.size, bare.frames), (2, Size([960, 540]), 5));
     assert_eq!(bare.tables, [TableName::Resolutions, TableName::Kernels]);
     assert_eq!(bare.table5_sizes, [512, 1024]);
-    let named = report("report a.glb -o out --tables 3B,3c,4,Missing --table5-sizes 64");
-    let tables = [TableName::Reflective, TableName::Views, TableName::Hairball, TableName::Missing];
+    let named = report("report a.glb -o out --tables 3B,3c,4,Missing,phones --table5-sizes 64");
+    let tables =
+        [TableName::Reflective, TableName::Views, TableName::Hairball, TableName::Missing, TableName::Phones];
     assert_eq!(named.tables, tables);
     assert_eq!(named.table5_sizes, [64]);
     for wrong in ["", "-o out", "a.glb", "a.glb -o out --tables 6", "a.glb -o out --table5-sizes 0"] {

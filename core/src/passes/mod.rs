@@ -21,7 +21,9 @@
 //! | fill | a baseline | `passes/fill.wgsl` |
 
 mod constants;
+mod demand;
 mod linked;
+mod operations;
 #[cfg(test)]
 mod tests;
 mod variant;
@@ -30,7 +32,10 @@ pub use constants::{
     COUNTER_CLAIMED, COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS,
     COUNTER_RAYS, COUNTER_WORDS, TRACE_GROUP, TRACE_ROW,
 };
+pub use demand::{Demand, Demands};
 pub use linked::Linked;
+#[cfg(test)]
+pub(crate) use operations::count as count_operations;
 pub use variant::{Output, Variant};
 
 use crate::gpu::shader::Source;

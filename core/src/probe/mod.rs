@@ -1,11 +1,13 @@
 //! Rays of the caller's through the shaders' own functions: what tests, stress cases and measurements look through.
 
 mod fresnel;
+mod peak;
 mod ray;
 
 #[cfg(test)]
 pub(crate) use fresnel::fresnel_sources;
 pub use fresnel::{ProbeBoundary, ProbeFresnel, fresnel};
+pub use peak::peak_gflops;
 pub use ray::ProbeRay;
 
 use crate::{

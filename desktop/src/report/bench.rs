@@ -3,11 +3,12 @@
 use std::cell::OnceCell;
 
 use anyhow::Context;
-use glimpse::{DisplayImage, Gpu, Missing, Renderer, Settings, metrics};
+use glimpse::{Demands, DisplayImage, Gpu, Missing, Renderer, Settings, metrics, probe};
 
 use super::complete::complete;
 use super::job::Job;
 use super::ladder::Rung;
+use super::prediction::Work;
 use super::record::{Frame, Record};
 use super::store::Store;
 use super::subject::{Prepared, Subject, Subjects};
@@ -138,16 +139,28 @@ impl Bench<'_> {
                 let identity = identities[index].clone();
                 let record = Record::new(identity, job.shown, &inspection, &subject.reflects, error);
                 let missing = objects.get().and_then(|full| Missing::of(full, &inspection.pixels));
+                let lights = scene.statistics.lights;
+                let work = job.counts_work().then(|| {
+                    let demands = Demands::of(&subject.scene, renderer.settings())?;
+                    anyhow::Ok(Work::of(&inspection, &demands, lights))
+                });
+                let work = work.transpose()?;
                 if job.counts_missing() {
                     objects.get_or_init(|| inspection.pixels);
                 }
-                Ok(Record { missing, ..record })
+                Ok(Record { missing, work, ..record })
             },
             |index, renderer| {
                 let (frame, ms) = timed(|| renderer.render(&camera))?;
                 progress.steps(job.rungs[index].samples());
                 // Adapters without timestamps measure nothing.
-                Ok(if frame.passes.is_empty() { Frame { ms, passes: vec![] } } else { frame.into() })
+                let frame = if frame.passes.is_empty() {
+                    Frame { ms, passes: vec![], peak_gflops: None }
+                } else {
+                    frame.into()
+                };
+                let peak = job.counts_work().then(|| probe::peak_gflops(self.gpu)).transpose()?;
+                Ok(Frame { peak_gflops: peak.flatten(), ..frame })
             },
         )?;
         Ok(Measured { job, identities, converged: converged_identity, records })

@@ -5,6 +5,7 @@ use glimpse::{Camera, Method, Settings};
 use super::identity::Identity;
 use super::ladder::{self, Family, Rung};
 use super::missing;
+use super::prediction;
 use super::record::Record;
 use super::subject::{Prepared, SHARES, TABLE_SIDE, Variant, turned};
 use crate::args::{ReportOptions, TableName};
@@ -77,6 +78,10 @@ impl Job {
                 let rungs = missing::rungs(base, size);
                 vec![Self { tables: vec![table], variant: Variant::AsIs, turn: 0.0, shown: size, rungs }]
             }
+            TableName::Phones => {
+                let (shown, rungs) = (prediction::SIZE, prediction::rungs(base));
+                vec![Self { tables: vec![table], variant: Variant::AsIs, turn: 0.0, shown, rungs }]
+            }
         }
     }
 
@@ -95,9 +100,15 @@ impl Job {
         self.tables.contains(&TableName::Missing)
     }
 
+    /// What the rungs ask of a device is counted.
+    pub fn counts_work(&self) -> bool {
+        self.tables.contains(&TableName::Phones)
+    }
+
     /// Whether a record has all that is shown of a rung.
     pub fn accepts(&self, index: usize, record: &Record) -> bool {
-        index == 0 || record.missing.is_some() || !self.counts_missing()
+        let searched = index == 0 || record.missing.is_some() || !self.counts_missing();
+        searched && (record.work.is_some() || !self.counts_work())
     }
 
     /// The view.
@@ -243,9 +254,21 @@ mod tests {
     }
 
     #[test]
+    fn predictions_are_one_job_of_their_own_size_whose_work_is_counted() {
+        let jobs = jobs("--tables phones --size 64x32", "a.glb");
+        let [ladder, counting] = jobs.as_slice() else { panic!("{jobs:?}") };
+        assert!(counting.counts_work() && !ladder.counts_work());
+        assert_eq!((counting.shown, counting.rungs.len()), (prediction::SIZE, 4));
+        let without = example("r", 10.0, Some(40.0));
+        assert!(
+            ladder.accepts(1, &without) && !counting.accepts(1, &without) && !counting.accepts(0, &without)
+        );
+    }
+
+    #[test]
     fn every_setting_has_an_identity_of_its_own() {
         let scene = Prepared::new("builtin:minray", None).unwrap();
-        let mut all: Vec<_> = jobs("--tables 3a,3b,3c,4,5,missing", "hairball.glb")
+        let mut all: Vec<_> = jobs("--tables 3a,3b,3c,4,5,missing,phones", "hairball.glb")
             .iter()
             .flat_map(|job| job.identities("p", "a", &scene).unwrap())
             .collect();

@@ -10,6 +10,7 @@ mod page;
 mod paper;
 mod pareto;
 mod plot;
+mod prediction;
 mod record;
 mod rows;
 mod store;
@@ -21,7 +22,7 @@ use std::path::Path;
 
 use glimpse::{Gpu, Settings};
 
-use crate::args::ReportOptions;
+use crate::args::{ReportOptions, TableName};
 use crate::progress::Progress;
 use crate::statistics::AdapterStatistics;
 use crate::{files, output, scene_file};
@@ -31,6 +32,9 @@ use job::Job;
 use rows::Row;
 use store::Store;
 use subject::{Prepared, Subjects};
+
+/// The file of the predictions for phones.
+const PREDICTIONS: &str = "predictions.csv";
 
 /// A scene with all that was measured of it.
 pub struct SceneReport {
@@ -75,7 +79,8 @@ pub fn run(options: &ReportOptions, adapter: Option<&str>) -> anyhow::Result<()>
         .collect::<anyhow::Result<Vec<_>>>()?;
     let store = Store::open(&options.output)?;
     let stems = stems(&names);
-    let outputs: Vec<_> = outputs(&stems).into_iter().map(|name| options.output.join(name)).collect();
+    let outputs: Vec<_> =
+        outputs(&stems, &options.tables).into_iter().map(|name| options.output.join(name)).collect();
     files::check(outputs.iter().map(AsRef::as_ref), Path::new(""))?;
     let gpu = Gpu::headless(adapter)?;
     let header = Header::new(&gpu);
@@ -144,7 +149,12 @@ fn write(
             into(&axis.file(&scene.stem), plot::svg(scene, axis).as_bytes())?;
         }
     }
-    into("report.html", page::html(header, store, scenes)?.as_bytes())?;
+    let predictions = prediction::of(scenes);
+    if let Some(predictions) = &predictions {
+        let rows = predictions.as_ref().map_or(&[][..], |predictions| &predictions.rows);
+        into(PREDICTIONS, &prediction::csv(rows)?)?;
+    }
+    into("report.html", page::html(header, store, scenes, predictions.as_ref())?.as_bytes())?;
     let mut text = String::new();
     for scene in scenes {
         text += &format!("{}: {}\n", scene.prepared.name, rows::verdict(&scene.rows));
@@ -183,9 +193,11 @@ fn stems(scenes: &[&String]) -> Vec<String> {
 }
 
 /// All files that will be written, by their names in the folder.
-fn outputs(stems: &[String]) -> Vec<String> {
+fn outputs(stems: &[String], tables: &[TableName]) -> Vec<String> {
     let plots = stems.iter().flat_map(|stem| plot::Axis::ALL.map(|axis| axis.file(stem)));
-    ["report.csv", "report.html"].map(str::to_owned).into_iter().chain(plots).collect()
+    let predictions = tables.contains(&TableName::Phones).then_some(PREDICTIONS);
+    let fixed = ["report.csv", "report.html"].into_iter().chain(predictions);
+    fixed.map(str::to_owned).chain(plots).collect()
 }
 
 #[cfg(test)]
@@ -197,7 +209,8 @@ mod tests {
         let scenes = ["a/room.glb", "builtin:room", "b/my room!.gltf", "room.glb"].map(str::to_owned);
         let stems = stems(&scenes.each_ref());
         assert_eq!(stems, ["room", "room-2", "my_room_", "room-3"]);
-        let mut names = outputs(&stems);
+        assert_eq!(outputs(&stems, &[TableName::Phones]).len(), 3 + 2 * 4);
+        let mut names = outputs(&stems, &[]);
         assert_eq!(names.len(), 2 + 2 * 4);
         names.sort();
         names.dedup();

@@ -1,9 +1,11 @@
 //! report.html: one page that needs nothing but itself.
 
 mod pictures;
+mod prediction;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
+use super::prediction::Predictions;
 use super::rows::{self, Row};
 use super::store::Store;
 use super::tables::{self, Table};
@@ -13,7 +15,12 @@ use crate::output::{counted, listed};
 const STYLE: &str = include_str!("page/style.css");
 
 /// The page.
-pub fn html(header: &Header, store: &Store, scenes: &[SceneReport]) -> anyhow::Result<String> {
+pub fn html(
+    header: &Header,
+    store: &Store,
+    scenes: &[SceneReport],
+    predictions: Option<&Result<Predictions, String>>,
+) -> anyhow::Result<String> {
     let sections = scenes.iter().map(|scene| section(store, scene)).collect::<anyhow::Result<Vec<_>>>()?;
     let page = html! {
         (DOCTYPE)
@@ -35,6 +42,7 @@ pub fn html(header: &Header, store: &Store, scenes: &[SceneReport]) -> anyhow::R
                 } }
                 @for section in sections { (section) }
                 @for table in tables::all(scenes) { (paper_table(&table)) }
+                @if let Some(predictions) = predictions { (prediction::section(predictions)) }
             }
         }
     };
@@ -213,7 +221,7 @@ mod tests {
             command: "glimpse report <b>".into(),
         };
         let scenes = [scene];
-        let page = html(&header, &store, &scenes).unwrap();
+        let page = html(&header, &store, &scenes, None).unwrap();
         for row in scenes[0].rows.iter().filter(|row| row.part == "ladder") {
             assert!(
                 page.contains(&format!("<th>{}</th><td>{:.2}</td>", row.setting, row.median_ms)),

@@ -4,6 +4,7 @@ use glimpse::metrics::ErrorReport;
 use glimpse::{FrameTime, Inspection, Missing};
 use serde::{Deserialize, Serialize};
 
+use super::prediction::Work;
 use crate::statistics::Spread;
 
 /// What is kept of one setting.
@@ -23,6 +24,8 @@ pub struct Record {
     pub error: Option<ErrorReport>,
     /// What full tracing shows of objects and this does not; none where nobody asked.
     pub missing: Option<Missing>,
+    /// What it asks of a device; none where nobody asked.
+    pub work: Option<Work>,
     /// The warm frames.
     pub frames: Vec<Frame>,
 }
@@ -34,11 +37,15 @@ pub struct Frame {
     pub ms: f64,
     /// Milliseconds of each pass, in order.
     pub passes: Vec<(String, f64)>,
+    /// Billions of operations a second that the device did at its best right after it; none where nobody asked, or without
+    /// timestamps.
+    pub peak_gflops: Option<f64>,
 }
 
 impl From<FrameTime> for Frame {
     fn from(time: FrameTime) -> Self {
-        Self { ms: time.ms, passes: time.passes.into_iter().map(|p| (p.name.to_owned(), p.ms)).collect() }
+        let passes = time.passes.into_iter().map(|p| (p.name.to_owned(), p.ms)).collect();
+        Self { ms: time.ms, passes, peak_gflops: None }
     }
 }
 
@@ -61,6 +68,7 @@ impl Record {
             reflective_share: mirrors as f64 / inspection.pixels.len().max(1) as f64,
             error,
             missing: None,
+            work: None,
             frames: Vec::new(),
         }
     }
@@ -121,9 +129,11 @@ pub mod tests {
             reflective_share: 0.25,
             error: psnr_db.map(error),
             missing: None,
+            work: None,
             frames: vec![Frame {
                 ms,
                 passes: vec![("base".into(), 0.75 * ms), ("trace_a1".into(), 0.25 * ms)],
+                peak_gflops: None,
             }],
         }
     }

@@ -5,7 +5,7 @@ use std::{sync::mpsc, thread, time::Duration};
 use glimpse::{
     Camera, DisplayImage, Error, Gpu, GpuScene, Method, Renderer, Robustness, SAMPLES_PER_SUBMISSION,
     Settings, Tolerances,
-    probe::{Probe, ProbeRay},
+    probe::{Probe, ProbeRay, peak_gflops},
     scene::builtin,
 };
 use glimpse_tests::{Stage, turn};
@@ -164,4 +164,11 @@ fn times_of_passes_in_several_submissions_are_in_order() {
         let sum: f64 = time.passes.iter().map(|pass| pass.ms).sum();
         assert!(time.passes.iter().all(|pass| pass.ms > 0.0) && sum <= time.ms, "{time:?}");
     }
+}
+
+/// No device of today does less, none more.
+#[test]
+fn the_peak_of_a_device_is_a_rate_of_its_size() {
+    let peak = peak_gflops(&device()).expect("it runs").expect("it is timed");
+    assert!((0.1..1e6).contains(&peak), "{peak} billion operations a second");
 }

@@ -1,0 +1,168 @@
+//! What a frame asks of a device: its counters, times what each counted thing takes.
+
+use glimpse::{Demand, Demands, Inspection, Origin};
+use serde::{Deserialize, Serialize};
+
+/// Passes whose threads run differently well together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Neighbouring samples are traced.
+    Neighbours,
+    /// Samples from all over a tile are traced, as a list has them.
+    Listed,
+    /// Nothing is traced.
+    Untraced,
+}
+
+impl Kind {
+    /// In the order of [`Work::loads`].
+    pub const ALL: [Self; 3] = [Self::Neighbours, Self::Listed, Self::Untraced];
+
+    /// That of a pass by its name.
+    pub fn of(pass: &str) -> Self {
+        match pass {
+            "full" | "base" | "checkerboard" => Self::Neighbours,
+            "trace_a1" | "trace_a2" | "postcorrect" | "postcorrect_scan" => Self::Listed,
+            _ => Self::Untraced,
+        }
+    }
+
+    /// As the page has it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Neighbours => "traced neighbours",
+            Self::Listed => "traced lists",
+            Self::Untraced => "passes that trace nothing",
+        }
+    }
+}
+
+/// The work of a frame.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Work {
+    /// Visited nodes of the acceleration structure.
+    pub node_visits: u64,
+    /// Tested triangles and spheres.
+    pub primitive_tests: u64,
+    /// By [`Kind`].
+    pub loads: [Demand; 3],
+}
+
+impl Work {
+    /// Of an inspected frame with one sample a pixel, of a scene with so many lights.
+    ///
+    /// The counters are of the whole frame. Nodes and primitives are known of each pixel too: by them rays and visits are
+    /// divided between the base and the lists.
+    pub fn of(inspection: &Inspection, demands: &Demands, lights: usize) -> Self {
+        let counts = &inspection.counts;
+        let lights = lights as f64;
+        let costs = |listed: Option<bool>| -> u64 {
+            let pixels = inspection.pixels.iter();
+            let chosen = pixels.filter(|pixel| listed.is_none_or(|listed| is_listed(pixel.origin) == listed));
+            chosen.map(|pixel| u64::from(pixel.cost)).sum()
+        };
+        let share = costs(Some(true)) as f64 / costs(None).max(1) as f64;
+        let followed = counts.rays.total - counts.rays.shadow;
+        let traced = demands.ray.times(counts.rays.total as f64)
+            + demands.node_visit.times(counts.cost.node_visits as f64)
+            + demands.primitive_test.times(counts.cost.primitive_tests as f64)
+            + (demands.followed_ray + demands.light.times(lights)).times(followed as f64);
+        let samples = &counts.samples;
+        let listed = samples.traced_a1 + samples.traced_a2 + samples.postcorrected;
+        let checked = samples.total.saturating_sub(samples.base);
+        let interpolated = demands.interpolated + demands.interpolated_light.times(lights);
+        Self {
+            node_visits: counts.cost.node_visits,
+            primitive_tests: counts.cost.primitive_tests,
+            loads: [
+                traced.times(1.0 - share) + demands.sample.times(samples.base as f64),
+                traced.times(share) + demands.sample.times(listed as f64),
+                interpolated.times(checked as f64),
+            ],
+        }
+    }
+}
+
+fn is_listed(origin: Origin) -> bool {
+    matches!(origin, Origin::TracedA1 | Origin::TracedA2 | Origin::Postcorrected)
+}
+
+#[cfg(test)]
+mod tests {
+    use glimpse::{Cost, Counts, PixelRecord, Rays, Samples};
+
+    use super::*;
+
+    fn operations(operations: f64) -> Demand {
+        Demand { operations, ..Demand::default() }
+    }
+
+    fn pixel(origin: Origin, cost: u32) -> PixelRecord {
+        PixelRecord { origin, failed: 0, cost, object: None, depth: 1.0, normal: [0.0; 3] }
+    }
+
+    #[test]
+    fn work_is_counters_times_demands() {
+        let demands = Demands {
+            sample: operations(1.0),
+            followed_ray: operations(10.0),
+            light: operations(100.0),
+            ray: operations(1e3),
+            node_visit: operations(1e4),
+            primitive_test: operations(1e5),
+            interpolated: operations(1e6),
+            interpolated_light: operations(1e7),
+        };
+        let counts = Counts {
+            rays: Rays { primary: 3, shadow: 4, reflection: 1, refraction: 0, total: 8 },
+            samples: Samples {
+                total: 9,
+                base: 2,
+                traced_a1: 1,
+                traced_a2: 0,
+                postcorrected: 1,
+                interpolated: 5,
+            },
+            cost: Cost { node_visits: 16, primitive_tests: 8, traced_share: None },
+            ..Counts::default()
+        };
+        let pixels = vec![
+            pixel(Origin::Base, 10),
+            pixel(Origin::Base, 8),
+            pixel(Origin::TracedA1, 4),
+            pixel(Origin::Postcorrected, 2),
+            pixel(Origin::Interpolated, 0),
+        ];
+        let work = Work::of(&Inspection { counts, pixels, uncorrected: 0 }, &demands, 2);
+        // Four rays are followed, with two lights each; the lists have 6 of 24 visits and tests.
+        let traced = 8.0 * 1e3 + 16.0 * 1e4 + 8.0 * 1e5 + 4.0 * (10.0 + 2.0 * 100.0);
+        let expected = [0.75 * traced + 2.0, 0.25 * traced + 2.0, 7.0 * (1e6 + 2.0 * 1e7)];
+        assert_eq!(work.loads.map(|load| load.operations), expected);
+        assert_eq!((work.node_visits, work.primitive_tests), (16, 8));
+    }
+
+    #[test]
+    fn passes_that_trace_are_told_from_those_that_do_not() {
+        let of = |kind| move |pass: &&str| Kind::of(pass) == kind;
+        let passes = [
+            "full",
+            "base",
+            "checkerboard",
+            "trace_a1",
+            "trace_a2",
+            "postcorrect",
+            "postcorrect_scan",
+            "similarity_a1",
+            "compact_a1",
+            "compact_seed",
+            "postcorrect_seed",
+            "postcorrect_landmarks",
+            "compact_postcorrect",
+            "fill",
+            "resolve",
+        ];
+        let [neighbours, listed, untraced] =
+            Kind::ALL.map(|kind| passes.iter().filter(|pass| of(kind)(pass)).count());
+        assert_eq!((neighbours, listed, untraced), (3, 4, 8));
+    }
+}
