@@ -83,7 +83,7 @@ pub fn is_finished(activity: Activity) -> bool {
     lock(&FINISHED).contains(&(activity as usize))
 }
 
-/// Flags of the window that the app set: `AWINDOW_FLAG_*`.
+/// Flags of the window that the app ever set: `AWINDOW_FLAG_*`.
 pub fn window_flags() -> u32 {
     *lock(&WINDOW_FLAGS)
 }
@@ -104,10 +104,9 @@ extern "C" fn ANativeActivity_finish(activity: Activity) {
 }
 
 #[unsafe(no_mangle)]
-extern "C" fn ANativeActivity_setWindowFlags(activity: Activity, add: u32, remove: u32) {
+extern "C" fn ANativeActivity_setWindowFlags(activity: Activity, add: u32, _remove: u32) {
     if is_alive(activity, "ANativeActivity_setWindowFlags") {
-        let mut flags = lock(&WINDOW_FLAGS);
-        *flags = *flags & !remove | add;
+        *lock(&WINDOW_FLAGS) |= add;
     }
 }
 

@@ -1,6 +1,6 @@
 //! libc.so: the symbols whose name or meaning differs between bionic and glibc.
 
-use std::ffi::{CStr, c_char, c_int, c_long};
+use std::ffi::{CStr, CString, c_char, c_int, c_long, c_void};
 use std::sync::atomic::{AtomicI32, Ordering};
 
 use crate::report;
@@ -55,17 +55,35 @@ unsafe extern "C" fn sysconf(name: c_int) -> c_long {
 
 /// Longest value of a property, with its zero byte (`PROP_VALUE_MAX`).
 const PROPERTY_SIZE: usize = 92;
+/// The one property that is played.
+const API_PROPERTY: &CStr = c"ro.build.version.sdk";
+
+/// What a property holds; others are empty.
+unsafe fn property(name: *const c_char) -> CString {
+    let level = api_level().to_string();
+    CString::new(if CStr::from_ptr(name) == API_PROPERTY { level } else { String::new() }).unwrap_or_default()
+}
 
 #[unsafe(no_mangle)]
 unsafe extern "C" fn __system_property_get(name: *const c_char, value: *mut c_char) -> c_int {
-    let text = match CStr::from_ptr(name).to_bytes() {
-        b"ro.build.version.sdk" => api_level().to_string(),
-        _ => String::new(),
-    };
-    let bytes = std::slice::from_raw_parts_mut(value.cast::<u8>(), PROPERTY_SIZE);
-    bytes[..text.len()].copy_from_slice(text.as_bytes());
-    bytes[text.len()] = 0;
-    text.len() as c_int
+    let text = property(name);
+    let bytes = text.as_bytes_with_nul();
+    debug_assert!(bytes.len() <= PROPERTY_SIZE);
+    std::ptr::copy_nonoverlapping(bytes.as_ptr(), value.cast(), bytes.len());
+    bytes.len() as c_int - 1
+}
+
+/// A property is found as its name; null is none.
+#[unsafe(no_mangle)]
+unsafe extern "C" fn __system_property_find(name: *const c_char) -> *const c_char {
+    if CStr::from_ptr(name) == API_PROPERTY { API_PROPERTY.as_ptr() } else { std::ptr::null() }
+}
+
+type Read = unsafe extern "C" fn(cookie: *mut c_void, name: *const c_char, value: *const c_char, serial: u32);
+
+#[unsafe(no_mangle)]
+unsafe extern "C" fn __system_property_read_callback(found: *const c_char, read: Read, cookie: *mut c_void) {
+    read(cookie, found, property(found).as_ptr(), 0);
 }
 
 /// bionic's `pthread_attr_t` has 56 bytes; glibc's has 64 on arm64 and its `pthread_attr_init` clears all of them.

@@ -18,25 +18,34 @@ fn fail(problem: String) -> *mut c_void {
     std::ptr::null_mut()
 }
 
-/// glibc's own function of this name: here, the plain name means the one below.
-unsafe fn glibc(name: &CStr) -> *mut c_void {
-    #[cfg(target_arch = "x86_64")]
-    const VERSION: &CStr = c"GLIBC_2.2.5";
-    #[cfg(target_arch = "aarch64")]
-    const VERSION: &CStr = c"GLIBC_2.17";
-    let newer = libc::dlvsym(libc::RTLD_NEXT, name.as_ptr(), c"GLIBC_2.34".as_ptr());
-    match newer.is_null() {
-        true => libc::dlvsym(libc::RTLD_NEXT, name.as_ptr(), VERSION.as_ptr()),
-        false => newer,
-    }
+/// glibc's own functions: here, the plain names mean the ones below.
+struct Glibc {
+    dlopen: unsafe extern "C" fn(*const c_char, c_int) -> *mut c_void,
+    dlsym: unsafe extern "C" fn(*mut c_void, *const c_char) -> *mut c_void,
+    dlerror: unsafe extern "C" fn() -> *const c_char,
 }
 
-macro_rules! glibc {
-    ($name:literal as $type:ty) => {{
-        static FOUND: OnceLock<usize> = OnceLock::new();
-        let found = *FOUND.get_or_init(|| glibc($name) as usize);
-        std::mem::transmute::<usize, $type>(found)
-    }};
+/// All are looked up at once, for a look-up forgets what went wrong before.
+fn glibc() -> &'static Glibc {
+    static FOUND: OnceLock<Glibc> = OnceLock::new();
+    // SAFETY: glibc has all three since it exists, of these types.
+    FOUND.get_or_init(|| unsafe {
+        Glibc {
+            dlopen: std::mem::transmute::<*mut c_void, _>(next(c"dlopen")),
+            dlsym: std::mem::transmute::<*mut c_void, _>(next(c"dlsym")),
+            dlerror: std::mem::transmute::<*mut c_void, _>(next(c"dlerror")),
+        }
+    })
+}
+
+/// The function of this name in the libraries behind this one; glibc 2.34 moved them from libdl to libc.
+unsafe fn next(name: &CStr) -> *mut c_void {
+    #[cfg(target_arch = "x86_64")]
+    const FIRST: &CStr = c"GLIBC_2.2.5";
+    #[cfg(target_arch = "aarch64")]
+    const FIRST: &CStr = c"GLIBC_2.17";
+    let found = [c"GLIBC_2.34", FIRST].map(|version| libc::dlvsym(libc::RTLD_NEXT, name.as_ptr(), version.as_ptr()));
+    if found[0].is_null() { found[1] } else { found[0] }
 }
 
 #[unsafe(no_mangle)]
@@ -48,7 +57,8 @@ unsafe extern "C" fn dlopen(name: *const c_char, flags: c_int) -> *mut c_void {
             return fail(format!("dlopen failed: library \"{name}\" not found"));
         }
     }
-    glibc!(c"dlopen" as unsafe extern "C" fn(*const c_char, c_int) -> *mut c_void)(name, flags)
+    // bionic resolves at once whatever is said; glibc wants it said.
+    (glibc().dlopen)(name, flags | libc::RTLD_NOW)
 }
 
 #[unsafe(no_mangle)]
@@ -59,7 +69,7 @@ unsafe extern "C" fn dlsym(handle: *mut c_void, name: *const c_char) -> *mut c_v
     if since.is_some_and(|(_, level)| *level > bionic::api_level()) {
         return fail(format!("undefined symbol: {symbol}"));
     }
-    glibc!(c"dlsym" as unsafe extern "C" fn(*mut c_void, *const c_char) -> *mut c_void)(handle, name)
+    (glibc().dlsym)(handle, name)
 }
 
 #[unsafe(no_mangle)]
@@ -69,6 +79,6 @@ unsafe extern "C" fn dlerror() -> *const c_char {
         PROBLEM.with_borrow(|problem| problem.as_ref().filter(|_| !TOLD.replace(true)).map(|p| p.as_ptr()));
     match own {
         Some(text) => text,
-        None => glibc!(c"dlerror" as unsafe extern "C" fn() -> *const c_char)(),
+        None => (glibc().dlerror)(),
     }
 }

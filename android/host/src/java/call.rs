@@ -6,7 +6,6 @@ use super::class::{Call, Method};
 use super::machine::{self, enter};
 use super::object::{Exception, Object, State, Value};
 use super::reference::{self, Kind};
-use super::world;
 use crate::report;
 
 /// `jvalue`: the low bytes hold the argument.
@@ -38,7 +37,6 @@ pub unsafe fn call(of: Of, this: *mut c_void, method: *const Method, arguments: 
         report::complain(format!("{}{} was called with a {}", method.name, method.signature, class.name));
         return fail("java/lang/NoSuchMethodError", method.name);
     }
-    world::record(class.name, method.name);
     let arguments = values(method.signature, arguments);
     match (method.body)(&Call { this: &this, arguments: &arguments }) {
         Ok(value) => value,

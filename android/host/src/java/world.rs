@@ -1,7 +1,6 @@
-//! What the Java side answers from: content that URIs lead to, the display's cutout, the clipboard; and what was
-//! called.
+//! What the Java side answers from: content that URIs lead to, the display's cutout, the clipboard.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::{LazyLock, Mutex};
 
@@ -38,22 +37,10 @@ pub struct World {
 }
 
 static WORLD: LazyLock<Mutex<World>> = LazyLock::new(Mutex::default);
-static CALLS: Mutex<BTreeMap<String, u64>> = Mutex::new(BTreeMap::new());
 
 /// Reads or changes the surroundings.
 pub fn with_world<T>(act: impl FnOnce(&mut World) -> T) -> T {
     act(&mut lock(&WORLD))
-}
-
-/// Notes a call of a method.
-pub fn record(class: &str, method: &str) {
-    let name = format!("{}.{method}", class.rsplit('/').next().unwrap_or(class));
-    *lock(&CALLS).entry(name).or_default() += 1;
-}
-
-/// How often a method was called, as `Class.method`.
-pub fn calls(name: &str) -> u64 {
-    lock(&CALLS).get(name).copied().unwrap_or(0)
 }
 
 /// Number of references that are held: local, global and weak.

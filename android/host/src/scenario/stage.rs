@@ -14,7 +14,7 @@ use crate::picture::Picture;
 use crate::{log, process, report, vulkan};
 
 /// A picture, or a line of the log, comes within this time; software rendering compiles for seconds.
-const PATIENCE: Duration = Duration::from_secs(120);
+const PATIENCE: Duration = Duration::from_secs(60);
 /// A picture that did not change for this long is at rest.
 const QUIET: Duration = Duration::from_millis(700);
 /// Java's main thread may wait for the app this long in any callback but `onCreate` and `onDestroy`.
@@ -155,7 +155,10 @@ impl Stage {
         match vulkan::last_presented() {
             _ if shown => Ok(()),
             None => Err("nothing was presented".to_owned()),
-            Some(last) => Err(last.difference(picture).unwrap_or_else(|| "presented too late".to_owned())),
+            Some(last) => {
+                let difference = last.difference(picture).unwrap_or_else(|| "presented too late".to_owned());
+                Err(format!("{difference}, in the last of {} pictures", vulkan::presents()))
+            }
         }
     }
 

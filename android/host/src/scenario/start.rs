@@ -20,7 +20,7 @@ pub fn play(stage: &mut Stage) -> Outcome {
         let rest = stage.rest()?;
         rest.difference(&expected).map_or(Ok(()), Err)
     })?;
-    stage.step("the screen stays on, the system's bars are hidden", |_| {
+    stage.step("the screen was kept on, the system's bars are hidden", |_| {
         let (flags, bars) = (activity::window_flags(), java::with_world(|world| world.system_ui));
         match flags & KEEP_SCREEN_ON != 0 && bars != 0 {
             true => Ok(()),
