@@ -44,7 +44,8 @@ unsafe fn next(name: &CStr) -> *mut c_void {
     const FIRST: &CStr = c"GLIBC_2.2.5";
     #[cfg(target_arch = "aarch64")]
     const FIRST: &CStr = c"GLIBC_2.17";
-    let found = [c"GLIBC_2.34", FIRST].map(|version| libc::dlvsym(libc::RTLD_NEXT, name.as_ptr(), version.as_ptr()));
+    let found =
+        [c"GLIBC_2.34", FIRST].map(|version| libc::dlvsym(libc::RTLD_NEXT, name.as_ptr(), version.as_ptr()));
     if found[0].is_null() { found[1] } else { found[0] }
 }
 

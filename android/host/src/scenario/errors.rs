@@ -1,6 +1,6 @@
 //! What goes wrong is said on the screen, and the back key still ends the app.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use super::Outcome;
 use super::stage::Stage;
@@ -48,25 +48,39 @@ fn refusal(stage: &mut Stage, fault: impl FnOnce(&mut faults::Faults)) -> Outcom
         stage.resize([size[1], size[0]]);
         posted_after(stage, posts)
     })?;
-    stage.step("the back key finishes the activity, and destroying it returns", Stage::back)
+    stage.step("the back key closes the message, then the app; destroying it returns", back_twice)
 }
 
-/// A picture of the display's size and of more than one colour is drawn without Vulkan.
+/// A picture of the display's size and of more than one colour is drawn without Vulkan, and comes to rest.
 fn posted_after(stage: &mut Stage, posts: u64) -> Outcome {
     let size = stage.size;
     let fits = || {
         let posted = window::posted().filter(|_| window::posts() > posts);
         posted.filter(|picture| [picture.width, picture.height] == size && !picture.is_of_one_colour())
     };
-    let in_time = pump(Duration::from_secs(60), || fits().is_some());
-    match fits().filter(|_| in_time) {
+    let mut last = (None, Instant::now());
+    let at_rest = pump(Duration::from_secs(30), || {
+        let now = fits();
+        if now != last.0 {
+            last = (now, Instant::now());
+        }
+        last.0.is_some() && last.1.elapsed() > Duration::from_secs(2)
+    });
+    match fits().filter(|_| at_rest) {
         Some(picture) => stage.keep(&picture),
         None => Err(format!(
-            "expected a picture of {size:?} pixels by ANativeWindow_lock, found {} of them in all, the last {:?}",
-            window::posts(),
+            "expected a picture of {size:?} pixels by ANativeWindow_lock, at rest; found {} of them, the last {:?}",
+            window::posts() - posts,
             window::posted().map(|picture| ([picture.width, picture.height], picture.is_of_one_colour()))
         )),
     }
+}
+
+/// The first back key closes the message, the second the app.
+fn back_twice(stage: &mut Stage) -> Outcome {
+    super::hand::back(stage);
+    stage.wait(Duration::from_secs(1));
+    stage.back()
 }
 
 /// The device is lost once, and then three times in a row.
@@ -101,5 +115,5 @@ pub fn lost_device(stage: &mut Stage) -> Outcome {
         }
         posted_after(stage, posts)
     })?;
-    stage.step("the back key finishes the activity, and destroying it returns", Stage::back)
+    stage.step("the back key closes the message, then the app; destroying it returns", back_twice)
 }
