@@ -100,8 +100,10 @@ pub unsafe extern "C" fn ALooper_addFd(
     sources.retain(|source| source.descriptor != descriptor);
     sources.push(Source { descriptor, identifier, callback, data });
     drop(sources);
-    // A wait in progress must see the new descriptor.
-    ALooper_wake(looper);
+    // A wait in progress on another thread must see the new descriptor; this thread's own wait is not in progress.
+    if looper != ALooper_forThread() {
+        ALooper_wake(looper);
+    }
     1
 }
 
