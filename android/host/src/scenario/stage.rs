@@ -35,6 +35,8 @@ pub struct Stage {
     library: Library,
     files: PathBuf,
     expected: Option<Arc<Picture>>,
+    /// Presents before the activity that is played: their pictures are another's.
+    before: u64,
     kept: u32,
 }
 
@@ -53,7 +55,7 @@ impl Stage {
         }
         let library = Library::load(&app)?;
         let size = options.size;
-        Ok(Self { options, activity: None, size, library, files, expected, kept: 0 })
+        Ok(Self { options, activity: None, size, library, files, expected, before: 0, kept: 0 })
     }
 
     /// A step of the scenario: says what was done and how long it took, or ends the scenario.
@@ -101,6 +103,7 @@ impl Stage {
 
     /// Creates an activity and shows nothing of it yet.
     pub fn create(&mut self, intent: Intent, saved: &[u8]) {
+        self.before = vulkan::presents();
         self.activity = Some(Activity::create(self.library, intent, &self.files, saved));
     }
 
@@ -148,11 +151,16 @@ impl Stage {
         self.expected.clone().ok_or_else(|| "expected the option --expect, found none".to_owned())
     }
 
-    /// Waits until `picture` is what was presented last.
+    /// The last picture of the activity that is played.
+    fn last(&self) -> Option<Arc<Picture>> {
+        vulkan::last_presented().filter(|_| vulkan::presents() > self.before)
+    }
+
+    /// Waits until `picture` is what the activity presented last.
     pub fn shows(&mut self, picture: &Picture) -> Outcome {
-        let shown = pump(PATIENCE, || vulkan::last_presented().is_some_and(|last| *last == *picture));
+        let shown = pump(PATIENCE, || self.last().is_some_and(|last| *last == *picture));
         self.keep_last()?;
-        match vulkan::last_presented() {
+        match self.last() {
             _ if shown => Ok(()),
             None => Err("nothing was presented".to_owned()),
             Some(last) => {
@@ -164,10 +172,10 @@ impl Stage {
 
     /// Waits until what is presented no longer changes; answers it.
     pub fn rest(&mut self) -> Outcome<Arc<Picture>> {
-        let mut last = vulkan::last_presented();
+        let mut last = self.last();
         let mut since = Instant::now();
         let at_rest = pump(PATIENCE, || {
-            let now = vulkan::last_presented();
+            let now = self.last();
             if now != last {
                 (last, since) = (now, Instant::now());
             }

@@ -204,14 +204,11 @@ impl Storm<'_> {
     fn recreate(&mut self) -> Outcome {
         self.stage.destroy()?;
         self.stage.no_threads()?;
-        let intent = self.stage.intent();
-        let first = vulkan::presents();
+        self.stage.size = self.stage.options.size;
+        let (intent, expected) = (self.stage.intent(), self.stage.expected()?);
         self.stage.launch(intent);
         self.events += 9;
-        match pump(Duration::from_secs(120), || vulkan::presents() > first) {
-            true => Ok(()),
-            false => Err("created again, but nothing was presented".to_owned()),
-        }
+        self.stage.shows(&expected)
     }
 
     /// The state in which memory is compared: as the app was started, and at rest.
