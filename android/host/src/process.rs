@@ -9,9 +9,17 @@ pub fn threads() -> Vec<String> {
         .collect()
 }
 
-/// Number of open file descriptors (one of them the folder that is read for the answer).
-pub fn descriptors() -> usize {
-    std::fs::read_dir("/proc/self/fd").map_or(0, Iterator::count)
+/// What the open file descriptors lead to.
+pub fn descriptors() -> Vec<String> {
+    let links = std::fs::read_dir("/proc/self/fd").into_iter().flatten().flatten();
+    // The folder that is read here is gone when its link is looked at by name.
+    let mut targets: Vec<String> = links
+        .filter_map(|link| std::fs::read_link(link.path()).ok())
+        .map(|target| target.to_string_lossy().into_owned())
+        .filter(|target| !target.starts_with("/proc/"))
+        .collect();
+    targets.sort();
+    targets
 }
 
 /// Memory of the process, in bytes.

@@ -9,7 +9,7 @@ use crate::{java, process, vulkan, window};
 /// Plays it.
 pub fn play(stage: &mut Stage) -> Outcome {
     let expected = stage.expected()?;
-    let mut descriptors = 0;
+    let mut descriptors = Vec::new();
     for round in 0..3 {
         stage.step("created, the expected picture, destroyed, no thread left", |stage| {
             let intent = stage.intent();
@@ -89,11 +89,11 @@ pub fn play(stage: &mut Stage) -> Outcome {
         let [devices, surfaces] = vulkan::alive();
         let [local, _, _] = java::references();
         let held = [window::held(), devices, surfaces, local];
-        match found <= descriptors && held == [0; 4] {
+        match found.len() <= descriptors.len() && held == [0; 4] {
             true => Ok(()),
             false => Err(format!(
-                "expected {descriptors} descriptors and no windows, devices, surfaces, local references; \
-                 found {found} and {held:?}"
+                "expected {descriptors:?} and no windows, devices, surfaces, local references; \
+                 found {found:?} and {held:?}"
             )),
         }
     })
