@@ -20,10 +20,14 @@ fn fail(problem: String) -> *mut c_void {
 
 /// glibc's own functions: here, the plain names mean the ones below.
 struct Glibc {
-    dlopen: unsafe extern "C" fn(*const c_char, c_int) -> *mut c_void,
-    dlsym: unsafe extern "C" fn(*mut c_void, *const c_char) -> *mut c_void,
-    dlerror: unsafe extern "C" fn() -> *const c_char,
+    dlopen: Open,
+    dlsym: Find,
+    dlerror: Tell,
 }
+
+type Open = unsafe extern "C" fn(*const c_char, c_int) -> *mut c_void;
+type Find = unsafe extern "C" fn(*mut c_void, *const c_char) -> *mut c_void;
+type Tell = unsafe extern "C" fn() -> *const c_char;
 
 /// All are looked up at once, for a look-up forgets what went wrong before.
 fn glibc() -> &'static Glibc {
@@ -31,9 +35,9 @@ fn glibc() -> &'static Glibc {
     // SAFETY: glibc has all three since it exists, of these types.
     FOUND.get_or_init(|| unsafe {
         Glibc {
-            dlopen: std::mem::transmute::<*mut c_void, _>(next(c"dlopen")),
-            dlsym: std::mem::transmute::<*mut c_void, _>(next(c"dlsym")),
-            dlerror: std::mem::transmute::<*mut c_void, _>(next(c"dlerror")),
+            dlopen: std::mem::transmute::<*mut c_void, Open>(next(c"dlopen")),
+            dlsym: std::mem::transmute::<*mut c_void, Find>(next(c"dlsym")),
+            dlerror: std::mem::transmute::<*mut c_void, Tell>(next(c"dlerror")),
         }
     })
 }

@@ -3,7 +3,7 @@
 
 use std::ffi::{CStr, CString, c_int, c_void};
 use std::os::unix::ffi::OsStrExt as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::ptr;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
@@ -80,7 +80,7 @@ pub struct Activity {
 
 impl Activity {
     /// Creates an activity with an intent, the app's folder, and what an earlier one saved.
-    pub fn create(library: Library, intent: Intent, files: &PathBuf, saved: &[u8]) -> Self {
+    pub fn create(library: Library, intent: Intent, files: &Path, saved: &[u8]) -> Self {
         let paths = CString::new(files.as_os_str().as_bytes()).unwrap_or_default();
         let mut callbacks = Box::new(ANativeActivityCallbacks::default());
         let native = Box::new(ANativeActivity {

@@ -30,6 +30,11 @@ pub struct ALooper {
     wake: OwnedFd,
 }
 
+// SAFETY: what the app lets its sources point to is the app's to share, as on Android.
+unsafe impl Send for ALooper {}
+// SAFETY: as above; the sources are behind a lock.
+unsafe impl Sync for ALooper {}
+
 thread_local! {
     static LOOPER: RefCell<Option<Arc<ALooper>>> = const { RefCell::new(None) };
 }
@@ -42,8 +47,9 @@ pub fn counter(flags: c_int) -> OwnedFd {
 
 /// Adds one to a counter.
 pub fn count_up(counter: &OwnedFd) {
+    let one = 1u64;
     // SAFETY: writes eight bytes from a local.
-    unsafe { libc::write(counter.as_raw_fd(), (&raw const *&1u64).cast(), 8) };
+    unsafe { libc::write(counter.as_raw_fd(), (&raw const one).cast(), 8) };
 }
 
 /// Takes one, or all, from a counter.

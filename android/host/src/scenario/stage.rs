@@ -78,9 +78,8 @@ impl Stage {
             let bound = if name == "onCreate" { LIFE_BOUND } else { JAVA_BOUND };
             within(name, time, bound)?;
         }
-        match java::ended_attached().first() {
-            Some(thread) => return Err(format!("the thread `{thread}` ended while it was attached to Java")),
-            None => {}
+        if let Some(thread) = java::ended_attached().first() {
+            return Err(format!("the thread `{thread}` ended while it was attached to Java"));
         }
         match report::complaints().as_slice() {
             [] => Ok(()),
