@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# run.sh APP.apk [SCENARIO...]: plays the scenarios (all of them by default) with the x86_64 library of a package.
+# GLIMPSE: the command-line program that renders what is expected; EVENTS: of the storm; KEEP: a folder for pictures.
+set -euo pipefail
+[ $# -ge 1 ] || { sed -n 2,3p "$0" >&2; exit 2; }
+apk=$(realpath "$1"); shift
+here=$(cd "$(dirname "$0")" && pwd)
+glimpse=${GLIMPSE:-$here/../../target/release/glimpse}
+scenarios=("$@")
+if [ ${#scenarios[@]} -eq 0 ]; then
+    scenarios=(start life rotate touch back again view thermal thermal:28
+        errors:no-vulkan errors:no-device errors:small-limits errors:lost-device storm)
+fi
+
+cargo build --release --quiet --manifest-path "$here/Cargo.toml"
+run=${CARGO_TARGET_DIR:-$here/target}/release/android-run
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+python3 -m zipfile -e "$apk" "$work/apk"
+app=$work/apk/lib/x86_64/libglimpse_android.so
+[ -f "$app" ] || { echo "$apk: expected lib/x86_64/libglimpse_android.so, found none" >&2; exit 1; }
+
+# Small, for a processor draws it; the file that another app shares is one of the package's own scenes.
+pixels=160x90
+shared=$(find "$work/apk/assets" -name '*.glb' | sort | head -n 1)
+"$glimpse" render --size $pixels --output "$work/room.png" builtin:room > "$work/render.log"
+"$glimpse" render --size $pixels --output "$work/shared.png" "$shared" > "$work/render.log"
+
+for scenario in "${scenarios[@]}"; do
+    options=(--assets "$work/apk/assets" --files "$work/files-$scenario" --size $pixels --view $pixels
+        --scene builtin:room --set 'overlay hidden; governor off' --expect "$work/room.png")
+    [ -z "${KEEP:-}" ] || options+=(--keep "$KEEP/$scenario")
+    case $scenario in
+        view) options+=(--content "$shared" --expect "$work/shared.png") ;;
+        storm) options+=(--events "${EVENTS:-1000}") ;;
+        *:28) options+=(--api 28) ;;
+        errors:*) options+=(--size 640x360) ;;
+    esac
+    # The device that is lost must come back with the picture that was there.
+    [ "$scenario" != errors:lost-device ] || options+=(--size $pixels)
+    if ! "$run" "$app" "${scenario%:28}" "${options[@]}" > "$work/out" 2> "$work/log"; then
+        cat "$work/log" "$work/out" >&2
+        exit 1
+    fi
+    tail -n 1 "$work/out"
+done

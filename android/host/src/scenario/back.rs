@@ -1,0 +1,16 @@
+//! The back key ends the app.
+
+use super::Outcome;
+use super::stage::Stage;
+
+/// Plays it.
+pub fn play(stage: &mut Stage) -> Outcome {
+    let expected = stage.expected()?;
+    stage.step("the expected picture is presented", |stage| {
+        let intent = stage.intent();
+        stage.launch(intent);
+        stage.shows(&expected)
+    })?;
+    stage.step("the back key finishes the activity, and destroying it returns", Stage::back)?;
+    stage.step("no thread of the app is left", |stage| stage.no_threads())
+}

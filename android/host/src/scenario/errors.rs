@@ -1,0 +1,119 @@
+//! What goes wrong is said on the screen, and the back key still ends the app.
+
+use std::time::{Duration, Instant};
+
+use super::Outcome;
+use super::stage::Stage;
+use super::view::problem;
+use crate::life::pump;
+use crate::vulkan::{self, faults};
+use crate::{log, report, window};
+
+/// The loader's library is missing.
+pub fn no_vulkan(stage: &mut Stage) -> Outcome {
+    refusal(stage, |faults| faults.no_loader = true)
+}
+
+/// The loader finds no device.
+pub fn no_device(stage: &mut Stage) -> Outcome {
+    refusal(stage, |faults| faults.no_device = true)
+}
+
+/// The device's limits are too small.
+pub fn small_limits(stage: &mut Stage) -> Outcome {
+    refusal(stage, |faults| faults.small_limits = true)
+}
+
+fn refusal(stage: &mut Stage, fault: impl FnOnce(&mut faults::Faults)) -> Outcome {
+    faults::with(fault);
+    let mark = log::mark();
+    stage.step("created, started, resumed, with a window", |stage| {
+        let intent = stage.intent();
+        stage.launch(intent);
+        Ok(())
+    })?;
+    let line = stage.step("the log says what was expected and found", |stage| problem(stage, mark))?;
+    report::say(&format!("      {line}"));
+    stage.step("the message is on the screen, drawn without Vulkan", |stage| posted_after(stage, 0))?;
+    stage.step("a new window, a turned one: the message is there again", |stage| {
+        let (posts, size) = (window::posts(), stage.size);
+        stage.with(|activity| {
+            activity.pause();
+            activity.destroy_window();
+            activity.resume();
+            activity.create_window(size);
+        });
+        posted_after(stage, posts)?;
+        let posts = window::posts();
+        stage.resize([size[1], size[0]]);
+        posted_after(stage, posts)
+    })?;
+    stage.step("the back key closes the message, then the app; destroying it returns", back_twice)
+}
+
+/// A picture of the display's size and of more than one colour is drawn without Vulkan, and comes to rest.
+fn posted_after(stage: &mut Stage, posts: u64) -> Outcome {
+    let size = stage.size;
+    let fits = || {
+        let posted = window::posted().filter(|_| window::posts() > posts);
+        posted.filter(|picture| [picture.width, picture.height] == size && !picture.is_of_one_colour())
+    };
+    let mut last = (None, Instant::now());
+    let at_rest = pump(Duration::from_secs(30), || {
+        let now = fits();
+        if now != last.0 {
+            last = (now, Instant::now());
+        }
+        last.0.is_some() && last.1.elapsed() > Duration::from_secs(2)
+    });
+    match fits().filter(|_| at_rest) {
+        Some(picture) => stage.keep(&picture),
+        None => Err(format!(
+            "expected a picture of {size:?} pixels by ANativeWindow_lock, at rest; found {} of them, the last {:?}",
+            window::posts() - posts,
+            window::posted().map(|picture| ([picture.width, picture.height], picture.is_of_one_colour()))
+        )),
+    }
+}
+
+/// The first back key closes the message, the second the app.
+fn back_twice(stage: &mut Stage) -> Outcome {
+    super::hand::back(stage);
+    stage.wait(Duration::from_secs(1));
+    stage.back()
+}
+
+/// The device is lost once, and then three times in a row.
+pub fn lost_device(stage: &mut Stage) -> Outcome {
+    let expected = stage.expected()?;
+    stage.step("the expected picture is presented", |stage| {
+        let intent = stage.intent();
+        stage.launch(intent);
+        stage.shows(&expected)?;
+        stage.rest().map(drop)
+    })?;
+    stage.step("lost once: the same picture comes back, on a new device", |stage| {
+        let (first, devices) = (vulkan::presents(), vulkan::devices_created());
+        faults::with(|faults| faults.lost_devices = 1);
+        stage.with(|activity| activity.redraw());
+        let is_back = || vulkan::presents() > first && vulkan::devices_created() > devices;
+        if !pump(Duration::from_secs(90), is_back) {
+            return Err("no picture from a new device".to_owned());
+        }
+        stage.shows(&expected)
+    })?;
+    let mark = log::mark();
+    stage.step("lost three times in a row: a message", |stage| {
+        let posts = window::posts();
+        faults::with(|faults| faults.lost_devices = 3);
+        stage.with(|activity| activity.redraw());
+        let line = problem(stage, mark)?;
+        report::say(&format!("      {line}"));
+        let all = faults::with(|faults| faults.lost_devices) == 0;
+        if !all {
+            return Err("the app gave up before the device was lost three times".to_owned());
+        }
+        posted_after(stage, posts)
+    })?;
+    stage.step("the back key closes the message, then the app; destroying it returns", back_twice)
+}

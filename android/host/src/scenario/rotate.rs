@@ -1,0 +1,92 @@
+//! The display turns; surfaces become out of date, suboptimal, lost.
+
+use super::Outcome;
+use super::stage::Stage;
+use crate::vulkan::{self, faults};
+
+const TURNS: usize = 3;
+
+/// Plays it.
+pub fn play(stage: &mut Stage) -> Outcome {
+    let expected = stage.expected()?;
+    let landscape = stage.size;
+    let portrait = [landscape[1], landscape[0]];
+    stage.step("the expected picture is presented", |stage| {
+        let intent = stage.intent();
+        stage.launch(intent);
+        stage.shows(&expected)?;
+        stage.rest().map(drop)
+    })?;
+    for _ in 0..TURNS {
+        stage.step("turned: a picture of the new size, one new swapchain", |stage| {
+            let swapchains = vulkan::swapchains_created();
+            stage.resize(portrait);
+            let picture = stage.rest()?;
+            if [picture.width, picture.height] != portrait {
+                return Err(format!(
+                    "expected {portrait:?} pixels, found {}x{}",
+                    picture.width, picture.height
+                ));
+            }
+            if picture.is_of_one_colour() {
+                return Err("the picture is of one colour".to_owned());
+            }
+            no_more_than(swapchains, 1)
+        })?;
+        stage.step("turned back: the same picture, one new swapchain", |stage| {
+            let swapchains = vulkan::swapchains_created();
+            stage.resize(landscape);
+            stage.shows(&expected)?;
+            stage.rest()?;
+            no_more_than(swapchains, 1)
+        })?;
+    }
+    stage.step("suboptimal at every present: no new swapchain", |stage| {
+        let swapchains = vulkan::swapchains_created();
+        faults::with(|faults| faults.suboptimal = true);
+        for _ in 0..20 {
+            let first = vulkan::presents();
+            stage.with(|activity| activity.redraw());
+            stage.shows_within_two(first, &expected)?;
+        }
+        faults::with(|faults| faults.suboptimal = false);
+        no_more_than(swapchains, 0)
+    })?;
+    stage.step("three swapchains out of date: three new ones, the same picture", |stage| {
+        let swapchains = vulkan::swapchains_created();
+        faults::with(|faults| faults.outdated = 3);
+        survives(stage, |faults| faults.outdated, &expected)?;
+        no_more_than(swapchains, 3)
+    })?;
+    stage.step("the surface is lost: one new swapchain, the same picture", |stage| {
+        let swapchains = vulkan::swapchains_created();
+        faults::with(|faults| faults.lost_surfaces = 1);
+        survives(stage, |faults| faults.lost_surfaces, &expected)?;
+        no_more_than(swapchains, 1)
+    })
+}
+
+/// Asks for pictures until the faults have all happened and the expected one is shown after that.
+fn survives(
+    stage: &mut Stage,
+    left: fn(&faults::Faults) -> u32,
+    expected: &crate::picture::Picture,
+) -> Outcome {
+    for _ in 0..100 {
+        stage.with(|activity| activity.redraw());
+        stage.wait(std::time::Duration::from_millis(100));
+        if faults::with(|faults| left(faults)) == 0 {
+            let first = vulkan::presents();
+            stage.with(|activity| activity.redraw());
+            return stage.shows_within_two(first, expected);
+        }
+    }
+    Err("the app does not present, although it was asked to draw again".to_owned())
+}
+
+fn no_more_than(before: u64, most: u64) -> Outcome {
+    match vulkan::swapchains_created() - before {
+        new if new <= most => Ok(()),
+        new => Err(format!("expected {most} new swapchains at most, found {new}")),
+    }
+}

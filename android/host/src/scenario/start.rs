@@ -1,0 +1,46 @@
+//! The app starts and shows its picture.
+
+use super::Outcome;
+use super::stage::Stage;
+use crate::{activity, java, vulkan};
+use std::time::Duration;
+
+/// `AWINDOW_FLAG_KEEP_SCREEN_ON`.
+const KEEP_SCREEN_ON: u32 = 0x80;
+
+/// At rest, the overlay's clocks may still want a picture now and then.
+const RESTING: u64 = 10;
+
+/// Plays it.
+pub fn play(stage: &mut Stage) -> Outcome {
+    let expected = stage.expected()?;
+    stage.step("created, started, resumed, with a window", |stage| {
+        let intent = stage.intent();
+        stage.launch(intent);
+        Ok(())
+    })?;
+    stage.step("the expected picture is presented, pixel for pixel", |stage| stage.shows(&expected))?;
+    stage.step("it stays", |stage| {
+        let rest = stage.rest()?;
+        rest.difference(&expected).map_or(Ok(()), Err)
+    })?;
+    stage.step("a picture at rest is not presented again and again", |stage| {
+        let before = vulkan::presents();
+        stage.wait(Duration::from_secs(2));
+        match vulkan::presents() - before {
+            few @ 0..=RESTING => Ok(few),
+            many => Err(format!("expected {RESTING} presents in 2 s at most, found {many}")),
+        }
+    })?;
+    stage.step("the screen was kept on, the system's bars are hidden", |_| {
+        let (flags, bars) = (activity::window_flags(), java::with_world(|world| world.system_ui));
+        match flags & KEEP_SCREEN_ON != 0 && bars != 0 {
+            true => Ok(()),
+            false => Err(format!("expected KEEP_SCREEN_ON and hidden bars, found {flags:#x} and {bars:#x}")),
+        }
+    })?;
+    stage.step("destroyed", |stage| {
+        stage.destroy()?;
+        stage.no_threads()
+    })
+}
