@@ -21,21 +21,22 @@ python3 -m zipfile -e "$apk" "$work/apk"
 app=$work/apk/lib/x86_64/libglimpse_android.so
 [ -f "$app" ] || { echo "$apk: expected lib/x86_64/libglimpse_android.so, found none" >&2; exit 1; }
 
-# Small, for a processor draws it; the file that another app shares is one of the package's own scenes.
+# Small, for a processor draws it, yet messages need room; the file that another app shares is a scene of the package.
 pixels=160x90
+roomy=640x360
 shared=$(find "$work/apk/assets" -name '*.glb' | sort | head -n 1)
 "$glimpse" render --size $pixels --output "$work/room.png" builtin:room > "$work/render.log"
-"$glimpse" render --size $pixels --output "$work/shared.png" "$shared" > "$work/render.log"
+"$glimpse" render --size $roomy --output "$work/shared.png" "$shared" > "$work/render.log"
 
 for scenario in "${scenarios[@]}"; do
     options=(--assets "$work/apk/assets" --files "$work/files-$scenario" --size $pixels --view $pixels
         --scene builtin:room --set 'overlay hidden; governor off' --expect "$work/room.png")
     [ -z "${KEEP:-}" ] || options+=(--keep "$KEEP/$scenario")
     case $scenario in
-        view) options+=(--content "$shared" --expect "$work/shared.png") ;;
+        view) options+=(--content "$shared" --expect "$work/shared.png" --size $roomy --view $roomy) ;;
         storm) options+=(--events "${EVENTS:-1000}") ;;
         *:28) options+=(--api 28) ;;
-        errors:*) options+=(--size 640x360) ;;
+        errors:*) options+=(--size $roomy) ;;
     esac
     # The device that is lost must come back with the picture that was there.
     [ "$scenario" != errors:lost-device ] || options+=(--size $pixels)

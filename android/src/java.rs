@@ -86,6 +86,7 @@ mod bound {
             fn get_content_resolver() -> ContentResolver,
             fn get_window() -> Window,
             fn get_system_service(name: JString) -> JObject,
+            fn finish(),
         }
     }
 }
@@ -210,6 +211,11 @@ pub fn copy(app: &AndroidApp, words: &str) -> Result<(), String> {
         let clip = ClipData::new_plain_text(env, &label, &words)?;
         manager.set_primary_clip(env, &clip)
     })
+}
+
+/// Asks the system to end the activity, which is then destroyed. To be called on Java's main thread.
+pub fn finish(app: &AndroidApp) -> Result<(), String> {
+    call(app, |env, activity| activity.finish(env))
 }
 
 /// Runs on Java's main thread what must run there.

@@ -47,14 +47,36 @@ pub fn run(android: &AndroidApp) {
     android.enable_motion_axis(Axis::Vscroll);
     android.enable_motion_axis(Axis::Hscroll);
     let mut shell = Shell::new(android.clone());
-    while !shell.ended && !leave.asked.load(Ordering::Acquire) {
+    while shell.stage == Stage::Runs && !leave.asked.load(Ordering::Acquire) {
         android.poll_events(shell.patience(), |event| shell.hear(event));
         // Whatever came may have changed the picture.
-        if !shell.ended {
+        if shell.stage == Stage::Runs {
             shell.frame();
         }
     }
     current().take_if(|newest| Arc::ptr_eq(newest, &leave));
+    let mut destroyed = shell.stage == Stage::Destroyed;
+    drop(shell);
+    if !destroyed {
+        java::on_main_thread(android, |android| {
+            java::finish(android).unwrap_or_else(|reason| log::warn!("the activity stays: {reason}"));
+        });
+    }
+    // What returns before is never told, and android_activity keeps its files open then.
+    while !destroyed {
+        android.poll_events(None, |event| {
+            destroyed |= matches!(event, PollEvent::Main(MainEvent::Destroy));
+        });
+    }
+}
+
+/// Where the life of an activity is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Stage {
+    Runs,
+    /// A person has enough of it.
+    Enough,
+    Destroyed,
 }
 
 fn current() -> std::sync::MutexGuard<'static, Option<Arc<Leave>>> {
@@ -80,7 +102,7 @@ struct Shell {
     kept_on: bool,
     /// The problem that was logged last.
     logged: Option<String>,
-    ended: bool,
+    stage: Stage,
 }
 
 impl Shell {
@@ -119,7 +141,7 @@ impl Shell {
             due: None,
             kept_on: false,
             logged: None,
-            ended: false,
+            stage: Stage::Runs,
         }
     }
 
@@ -157,7 +179,7 @@ impl Shell {
             MainEvent::SaveState { saver, .. } => saver.store(self.session.app.scene_wanted().as_bytes()),
             MainEvent::Pause => self.keep_compiled(),
             MainEvent::LowMemory => self.session.app.trim(),
-            MainEvent::Destroy => self.ended = true,
+            MainEvent::Destroy => self.stage = Stage::Destroyed,
             _ => {}
         }
     }
@@ -225,7 +247,9 @@ impl Shell {
         let scale = self.pixels_per_point();
         self.input.read(&self.android, scale);
         for _ in 0..self.input.take_backs() {
-            self.ended |= !self.session.app.back();
+            if !self.session.app.back() {
+                self.stage = Stage::Enough;
+            }
         }
         let Some(window) = self.android.native_window() else { return };
         if let Some(share) = self.thermometer.as_mut().and_then(|meter| meter.share(Instant::now())) {
@@ -282,7 +306,9 @@ impl Shell {
             self.gpu = None;
             self.make_surface();
         }
-        self.ended |= leftover.quit;
+        if leftover.quit {
+            self.stage = Stage::Enough;
+        }
     }
 
     /// Tells the system how frames go, and the log what went wrong.

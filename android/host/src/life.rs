@@ -248,7 +248,7 @@ impl Activity {
 
     /// Whether the app asked to be ended.
     pub fn is_finished(&self) -> bool {
-        activity::is_finished((&raw const *self.native).cast_mut())
+        activity::is_finished((&raw const *self.native).cast_mut()) || java::is_finished(self.native.clazz)
     }
 
     /// The callback that took the longest, and how long.

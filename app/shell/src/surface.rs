@@ -1,6 +1,9 @@
 //! What a window shows pictures on.
 
-use std::sync::Arc;
+use std::{
+    panic::{AssertUnwindSafe, catch_unwind, resume_unwind},
+    sync::Arc,
+};
 
 use glimpse::{DisplayImage, Gpu};
 use glimpse_app::Vsync;
@@ -101,7 +104,11 @@ impl Surface {
 
     /// Shows a picture.
     pub(crate) fn present(&self, picture: wgpu::SurfaceTexture) {
-        self.gpu.queue().present(picture);
+        if self.is_lost() {
+            release(picture);
+        } else {
+            self.gpu.queue().present(picture);
+        }
     }
 
     /// Whether its device is lost.
@@ -145,6 +152,16 @@ impl Surface {
         // Every surface has this one.
         if self.modes.contains(&wanted) { wanted } else { wgpu::PresentMode::Fifo }
     }
+}
+
+/// Lets a picture of a lost device go. wgpu (30) neither presents nor discards it then, and panics when the surface is
+/// dropped that still counts it; while unwinding, and only then, it does let go.
+fn release(picture: wgpu::SurfaceTexture) {
+    // No hook hears of it: nothing went wrong.
+    let _ = catch_unwind(AssertUnwindSafe(|| {
+        let _held = picture;
+        resume_unwind(Box::new("the device is lost"))
+    }));
 }
 
 /// A window without pixels gets one.

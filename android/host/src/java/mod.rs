@@ -17,6 +17,7 @@ pub use world::{Content, references, with_world};
 
 use std::ffi::c_void;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use class::find;
 use object::{Object, State};
@@ -25,8 +26,20 @@ use reference::Kind;
 /// A new activity that was started with `intent`, as a global reference.
 pub fn new_activity(intent: Intent) -> *mut c_void {
     let intent = Object::new(find("android/content/Intent"), State::Intent(intent));
-    let activity = Object::new(find("android/app/NativeActivity"), State::Activity { intent });
+    let activity = Object::new(
+        find("android/app/NativeActivity"),
+        State::Activity { intent, finished: AtomicBool::new(false) },
+    );
     reference::make(Kind::Global, Some(Arc::clone(&activity)))
+}
+
+/// Whether `Activity.finish()` was called.
+pub fn is_finished(activity: *mut c_void) -> bool {
+    let activity = reference::resolve(activity);
+    activity.is_some_and(|activity| match &activity.state {
+        State::Activity { finished, .. } => finished.load(Ordering::SeqCst),
+        _ => false,
+    })
 }
 
 /// Takes the system's reference to an activity back.

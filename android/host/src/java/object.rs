@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::os::fd::OwnedFd;
+use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
 
 use super::class::{Class, find};
@@ -40,6 +41,8 @@ pub enum State {
     Activity {
         /// What it was started with.
         intent: Arc<Object>,
+        /// `finish` was called.
+        finished: AtomicBool,
     },
     /// An open file, until its descriptor is taken.
     File(Mutex<Option<OwnedFd>>),

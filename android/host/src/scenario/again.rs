@@ -82,7 +82,8 @@ pub fn play(stage: &mut Stage) -> Outcome {
             activity.focus(true);
         });
         stage.shows(&expected)?;
-        stage.destroy()
+        stage.destroy()?;
+        stage.no_threads()
     })?;
     stage.step("nothing is held: descriptors, windows, devices, local references", |_| {
         let found = process::descriptors();

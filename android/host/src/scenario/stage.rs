@@ -226,7 +226,7 @@ impl Stage {
         let asked = pump(PRESENT, || self.activity.as_ref().is_some_and(Activity::is_finished));
         match asked {
             true => self.destroy(),
-            false => Err(format!("ANativeActivity_finish was not called within {} s", PRESENT.as_secs())),
+            false => Err(format!("the activity was not finished within {} s", PRESENT.as_secs())),
         }
     }
 

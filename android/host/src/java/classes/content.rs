@@ -4,10 +4,13 @@ use std::fs::File;
 use std::os::fd::IntoRawFd as _;
 use std::sync::Mutex;
 
+use std::sync::atomic::Ordering;
+
 use super::super::class::{Call, Class, Constant, class, find, function, method};
 use super::super::object::{Exception, Object, State, Value};
 use super::super::world::{Content, with_world};
 use super::Answer;
+use super::view::on_main_thread;
 use crate::sync::lock;
 
 const OBJECT: &[&str] = &["java/lang/Object"];
@@ -35,6 +38,7 @@ pub static CLASSES: &[Class] = &[
         &["android/view/ContextThemeWrapper"],
         &[
             method("getApplication", "()Landroid/app/Application;", application),
+            method("finish", "()V", finish),
             method("getIntent", "()Landroid/content/Intent;", intent),
             method("getWindow", "()Landroid/view/Window;", window),
         ],
@@ -148,9 +152,17 @@ fn window(_call: &Call<'_>) -> Answer {
 
 fn intent(call: &Call<'_>) -> Answer {
     match &call.this.state {
-        State::Activity { intent } => Ok(Value::Object(Some(intent.clone()))),
+        State::Activity { intent, .. } => Ok(Value::Object(Some(intent.clone()))),
         _ => Ok(Value::NULL),
     }
+}
+
+fn finish(call: &Call<'_>) -> Answer {
+    on_main_thread("Activity.finish");
+    if let State::Activity { finished, .. } = &call.this.state {
+        finished.store(true, Ordering::SeqCst);
+    }
+    Ok(Value::NULL)
 }
 
 fn of_intent(

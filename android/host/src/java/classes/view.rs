@@ -69,7 +69,7 @@ pub static CLASSES: &[Class] = &[
 ];
 
 /// Views may be touched by the thread that made them only.
-fn on_main_thread(what: &str) {
+pub(super) fn on_main_thread(what: &str) {
     if !machine::is_main_thread() {
         report::complain(format!("{what} on another thread than Java's main thread"));
     }
