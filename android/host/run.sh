@@ -26,6 +26,7 @@ pixels=160x90
 roomy=640x360
 shared=$(find "$work/apk/assets" -name '*.glb' | sort | head -n 1)
 "$glimpse" render --size $pixels --output "$work/room.png" builtin:room > "$work/render.log"
+"$glimpse" render --size $roomy --output "$work/room-roomy.png" builtin:room > "$work/render.log"
 "$glimpse" render --size $roomy --output "$work/shared.png" "$shared" > "$work/render.log"
 
 for scenario in "${scenarios[@]}"; do
@@ -36,10 +37,8 @@ for scenario in "${scenarios[@]}"; do
         view) options+=(--content "$shared" --expect "$work/shared.png" --size $roomy --view $roomy) ;;
         storm) options+=(--events "${EVENTS:-1000}") ;;
         *:28) options+=(--api 28) ;;
-        errors:*) options+=(--size $roomy) ;;
+        errors:*) options+=(--size $roomy --view $roomy --expect "$work/room-roomy.png") ;;
     esac
-    # The device that is lost must come back with the picture that was there.
-    [ "$scenario" != errors:lost-device ] || options+=(--size $pixels)
     if ! "$run" "$app" "${scenario%:28}" "${options[@]}" > "$work/out" 2> "$work/log"; then
         cat "$work/log" "$work/out" >&2
         exit 1

@@ -104,7 +104,6 @@ pub fn lost_device(stage: &mut Stage) -> Outcome {
     })?;
     let mark = log::mark();
     stage.step("lost three times in a row: a message", |stage| {
-        let posts = window::posts();
         faults::with(|faults| faults.lost_devices = 3);
         stage.with(|activity| activity.redraw());
         let line = problem(stage, mark)?;
@@ -113,7 +112,12 @@ pub fn lost_device(stage: &mut Stage) -> Outcome {
         if !all {
             return Err("the app gave up before the device was lost three times".to_owned());
         }
-        posted_after(stage, posts)
+        // A device that is made after the third loss shows the message, and nothing else.
+        let shown = stage.rest()?;
+        match shown == expected || shown.is_of_one_colour() {
+            true => Err("expected the message on the screen, found none".to_owned()),
+            false => Ok(()),
+        }
     })?;
     stage.step("the back key closes the message, then the app; destroying it returns", back_twice)
 }
