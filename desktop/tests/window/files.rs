@@ -90,7 +90,7 @@ fn a_wrong_file_says_why_and_leaves_the_scene() {
 }
 
 #[test]
-fn a_scene_that_is_gone_with_its_device_says_so() {
+fn a_first_file_that_is_no_scene_leaves_the_room() {
     let stage = Stage::with_window();
     fs::write(stage.path("good.glb"), glb()).unwrap();
     fs::write(stage.path("bad.glb"), "nothing").unwrap();
@@ -98,12 +98,21 @@ fn a_scene_that_is_gone_with_its_device_says_so() {
         "bad.glb --size 64x36",
         "settle
          expect problem contains bad.glb
-         screenshot none.png
-         expect problem contains no frame
+         expect scene = builtin:room
          drop good.glb
          settle
          expect scene = good.glb
          expect width = 64",
+    );
+}
+
+#[test]
+fn a_frame_that_is_not_there_is_not_saved() {
+    let stage = Stage::with_window();
+    stage.plays(
+        "builtin:room --size 64x36",
+        "screenshot none.png
+         expect problem contains no frame",
     );
     assert!(!stage.path("none.png").exists());
 }
