@@ -24,6 +24,16 @@ pub fn play(stage: &mut Stage) -> Outcome {
         let rest = stage.rest()?;
         rest.difference(&expected).map_or(Ok(()), Err)
     })?;
+    stage.step("a picture with one other pixel is not taken for it", |stage| {
+        let mut other = (*expected).clone();
+        other.rgb.iter_mut().rev().take(1).for_each(|channel| *channel ^= 1);
+        let found = stage.rest()?.difference(&other);
+        let all = expected.width * expected.height;
+        match found == Some(format!("1 of {all} pixels differ, by 1 of 255 at most")) {
+            true => Ok(()),
+            false => Err(format!("expected 1 of {all} pixels to differ, found {found:?}")),
+        }
+    })?;
     stage.step("a picture at rest is not presented again and again", |stage| {
         let before = vulkan::presents();
         stage.wait(Duration::from_secs(2));
