@@ -283,13 +283,17 @@ impl App {
             painting.textures.clear();
             return;
         };
+        if gpu.lost().is_some() {
+            painting.textures.clear();
+            return;
+        }
         let painted = catch_unwind(AssertUnwindSafe(|| {
             painter.update(gpu, painting);
             if let Some(target) = target {
                 painter.paint(gpu, painting, target, size);
             }
         }));
-        // A device that is lost lends no memory to write to, which the overlay's renderer takes for a bug.
+        // A device that is lost at this moment lends no memory to write to, which the overlay's renderer takes for a bug.
         if let Err(panic) = painted
             && gpu.lost().is_none()
         {

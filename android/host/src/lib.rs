@@ -45,7 +45,10 @@ pub unsafe extern "C" fn android_host_run(count: usize, arguments: *const *const
         .map(|text| OsStr::from_bytes(CStr::from_ptr(*text).to_bytes()).to_owned())
         .collect();
     match options::Options::parse(&arguments[1..]) {
-        Ok(options) => scenario::play(options),
+        Ok(options) => {
+            report::set_slow(options.slow);
+            scenario::play(options)
+        }
         Err(problem) => {
             eprintln!("android-run: {problem}\n\n{}", options::USAGE);
             2

@@ -56,7 +56,7 @@ impl Library {
 
 /// Turns this thread's looper for at most `longest` until `done`; says whether it is done.
 pub fn pump(longest: Duration, mut done: impl FnMut() -> bool) -> bool {
-    let start = Instant::now();
+    let (start, longest) = (Instant::now(), report::allowed(longest));
     while !done() {
         if start.elapsed() > longest {
             return false;

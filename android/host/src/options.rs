@@ -21,6 +21,7 @@ scenarios: start, life, rotate, touch, back, again, view, thermal, storm,
   --events N      events of the scenario `storm` (default 1000)
   --seed N        of its random numbers (default 1)
   --api N         the API level that is played, 28 to 36 (default 34)
+  --slow N        every bound is N times as long (default 1): for an emulated processor
   --keep DIR      writes the pictures that were presented at each step there";
 
 /// What to play, and with what.
@@ -52,6 +53,8 @@ pub struct Options {
     pub seed: u64,
     /// API level of Android.
     pub api: i32,
+    /// So many times slower than the library itself is the processor that plays it.
+    pub slow: u32,
     /// Where to keep pictures.
     pub keep: Option<PathBuf>,
 }
@@ -76,6 +79,7 @@ impl Options {
             events: 1000,
             seed: 1,
             api: 34,
+            slow: 1,
             keep: None,
         };
         let mut plain = Vec::new();
@@ -111,6 +115,7 @@ impl Options {
             "--events" => self.events = number(name, value)?,
             "--seed" => self.seed = number(name, value)?,
             "--api" => self.api = api(name, value)?,
+            "--slow" => self.slow = factor(name, value)?,
             "--keep" => self.keep = Some(value.into()),
             _ => return Err(format!("{name}: no such option")),
         }
@@ -125,6 +130,14 @@ fn text(name: &str, value: &OsStr) -> Result<String, String> {
 fn number(name: &str, value: &OsStr) -> Result<u64, String> {
     let found = text(name, value)?;
     found.parse().map_err(|_| format!("{name}: expected a number, found `{found}`"))
+}
+
+fn factor(name: &str, value: &OsStr) -> Result<u32, String> {
+    let factor = number(name, value)?;
+    u32::try_from(factor)
+        .ok()
+        .filter(|factor| (1..=1000).contains(factor))
+        .ok_or_else(|| format!("{name}: expected a factor from 1 to 1000, found {factor}"))
 }
 
 fn api(name: &str, value: &OsStr) -> Result<i32, String> {

@@ -3,6 +3,7 @@
 use std::fs::File;
 use std::io::Write as _;
 use std::os::fd::FromRawFd as _;
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Mutex, OnceLock};
 use std::time::{Duration, Instant};
 
@@ -64,6 +65,18 @@ struct Watched {
 
 static WATCHED: Mutex<Vec<Watched>> = Mutex::new(Vec::new());
 
+static SLOW: AtomicU32 = AtomicU32::new(1);
+
+/// This machine is so many times slower than one that runs the library itself: an emulated processor.
+pub fn set_slow(factor: u32) {
+    SLOW.store(factor, Ordering::Relaxed);
+}
+
+/// A bound, as long as it is on this machine.
+pub fn allowed(bound: Duration) -> Duration {
+    bound * SLOW.load(Ordering::Relaxed)
+}
+
 /// Something that must end within a bound; see [`watch`].
 pub struct Watch;
 
@@ -76,7 +89,7 @@ impl Drop for Watch {
 /// Until the answer is dropped, `what` may take no longer than `bound`: if it does, the process ends and says so.
 pub fn watch(what: &str, bound: Duration) -> Watch {
     static DOG: OnceLock<()> = OnceLock::new();
-    lock(&WATCHED).push(Watched { what: what.to_owned(), since: Instant::now(), bound });
+    lock(&WATCHED).push(Watched { what: what.to_owned(), since: Instant::now(), bound: allowed(bound) });
     DOG.get_or_init(|| {
         std::thread::spawn(|| {
             loop {

@@ -275,6 +275,7 @@ pub fn destroy(activity: Activity) -> Outcome {
 }
 
 fn within(what: &str, time: Duration, bound: Duration) -> Outcome {
+    let bound = report::allowed(bound);
     match time > bound {
         true => Err(format!(
             "{what} kept Java's main thread waiting for {:.1} s, expected {} s at most",
