@@ -30,8 +30,12 @@ mod input;
 #[cfg(target_os = "android")]
 mod java;
 #[cfg(target_os = "android")]
+mod lend;
+#[cfg(target_os = "android")]
 mod ndk_late;
 #[cfg(target_os = "android")]
 mod pace;
+#[cfg(target_os = "android")]
+mod screen;
 #[cfg(target_os = "android")]
 mod shell;

@@ -12,17 +12,18 @@ use android_activity::{AndroidApp, AndroidAppWaker, MainEvent, PollEvent, Window
 use egui::epaint::MarginF32;
 use glimpse::Gpu;
 use glimpse_app::Painting;
-use glimpse_shell::{Leftover, RETRY, Session, Setup, Shown, Surface};
-use ndk::{hardware_buffer_format::HardwareBufferFormat, native_window::NativeWindow};
+use glimpse_shell::{Leftover, RETRY, Session, Shown, Surface};
+use ndk::native_window::NativeWindow;
 
 use crate::{
     canvas::Canvas,
     compiled,
-    files::{self, Names},
+    files::Names,
     input::Input,
     java::{self, Intent},
+    lend,
     pace::{self, Hints, Thermometer},
-    wishes,
+    screen, wishes,
 };
 
 /// Pixels of the frame of a view that rests, in landscape, on whatever display.
@@ -118,7 +119,7 @@ impl Shell {
             problem.get_or_insert(line);
             QHD
         });
-        let setup = setup(&android, &names, &intent, view);
+        let setup = lend::setup(&android, &names, &intent, view);
         let waker = android.create_waker();
         let mut session = Session::new(setup, Arc::new(move || waker.wake()));
         if let Some(words) = &intent.set
@@ -220,17 +221,14 @@ impl Shell {
     }
 
     fn surface_of(&mut self, window: NativeWindow) -> Result<Surface, String> {
-        let size = pixels(&window);
-        let surface = self.instance.create_surface(Handle(window));
-        let surface = surface.map_err(|error| match Gpu::adapters().is_empty() {
-            true => NEEDS_VULKAN.to_owned(),
-            false => format!("The window takes no pictures: {error}"),
-        })?;
+        let size = screen::pixels(&window);
+        let surface = screen::surface(&self.instance, window)?;
         let known = self.gpu.clone();
         let gpu = match &known {
             Some(gpu) => gpu.clone(),
             None => {
-                let gpu = Gpu::for_surface(&self.instance, None, Some(&surface), None).map_err(refusal)?;
+                let gpu =
+                    Gpu::for_surface(&self.instance, None, Some(&surface), None).map_err(screen::refusal)?;
                 let folder = self.android.internal_data_path();
                 Arc::new(compiled::with_compiled(gpu, folder.as_deref()))
             }
@@ -255,7 +253,7 @@ impl Shell {
         if let Some(share) = self.thermometer.as_mut().and_then(|meter| meter.share(Instant::now())) {
             self.session.app.set_thermal(share);
         }
-        let size = pixels(&window);
+        let size = screen::pixels(&window);
         if let Some(surface) = &mut self.surface {
             surface.follow(size, self.session.app.choices().vsync);
         }
@@ -289,9 +287,9 @@ impl Shell {
             return shown;
         };
         canvas.update(std::mem::take(&mut painting.textures));
-        let size = pixels(window).map(|side| side as usize);
+        let size = screen::pixels(window).map(|side| side as usize);
         let picture = canvas.paint(&painting.jobs, painting.pixels_per_point, size);
-        if let Err(error) = post(window, &picture) {
+        if let Err(error) = screen::post(window, &picture) {
             log::warn!("nothing can be shown: {error}");
         }
         Shown::Yes
@@ -359,89 +357,4 @@ impl Shell {
         let [left, top, right, bottom] = insets.map(|inset| inset as f32 / scale);
         egui::SafeAreaInsets(MarginF32 { left, right, top, bottom })
     }
-}
-
-fn setup(android: &AndroidApp, names: &Names, intent: &Intent, view: [u32; 2]) -> Setup {
-    let scene = match (&intent.uri, &intent.scene) {
-        (Some(uri), _) => files::name(android, names, uri),
-        (None, Some(scene)) => scene.clone(),
-        (None, None) => glimpse_app::scenes().next().unwrap_or_default(),
-    };
-    let folder = android.external_data_path().or_else(|| android.internal_data_path());
-    Setup {
-        files: files::reader(android, names),
-        scene,
-        recent: files::assets(android),
-        choices: glimpse_app::Choices::default(),
-        adapter: None,
-        limits: None,
-        screen: None,
-        view: Some(view),
-        size: view,
-        script: None,
-        save: Box::new(move |_, picture| {
-            let folder = folder.as_ref().ok_or("there is no folder for pictures")?;
-            let free = (1..).map(|i| folder.join(format!("glimpse-{i}.png"))).find(|path| !path.exists());
-            let file = free.ok_or("there is no free name for a picture")?;
-            let png = glimpse::to_png(picture).map_err(|error| error.to_string())?;
-            std::fs::write(&file, png).map_err(|error| format!("{}: {error}", file.display()))?;
-            Ok(format!("Saved {}", file.display()))
-        }),
-        // Other apps lend their files for this process alone, the package's are always there.
-        remember: Box::new(|_| ()),
-    }
-}
-
-/// What wgpu makes a surface of.
-struct Handle(NativeWindow);
-
-impl wgpu::rwh::HasWindowHandle for Handle {
-    fn window_handle(&self) -> Result<wgpu::rwh::WindowHandle<'_>, wgpu::rwh::HandleError> {
-        self.0.window_handle()
-    }
-}
-
-impl wgpu::rwh::HasDisplayHandle for Handle {
-    fn display_handle(&self) -> Result<wgpu::rwh::DisplayHandle<'_>, wgpu::rwh::HandleError> {
-        Ok(wgpu::rwh::DisplayHandle::android())
-    }
-}
-
-const NEEDS_VULKAN: &str = "Glimpse needs a graphics driver for Vulkan, and this device has none that can show pictures. \
-                            OpenGL ES is not used: it promises four storage buffers to a compute shader, the ray \
-                            tracer binds eight.";
-
-/// Why there is no device, for people who have one phone and no command line.
-fn refusal(error: glimpse::Error) -> String {
-    match error {
-        glimpse::Error::NoAdapter(reason) => {
-            log::info!("no adapter: {reason}");
-            NEEDS_VULKAN.to_owned()
-        }
-        glimpse::Error::Missing { what, need, have, adapter } => {
-            format!("This device's graphics ({adapter}) are not enough: {what} needs {need}, it has {have}.")
-        }
-        other => other.to_string(),
-    }
-}
-
-/// The window's pixels; a window without any gets one.
-fn pixels(window: &NativeWindow) -> [u32; 2] {
-    [window.width(), window.height()].map(|side| u32::try_from(side).unwrap_or(0).max(1))
-}
-
-/// Puts a picture on the window without a device.
-fn post(window: &NativeWindow, picture: &egui::ColorImage) -> std::io::Result<()> {
-    let [width, height] = picture.size;
-    window.set_buffers_geometry(width as i32, height as i32, Some(HardwareBufferFormat::R8G8B8X8_UNORM))?;
-    let mut buffer = window.lock(None)?;
-    let lines = buffer.lines().ok_or_else(|| std::io::Error::other("a buffer of unknown format"))?;
-    for (line, colours) in lines.zip(picture.pixels.chunks_exact(width)) {
-        for (place, colour) in line.chunks_exact_mut(4).zip(colours) {
-            for (byte, channel) in place.iter_mut().zip(colour.to_array()) {
-                byte.write(channel);
-            }
-        }
-    }
-    Ok(())
 }

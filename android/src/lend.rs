@@ -1,0 +1,41 @@
+//! What the activity lends to the session.
+
+use android_activity::AndroidApp;
+use glimpse_shell::Setup;
+
+use crate::{
+    files::{self, Names},
+    java::Intent,
+};
+
+/// For the scene that the intent names, and frames of that many pixels.
+pub fn setup(android: &AndroidApp, names: &Names, intent: &Intent, view: [u32; 2]) -> Setup {
+    let scene = match (&intent.uri, &intent.scene) {
+        (Some(uri), _) => files::name(android, names, uri),
+        (None, Some(scene)) => scene.clone(),
+        (None, None) => glimpse_app::scenes().next().unwrap_or_default(),
+    };
+    let folder = android.external_data_path().or_else(|| android.internal_data_path());
+    Setup {
+        files: files::reader(android, names),
+        scene,
+        recent: files::assets(android),
+        choices: glimpse_app::Choices::default(),
+        adapter: None,
+        limits: None,
+        screen: None,
+        view: Some(view),
+        size: view,
+        script: None,
+        save: Box::new(move |_, picture| {
+            let folder = folder.as_ref().ok_or("there is no folder for pictures")?;
+            let free = (1..).map(|i| folder.join(format!("glimpse-{i}.png"))).find(|path| !path.exists());
+            let file = free.ok_or("there is no free name for a picture")?;
+            let png = glimpse::to_png(picture).map_err(|error| error.to_string())?;
+            std::fs::write(&file, png).map_err(|error| format!("{}: {error}", file.display()))?;
+            Ok(format!("Saved {}", file.display()))
+        }),
+        // Other apps lend their files for this process alone, the package's are always there.
+        remember: Box::new(|_| ()),
+    }
+}
