@@ -66,6 +66,10 @@ pub struct ANativeActivity {
 static ALIVE: Mutex<Option<HashSet<usize>>> = Mutex::new(None);
 static FINISHED: Mutex<Vec<usize>> = Mutex::new(Vec::new());
 static WINDOW_FLAGS: Mutex<u32> = Mutex::new(0);
+static KEPT_ON: Mutex<Vec<usize>> = Mutex::new(Vec::new());
+
+/// `AWINDOW_FLAG_KEEP_SCREEN_ON`.
+pub const KEEP_SCREEN_ON: u32 = 0x80;
 
 /// The activity may be asked from now on.
 pub fn begin(activity: Activity) {
@@ -75,12 +79,19 @@ pub fn begin(activity: Activity) {
 /// The activity is gone: to ask it any more is an error.
 pub fn end(activity: Activity) {
     lock(&ALIVE).get_or_insert_default().remove(&(activity as usize));
-    lock(&FINISHED).retain(|finished| *finished != activity as usize);
+    for of_activities in [&FINISHED, &KEPT_ON] {
+        lock(of_activities).retain(|known| *known != activity as usize);
+    }
 }
 
 /// Whether the activity asked to be ended.
 pub fn is_finished(activity: Activity) -> bool {
     lock(&FINISHED).contains(&(activity as usize))
+}
+
+/// Whether the activity keeps the screen on now: it does while it has something to show.
+pub fn keeps_screen_on(activity: Activity) -> bool {
+    lock(&KEPT_ON).contains(&(activity as usize))
 }
 
 /// Flags of the window that the app ever set: `AWINDOW_FLAG_*`.
@@ -104,9 +115,14 @@ extern "C" fn ANativeActivity_finish(activity: Activity) {
 }
 
 #[unsafe(no_mangle)]
-extern "C" fn ANativeActivity_setWindowFlags(activity: Activity, add: u32, _remove: u32) {
+extern "C" fn ANativeActivity_setWindowFlags(activity: Activity, add: u32, remove: u32) {
     if is_alive(activity, "ANativeActivity_setWindowFlags") {
         *lock(&WINDOW_FLAGS) |= add;
+        let mut kept_on = lock(&KEPT_ON);
+        kept_on.retain(|kept| (*kept, remove & KEEP_SCREEN_ON) != (activity as usize, KEEP_SCREEN_ON));
+        if add & KEEP_SCREEN_ON != 0 {
+            kept_on.push(activity as usize);
+        }
     }
 }
 

@@ -246,6 +246,11 @@ impl Activity {
         self.queue.as_ref().is_none_or(|queue| queue.unfinished.load(Ordering::SeqCst) == 0)
     }
 
+    /// Whether the app has something to show that it has not shown.
+    pub fn is_busy(&self) -> bool {
+        !self.input_is_finished() || activity::keeps_screen_on((&raw const *self.native).cast_mut())
+    }
+
     /// Whether the app asked to be ended.
     pub fn is_finished(&self) -> bool {
         activity::is_finished((&raw const *self.native).cast_mut()) || java::is_finished(self.native.clazz)

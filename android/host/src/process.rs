@@ -32,8 +32,10 @@ pub struct Memory {
 }
 
 impl Memory {
-    /// Of this moment.
+    /// Of this moment, after what glibc keeps of freed memory was given back.
     pub fn now() -> Self {
+        // SAFETY: no conditions.
+        unsafe { libc::malloc_trim(0) };
         // SAFETY: both are queries without arguments that matter.
         let (heap, page) = unsafe { (libc::mallinfo2(), libc::sysconf(libc::_SC_PAGESIZE)) };
         let statm = std::fs::read_to_string("/proc/self/statm").unwrap_or_default();

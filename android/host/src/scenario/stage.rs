@@ -169,7 +169,7 @@ impl Stage {
         }
     }
 
-    /// Waits until what is presented no longer changes; answers it.
+    /// Waits until what is presented no longer changes and the app lets the screen go dark; answers the picture.
     pub fn rest(&mut self) -> Outcome<Arc<Picture>> {
         let mut last = self.last();
         let mut since = Instant::now();
@@ -178,7 +178,8 @@ impl Stage {
             if now != last {
                 (last, since) = (now, Instant::now());
             }
-            last.is_some() && since.elapsed() > QUIET
+            let busy = self.activity.as_ref().is_some_and(Activity::is_busy);
+            last.is_some() && !busy && since.elapsed() > QUIET
         });
         self.keep_last()?;
         last.filter(|_| at_rest).ok_or_else(|| "the picture does not come to rest".to_owned())

@@ -5,9 +5,6 @@ use super::stage::Stage;
 use crate::{activity, java, vulkan};
 use std::time::Duration;
 
-/// `AWINDOW_FLAG_KEEP_SCREEN_ON`.
-const KEEP_SCREEN_ON: u32 = 0x80;
-
 /// At rest, the overlay's clocks may still want a picture now and then.
 const RESTING: u64 = 10;
 
@@ -44,7 +41,7 @@ pub fn play(stage: &mut Stage) -> Outcome {
     })?;
     stage.step("the screen was kept on, the system's bars are hidden", |_| {
         let (flags, bars) = (activity::window_flags(), java::with_world(|world| world.system_ui));
-        match flags & KEEP_SCREEN_ON != 0 && bars != 0 {
+        match flags & activity::KEEP_SCREEN_ON != 0 && bars != 0 {
             true => Ok(()),
             false => Err(format!("expected KEEP_SCREEN_ON and hidden bars, found {flags:#x} and {bars:#x}")),
         }
