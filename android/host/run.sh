@@ -34,7 +34,7 @@ scenarios=("$@")
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-python3 -m zipfile -e "$apk" "$work/apk"
+python3 -m zipfile -e "$apk" "$work/apk" 2>"$work/log" || { echo "$apk: expected a package, found another file" >&2; exit 1; }
 app=$work/apk/lib/$abi/libglimpse_android.so
 [ -f "$app" ] || { echo "$apk: expected lib/$abi/libglimpse_android.so, found none" >&2; exit 1; }
 
