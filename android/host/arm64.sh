@@ -38,7 +38,7 @@ SOURCES
     for package in "$out"/archives/*.deb; do
         dpkg -x "$package" "$prefix"
     done
-    sed "s#\"library_path\": \".*/#\"library_path\": \"$prefix/usr/lib/aarch64-linux-gnu/#" \
+    sed -E "s#(\"library_path\": \")(.*/)?#\\1$prefix/usr/lib/aarch64-linux-gnu/#" \
         "$prefix/usr/share/vulkan/icd.d/lvp_icd.json" >"$out/driver.json"
 fi
 
