@@ -21,7 +21,7 @@ if [ -n "$arm64" ]; then
     run=(qemu-aarch64 -L "$out/prefix" -E "LD_LIBRARY_PATH=$out/libraries:$out/prefix/$folder:$out/prefix/usr/$folder"
         -E "ANDROID_RUN_LIBRARIES=$out/libraries" -E "VK_DRIVER_FILES=$out/driver.json" "$out/android-run")
     abi=arm64-v8a pixels=64x36 roomy=320x180 slow=20
-    everything=(start life rotate touch back again errors:no-vulkan)
+    everything=(start life rotate back again errors:no-vulkan)
 else
     cargo build --release --quiet --manifest-path "$here/Cargo.toml"
     run=("${CARGO_TARGET_DIR:-$here/target}/release/android-run")
