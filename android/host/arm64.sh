@@ -4,18 +4,7 @@
 # installed; nothing else of the system is touched: apt keeps its lists of arm64 in that folder.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-bash "$here/../ndk-free/setup.sh"
-
-missing=""
-for package in qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross; do
-    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing="$missing $package"
-done
-if [ -n "$missing" ]; then
-    as_root=""
-    [ "$(id -u)" -eq 0 ] || as_root=sudo
-    # shellcheck disable=SC2086 # names without spaces
-    DEBIAN_FRONTEND=noninteractive $as_root apt-get -q install -y --no-install-recommends $missing
-fi
+sh "$here/../ndk-free/setup.sh" qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross
 
 out=$here/target/arm64
 prefix=$out/prefix

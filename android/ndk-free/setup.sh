@@ -1,11 +1,11 @@
 #!/bin/sh
 # Installs what building and packaging for Android without Google's SDK and NDK needs and a Debian with rustup lacks: a
-# rustc that has the sources of std, and Debian's own packaging tools. Safe to run twice.
+# rustc that has the sources of std, and Debian's own packaging tools; and the packages that are named. Safe to run twice.
 set -eu
 
 packages="rustc-web rust-web-src aapt zipalign apksigner android-framework-res default-jre-headless python3 binutils unzip"
 missing=""
-for package in $packages; do
+for package in $packages "$@"; do
     if ! dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed'; then
         missing="$missing $package"
     fi

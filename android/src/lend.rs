@@ -1,7 +1,7 @@
 //! What the activity lends to the session.
 
 use android_activity::AndroidApp;
-use glimpse_shell::Setup;
+use glimpse_shell::{Setup, free_name};
 
 use crate::{
     files::{self, Names},
@@ -29,8 +29,7 @@ pub fn setup(android: &AndroidApp, names: &Names, intent: &Intent, view: [u32; 2
         script: None,
         save: Box::new(move |_, picture| {
             let folder = folder.as_ref().ok_or("there is no folder for pictures")?;
-            let free = (1..).map(|i| folder.join(format!("glimpse-{i}.png"))).find(|path| !path.exists());
-            let file = free.ok_or("there is no free name for a picture")?;
+            let file = free_name(folder).ok_or("there is no free name for a picture")?;
             let png = glimpse::to_png(picture).map_err(|error| error.to_string())?;
             std::fs::write(&file, png).map_err(|error| format!("{}: {error}", file.display()))?;
             Ok(format!("Saved {}", file.display()))

@@ -96,13 +96,16 @@ struct Shell {
     /// Pixels at the left, top, right and bottom that the screen's shape takes; told by Java's main thread.
     insets: Arc<Mutex<[i32; 4]>>,
     thermometer: Option<Thermometer>,
-    hints: Option<Hints>,
+    /// As the system gave them when it was asked: once, when there are threads that make frames.
+    hints: Option<Option<Hints>>,
     /// When the next frame is due.
     due: Option<Instant>,
     /// The screen does not go dark.
     kept_on: bool,
     /// The problem that was logged last.
     logged: Option<String>,
+    /// It has not been resumed yet.
+    fresh: bool,
     stage: Stage,
 }
 
@@ -142,6 +145,7 @@ impl Shell {
             due: None,
             kept_on: false,
             logged: None,
+            fresh: true,
             stage: Stage::Runs,
         }
     }
@@ -171,7 +175,10 @@ impl Shell {
             | MainEvent::InsetsChanged { .. }
             | MainEvent::GainedFocus => self.immerse(),
             MainEvent::Resume { loader, .. } => {
-                if let Some(scene) = loader.load().and_then(|state| String::from_utf8(state).ok())
+                // Of an activity before this one; what this one saves itself comes back too, and may be old by then.
+                let saved = if self.fresh { loader.load() } else { None };
+                self.fresh = false;
+                if let Some(scene) = saved.and_then(|state| String::from_utf8(state).ok())
                     && self.session.app.scene_wanted() != scene
                 {
                     self.session.app.open(&scene);
@@ -211,10 +218,7 @@ impl Shell {
                 self.session.app.complain(line);
                 self.gpu = None;
                 let mut canvas = Canvas::default();
-                let context = self.session.app.context();
-                if context.cumulative_pass_nr() > 0 {
-                    canvas.load_fonts(context.fonts(|fonts| fonts.image()));
-                }
+                self.session.app.fonts().into_iter().for_each(|image| canvas.load_fonts(image));
                 self.canvas = Some(canvas);
             }
         }
@@ -327,10 +331,10 @@ impl Shell {
         let Some(rate) = app.choices().governor else { return };
         let goal = Duration::from_secs_f64(rate.budget_ms() * 1e-3);
         let frames = app.last_frame();
-        if self.hints.is_none() && frames.0 > 0 {
-            self.hints = Hints::new(&pace::frame_threads(), goal);
+        if frames.0 > 0 {
+            let hints = self.hints.get_or_insert_with(|| Hints::new(&pace::frame_threads(), goal));
+            hints.iter_mut().for_each(|hints| hints.tell(frames, goal));
         }
-        self.hints.iter_mut().for_each(|hints| hints.tell(frames, goal));
     }
 
     fn copy(&self, text: String) {

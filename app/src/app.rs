@@ -196,6 +196,13 @@ impl App {
         &self.context
     }
 
+    /// The texture of the overlay's fonts as a whole, for a painter that begins late: the overlay sends what is new of it
+    /// only. `None` before the first update, which sends it.
+    #[must_use]
+    pub fn fonts(&self) -> Option<egui::ColorImage> {
+        (self.context.cumulative_pass_nr() > 0).then(|| self.context.fonts(|fonts| fonts.image()))
+    }
+
     /// Takes a device, the first one or one in place of a lost one, to paint on targets of that format. What was shown comes
     /// back by itself.
     pub fn attach(&mut self, gpu: Arc<Gpu>, format: wgpu::TextureFormat) {
@@ -209,11 +216,7 @@ impl App {
         self.shown = None;
         self.pending = Pending::default();
         let mut painter = Painter::new(&gpu, format);
-        if self.context.cumulative_pass_nr() > 0 {
-            // The overlay sends what is new of its font texture only.
-            let image = self.context.fonts(|fonts| fonts.image());
-            painter.load_fonts(&gpu, image);
-        }
+        self.fonts().into_iter().for_each(|image| painter.load_fonts(&gpu, image));
         let worker = if self.losses < LOSSES {
             Worker::start(gpu.clone(), self.files.clone(), self.wake.clone())
                 .map_err(|error| self.readings.problem = Some(format!("no thread to render with: {error}")))

@@ -7,7 +7,7 @@ use anyhow::{Context, anyhow};
 use glimpse::{DisplayImage, to_png};
 use glimpse_app::script::Script;
 use glimpse_app::{Choices, Files, Phone};
-use glimpse_shell::{Chosen, Screen, Setup, Wakeup};
+use glimpse_shell::{Chosen, Screen, Setup, Wakeup, free_name};
 use winit::error::EventLoopError;
 use winit::event_loop::EventLoop;
 
@@ -83,8 +83,7 @@ fn read_script(path: &Path) -> anyhow::Result<Script> {
 
 /// Writes a picture; one without a name gets the first that is free in the working folder.
 fn save(file: Option<PathBuf>, picture: &DisplayImage) -> anyhow::Result<String> {
-    let free = || (1..).map(|i| PathBuf::from(format!("glimpse-{i}.png"))).find(|path| !path.exists());
-    let path = file.or_else(free).context("no free name")?;
+    let path = file.or_else(|| free_name(Path::new(""))).context("no free name")?;
     files::write(&path, &to_png(picture)?)?;
     Ok(format!("Saved {}", path.display()))
 }

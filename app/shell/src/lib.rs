@@ -8,7 +8,7 @@ mod touch;
 #[cfg(not(target_os = "android"))]
 mod window;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use glimpse::DisplayImage;
 use glimpse_app::{Choices, Files, script::Script};
@@ -21,6 +21,12 @@ pub use window::{Chosen, OpenDialog, Wakeup, run as run_window};
 
 /// Saves a picture under a name, or under one of its own; returns what to tell.
 pub type Save = Box<dyn FnMut(Option<PathBuf>, &DisplayImage) -> Result<String>>;
+
+/// The first name in a folder that is free for a picture.
+#[must_use]
+pub fn free_name(folder: &Path) -> Option<PathBuf> {
+    (1..).map(|i| folder.join(format!("glimpse-{i}.png"))).find(|path| !path.exists())
+}
 
 /// Keeps the names of files that were opened.
 pub type Remember = Box<dyn FnMut(&[String])>;

@@ -5,12 +5,7 @@ use super::stage::Stage;
 
 /// Plays it.
 pub fn play(stage: &mut Stage) -> Outcome {
-    let expected = stage.expected()?;
-    stage.step("the expected picture is presented", |stage| {
-        let intent = stage.intent();
-        stage.launch(intent);
-        stage.shows(&expected)
-    })?;
+    stage.opens()?;
     stage.step("the back key finishes the activity, and destroying it returns", Stage::back)?;
     stage.step("no thread of the app is left", |stage| stage.no_threads())
 }

@@ -10,12 +10,7 @@ const ROUNDS: usize = 3;
 
 /// Plays it.
 pub fn play(stage: &mut Stage) -> Outcome {
-    let expected = stage.expected()?;
-    stage.step("the expected picture is presented", |stage| {
-        let intent = stage.intent();
-        stage.launch(intent);
-        stage.shows(&expected)
-    })?;
+    let expected = stage.opens()?;
     for _ in 0..ROUNDS {
         stage.step("the window goes and comes: a correct picture within two presents", |stage| {
             stage.rest()?;

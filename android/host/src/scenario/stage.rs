@@ -118,6 +118,17 @@ impl Stage {
         });
     }
 
+    /// The first step of most scenarios: starts the app, and waits for the picture that is expected of it.
+    pub fn opens(&mut self) -> Outcome<Arc<Picture>> {
+        let expected = self.expected()?;
+        self.step("the expected picture is presented", |stage| {
+            let intent = stage.intent();
+            stage.launch(intent);
+            stage.shows(&expected)
+        })?;
+        Ok(expected)
+    }
+
     /// Acts on the activity, if there is one.
     pub fn with(&mut self, act: impl FnOnce(&mut Activity)) {
         if let Some(activity) = &mut self.activity {

@@ -49,13 +49,8 @@ struct Storm<'a> {
 
 /// Plays it.
 pub fn play(stage: &mut Stage) -> Outcome {
-    let expected = stage.expected()?;
     let (events, seed) = (stage.options.events, stage.options.seed);
-    stage.step("the expected picture is presented", |stage| {
-        let intent = stage.intent();
-        stage.launch(intent);
-        stage.shows(&expected)
-    })?;
+    stage.opens()?;
     let mut storm = Storm { stage, random: Random(seed), events: 0, compared: 0 };
     let mut early = None;
     let mut next = 0;
