@@ -17,6 +17,9 @@ impl Choices {
             (Method::Checkerboard, Show::Check(_) | Show::Depth | Show::Normal | Show::Oid) => {
                 Some("A checkerboard averages every second pixel: no surface belongs to an average.")
             }
+            (_, show) if show.of_extra_samples() && !self.settings.supersamples() => {
+                Some("Extra samples are shown where there are some: method supersample.")
+            }
             _ => None,
         }
     }

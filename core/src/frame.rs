@@ -20,14 +20,16 @@ gpu_struct! {
         truncated: [f32; 3], depth: u32,
         size: [u32; 2], inverse_height: f32, first: u32,
         stride: u32, row: u32, end: u32, turn: u32,
-        step: [i32; 2], walk: u32, padding: u32,
+        step: [i32; 2], walk: u32, seed: u32,
+        tau_primary: [f32; 4], tau_secondary: [f32; 4],
+        tau_col: f32, focus_first: u32, focus_last: u32, padding: u32,
     }
 }
 
 gpu_struct! {
     /// What the counting kernels write of a pixel.
     pub struct PixelRecord {
-        origin: u32, failed: u32, cost: u32, object: u32, depth: f32, normal: u32,
+        origin: u32, failed: u32, cost: u32, object: u32, depth: f32, normal: u32, edges: u32,
     }
 }
 
@@ -38,6 +40,7 @@ impl Frame {
     /// The constants of one frame of a scene, of so many samples; those of a part are still to come.
     pub fn new(scene: &GpuScene, settings: &Settings, size: [u32; 2], camera: &Camera) -> Self {
         let environment = &scene.environment;
+        let t = &settings.thresholds;
         Self {
             origin: camera.origin.into(),
             orthographic: if camera.orthographic { 1.0 } else { 0.0 },
@@ -62,6 +65,13 @@ impl Frame {
             turn: 0,
             step: [0; 2],
             walk: 0,
+            seed: settings.seed,
+            tau_primary: [t.poid, t.psn, t.psc, t.pte],
+            tau_secondary: [t.soid, t.ssn, t.ssc, t.ste],
+            tau_col: t.col,
+            // As objects are stored: 0 is no hit, which is in no focus but everything's.
+            focus_first: settings.focus.map_or(0, |focus| focus.first.saturating_add(1)),
+            focus_last: settings.focus.map_or(u32::MAX, |focus| focus.last.saturating_add(1)),
             padding: 0,
         }
     }
@@ -179,7 +189,7 @@ impl Passes {
 
     fn record(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets, index: usize, part: &Part) {
         let [first, _] = part.bounds;
-        if first && part.stage == Stage::Base {
+        if first && matches!(part.stage, Stage::Base | Stage::SubpixelTest) {
             // The queue is empty.
             encoder.clear_buffer(&targets.list, 0, Some(LIST_HEADER));
         }

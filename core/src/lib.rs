@@ -20,6 +20,8 @@
 //!
 //! - *Kim 2016*: Kim, Seo, Kim, Lim, Nah, Ihm, "Adaptive Undersampling for Efficient Mobile Ray Tracing", The Visual
 //!   Computer 32.
+//! - *Jin 2009*: Jin, Ihm, Chang, Park, Lee, Jung, "Selective and Adaptive Supersampling for Real-Time Ray Tracing",
+//!   High Performance Graphics.
 //! - *Ylitie 2017*: Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs".
 //! - *Woop 2013*: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1).
 //! - *Ize 2013*: Ize, "Robust BVH Ray Traversal", JCGT 2(2).
@@ -61,7 +63,8 @@ pub use pose::{Lens, Pose};
 pub use renderer::Renderer;
 pub use scene::{Features, Scene};
 pub use settings::{
-    Linking, MAX_DEPTH, MAX_RAYS, MAX_SAMPLING, Method, Postcorrect, Robustness, Settings, Tolerances,
+    Focus, Inactive, Jitter, Linking, MAX_DEPTH, MAX_RAYS, MAX_SAMPLING, Method, Postcorrect, Preset,
+    Robustness, Settings, THRESHOLD_NAMES, Thresholds, Tolerances,
 };
 pub use show::Show;
 pub use stats::{

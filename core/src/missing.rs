@@ -59,6 +59,8 @@ mod tests {
 
     fn pixels(objects: &[Option<u32>]) -> Vec<PixelRecord> {
         let record = |object: &Option<u32>| PixelRecord {
+            active: 0,
+            differing: 0,
             origin: Origin::Base,
             failed: 0,
             cost: 0,

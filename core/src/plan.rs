@@ -36,6 +36,9 @@ const LONG_ROUNDS: u32 = 10;
 /// The most samples that one round traces.
 pub const ROUND_SAMPLES: u32 = SAMPLES_PER_SUBMISSION / 4;
 
+/// The most samples that a pixel gets besides its own.
+const EXTRA_SAMPLES: u32 = 16;
+
 /// Sides of the tiles that a workgroup of 64 and of 256 threads treats.
 const TRACED_TILE: u32 = 8;
 const INTERPOLATED_TILE: u32 = 16;
@@ -115,6 +118,8 @@ pub struct Shape {
     pub band: u32,
     /// What is traced again.
     pub postcorrect: Postcorrect,
+    /// Extra samples are added.
+    pub supersamples: bool,
     /// Points of thin things.
     pub landmarks: u32,
 }
@@ -135,6 +140,15 @@ impl Plan {
                 Method::Adaptive => {
                     plan.adaptive(shape, &band);
                     plan.postcorrect(shape, &band);
+                    if shape.supersamples {
+                        plan.supersample(shape, band.rows(1, band.own));
+                    }
+                }
+                Method::Supersample => {
+                    let (rows, stored) = band.alone(shape.grid[1]);
+                    plan.stored_rows = plan.stored_rows.max(stored.count());
+                    plan.push(tiles(Stage::Presample, shape.grid[0], stored));
+                    plan.supersample(shape, rows);
                 }
             }
             if shape.sampling > 1 {
@@ -190,6 +204,15 @@ impl Plan {
                 }
             }
         }
+    }
+
+    /// Jin 2009, 4.1.3 and 4.1.4, for pixels that are there.
+    fn supersample(&mut self, shape: &Shape, rows: Rows) {
+        let longest = EXTRA_SAMPLES * shape.grid[0] * rows.count();
+        self.longest_list = self.longest_list.max(longest);
+        self.push(tiles(Stage::SubpixelTest, shape.grid[0], rows));
+        self.push(once(Stage::CompactActive, rows));
+        self.push(chunks(Stage::ExtraSamples, longest, rows));
     }
 
     fn traces(&mut self, [compact, trace]: [Stage; 2], columns: u32, rows: Rows) {
@@ -255,9 +278,11 @@ fn one(stage: Stage, rows: Rows, groups: [u32; 2]) -> Vec<Part> {
 
 /// A stage that treats a grid of samples, in groups of rows of workgroups; a stage without rows is no part.
 fn tiles(stage: Stage, columns: u32, rows: Rows) -> Vec<Part> {
-    let traces = matches!(stage, Stage::Full | Stage::Base | Stage::Checkerboard);
-    let (side, per_sample) =
-        if traces { (TRACED_TILE, 1) } else { (INTERPOLATED_TILE, INTERPOLATED_PER_TRACED) };
+    let (side, per_sample) = match stage {
+        Stage::Full | Stage::Base | Stage::Checkerboard | Stage::Presample => (TRACED_TILE, 1),
+        Stage::SubpixelTest => (TRACED_TILE, INTERPOLATED_PER_TRACED),
+        _ => (INTERPOLATED_TILE, INTERPOLATED_PER_TRACED),
+    };
     let [across, down] = [columns, rows.count()].map(|n| n.div_ceil(side));
     let row_samples = across * side * side / per_sample;
     let height = (SAMPLES_PER_SUBMISSION / row_samples).max(1);

@@ -204,7 +204,7 @@ impl<'a> Renderer<'a> {
 fn resolved(settings: &Settings, scene: &GpuScene, [_, height]: [u32; 2]) -> Settings {
     let thin = || scene.is_thin(height.saturating_mul(settings.sampling), settings.block);
     let postcorrect = match (settings.method, settings.postcorrect) {
-        (Method::Full | Method::Checkerboard, _) => Postcorrect::Off,
+        (Method::Full | Method::Checkerboard | Method::Supersample, _) => Postcorrect::Off,
         (Method::Adaptive, Postcorrect::Auto) if settings.block > 2 || thin() => Postcorrect::On,
         (Method::Adaptive, Postcorrect::Auto) => Postcorrect::Off,
         (Method::Adaptive, wished) => wished,
@@ -217,7 +217,7 @@ fn inspection(bytes: &[u8], grid: [u32; 2], recorded: u64) -> Result<Inspection>
     let words: Vec<u32> = bytemuck::pod_collect_to_vec(counters);
     let counter = |i: usize| u64::from(words[2 * i]) | u64::from(words[2 * i + 1]) << 32;
     let rays: [u64; 4] = std::array::from_fn(|i| counter(COUNTER_RAYS + i));
-    let origins: [u64; 5] = std::array::from_fn(|i| counter(COUNTER_ORIGINS + i));
+    let origins: [u64; 6] = std::array::from_fn(|i| counter(COUNTER_ORIGINS + i));
     let failed: [u64; 7] = std::array::from_fn(|i| counter(COUNTER_FAILED + i));
     let postcorrected = origins[Origin::Postcorrected as usize];
     let records = records.chunks_exact(size_of::<frame::PixelRecord>()).map(bytemuck::pod_read_unaligned);
@@ -236,6 +236,7 @@ fn inspection(bytes: &[u8], grid: [u32; 2], recorded: u64) -> Result<Inspection>
                 traced_a1: origins[Origin::TracedA1 as usize],
                 traced_a2: origins[Origin::TracedA2 as usize],
                 postcorrected,
+                extra: origins[Origin::Extra as usize],
                 // What was traced again had been interpolated.
                 interpolated: origins[Origin::Interpolated as usize].saturating_sub(postcorrected),
             },
@@ -271,6 +272,8 @@ fn pixel_record(record: &frame::PixelRecord) -> PixelRecord {
         },
         failed: record.failed,
         cost: record.cost,
+        active: record.edges & 15,
+        differing: record.edges >> 4,
         object: hit.then(|| record.object - 1),
         depth: if hit { record.depth } else { f32::INFINITY },
         normal: if hit { octahedral_decode(record.normal).into() } else { Vec3::ZERO.into() },

@@ -1,6 +1,6 @@
 //! Pictures of what is known about the pixels, made from an inspection.
 
-use crate::{CHECK_NAMES, DisplayImage, PixelRecord};
+use crate::{CHECK_NAMES, DisplayImage, PixelRecord, THRESHOLD_NAMES};
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,6 +11,10 @@ pub enum Show {
     Origin,
     /// The pixels that fail a check, by its index in [`CHECK_NAMES`].
     Check(usize),
+    /// How many quarters of a pixel get extra samples (Jin 2009, Figure 1).
+    Active,
+    /// The pixels of which an attribute differs from a neighbour's, by its index in [`THRESHOLD_NAMES`].
+    Attribute(usize),
     /// Traversal work.
     Cost,
     /// Distance of the first hit.
@@ -24,12 +28,17 @@ pub enum Show {
 impl Show {
     /// All of them, in the order in which they are offered.
     pub fn all() -> impl Iterator<Item = Self> {
-        [Self::Final, Self::Origin].into_iter().chain((0..CHECK_NAMES.len()).map(Self::Check)).chain([
-            Self::Cost,
-            Self::Depth,
-            Self::Normal,
-            Self::Oid,
-        ])
+        [Self::Final, Self::Origin]
+            .into_iter()
+            .chain((0..CHECK_NAMES.len()).map(Self::Check))
+            .chain([Self::Cost, Self::Depth, Self::Normal, Self::Oid, Self::Active])
+            .chain((0..THRESHOLD_NAMES.len()).map(Self::Attribute))
+    }
+
+    /// Is it about extra samples?
+    #[must_use]
+    pub fn of_extra_samples(self) -> bool {
+        matches!(self, Self::Active | Self::Attribute(_))
     }
 
     /// Its name on the command line.
@@ -39,6 +48,8 @@ impl Show {
             Self::Final => "final".to_owned(),
             Self::Origin => "origin".to_owned(),
             Self::Check(check) => format!("check:{}", CHECK_NAMES[check]),
+            Self::Active => "active".to_owned(),
+            Self::Attribute(attribute) => format!("attr:{}", THRESHOLD_NAMES[attribute]),
             Self::Cost => "cost".to_owned(),
             Self::Depth => "depth".to_owned(),
             Self::Normal => "normal".to_owned(),
@@ -68,6 +79,14 @@ const ORIGINS: [(&str, &str, Rgb); 5] = [
     ("interpolated", "dark blue", [20, 50, 90]),
     ("postcorrected", "green", [60, 200, 80]),
 ];
+/// Pixels by the number of their active quarters (Jin 2009, Figure 1).
+const ACTIVE: [(&str, Rgb); 5] = [
+    ("black", [0, 0, 0]),
+    ("red", [255, 0, 0]),
+    ("green", [0, 255, 0]),
+    ("blue", [0, 0, 255]),
+    ("white", [255, 255, 255]),
+];
 const FAILED: Rgb = [255, 30, 20];
 const NOTHING: Rgb = [0, 0, 0];
 /// From little to much, for [`false_color`].
@@ -80,6 +99,8 @@ pub fn picture(show: Show, frame: &DisplayImage, pixels: &[PixelRecord]) -> (Dis
         Show::Final => (frame.clone(), String::new()),
         Show::Origin => origin(frame, pixels),
         Show::Check(check) => failing(frame, pixels, check),
+        Show::Active => active(frame, pixels),
+        Show::Attribute(attribute) => differing(frame, pixels, attribute),
         Show::Cost => cost(frame, pixels),
         Show::Depth => depth(frame, pixels),
         Show::Normal => {
@@ -118,12 +139,38 @@ fn origin(frame: &DisplayImage, pixels: &[PixelRecord]) -> (DisplayImage, String
     (painted(frame, pixels, |_, p| ORIGINS[p.origin as usize].2), legend.join(", "))
 }
 
+fn active(frame: &DisplayImage, pixels: &[PixelRecord]) -> (DisplayImage, String) {
+    let quarters = |p: &PixelRecord| p.active.count_ones() as usize;
+    let mut counts = [0_u64; 5];
+    for pixel in pixels {
+        counts[quarters(pixel)] += 1;
+    }
+    let entry = |(number, (name, _))| format!("{number} {name} ({})", grouped(counts[number]));
+    let legend: Vec<_> = ACTIVE.iter().enumerate().map(entry).collect();
+    let legend = format!("quarters of a pixel with extra samples: {}", legend.join(", "));
+    (painted(frame, pixels, |_, p| ACTIVE[quarters(p)].1), legend)
+}
+
+fn differing(frame: &DisplayImage, pixels: &[PixelRecord], attribute: usize) -> (DisplayImage, String) {
+    let what = format!("whose attribute {} differs from a neighbour's", THRESHOLD_NAMES[attribute]);
+    marked(frame, pixels, &what, |p| p.differing & (1 << attribute) != 0)
+}
+
 fn failing(frame: &DisplayImage, pixels: &[PixelRecord], check: usize) -> (DisplayImage, String) {
-    let fails = |p: &PixelRecord| p.failed & (1 << check) != 0;
-    let count = pixels.iter().filter(|p| fails(p)).count() as u64;
-    let legend = format!("red: {} pixels that fail check {}", grouped(count), CHECK_NAMES[check]);
-    let image = painted(frame, pixels, |color, p| if fails(p) { FAILED } else { dimmed(color) });
-    (image, legend)
+    let what = format!("that fail check {}", CHECK_NAMES[check]);
+    marked(frame, pixels, &what, |p| p.failed & (1 << check) != 0)
+}
+
+/// Some pixels in red, the frame around them in grey.
+fn marked(
+    frame: &DisplayImage,
+    pixels: &[PixelRecord],
+    what: &str,
+    is: impl Fn(&PixelRecord) -> bool,
+) -> (DisplayImage, String) {
+    let count = pixels.iter().filter(|p| is(p)).count() as u64;
+    let legend = format!("red: {} pixels {what}", grouped(count));
+    (painted(frame, pixels, |color, p| if is(p) { FAILED } else { dimmed(color) }), legend)
 }
 
 fn cost(frame: &DisplayImage, pixels: &[PixelRecord]) -> (DisplayImage, String) {
@@ -213,6 +260,8 @@ mod tests {
         origin: Origin::Base,
         failed: 0,
         cost: 10,
+        active: 0b0101,
+        differing: 0b10,
         object: Some(3),
         depth: 2.0,
         normal: [0.0, 0.0, 1.0],
@@ -221,6 +270,8 @@ mod tests {
         origin: Origin::Interpolated,
         failed: 1 << 4,
         cost: 0,
+        active: 0,
+        differing: 0,
         object: None,
         depth: f32::INFINITY,
         normal: [0.0; 3],
@@ -251,6 +302,13 @@ mod tests {
         let (colors, legend) = shown(Show::Cost);
         assert_eq!(colors, [RAMP[4], RAMP[0]]);
         assert!(legend.contains("(0)") && legend.contains("(10)"), "{legend}");
+
+        let (colors, legend) = shown(Show::Active);
+        assert_eq!(colors, [ACTIVE[2].1, ACTIVE[0].1]);
+        assert!(legend.contains("2 green (1)") && legend.contains("4 white (0)"), "{legend}");
+        let (colors, legend) = shown(Show::Attribute(1));
+        assert_eq!(colors, [FAILED, [50; 3]]);
+        assert_eq!(legend, "red: 1 pixels whose attribute poid differs from a neighbour's");
 
         assert_eq!(shown(Show::Depth).0, [[255; 3], NOTHING]);
         assert_eq!(shown(Show::Normal).0, [[128, 128, 255], NOTHING]);

@@ -48,6 +48,8 @@ pub struct Samples {
     pub traced_a2: u64,
     /// Traced by postcorrection (Step-IV).
     pub postcorrected: u64,
+    /// Traced besides a pixel's own (Jin 2009, 4.1.4).
+    pub extra: u64,
     /// Not traced.
     pub interpolated: u64,
 }
@@ -109,11 +111,11 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// Kim 2016's RT ratio: traced samples over all samples.
+    /// Kim 2016's RT ratio: traced samples over all samples of the frame; with extra samples, it may exceed 1.
     #[must_use]
     pub fn rt_ratio(&self) -> f64 {
         let s = &self.samples;
-        (s.base + s.traced_a1 + s.traced_a2 + s.postcorrected) as f64 / (s.total.max(1)) as f64
+        (s.base + s.traced_a1 + s.traced_a2 + s.postcorrected + s.extra) as f64 / (s.total.max(1)) as f64
     }
 }
 
@@ -131,6 +133,8 @@ pub enum Origin {
     Interpolated = 3,
     /// Step-IV.
     Postcorrected = 4,
+    /// Besides the pixel's own sample: no pixel is of this origin.
+    Extra = 5,
 }
 
 /// The seven checks as bits of [`PixelRecord::failed`], in the order of [`FailedChecks`].
@@ -145,6 +149,11 @@ pub struct PixelRecord {
     pub failed: u32,
     /// Node visits and primitive tests spent on it.
     pub cost: u32,
+    /// Bit i is set where quarter i gets extra samples: 0 upper left, 1 upper right, 2 lower left, 3 lower right.
+    pub active: u32,
+    /// Bit i is set where attribute i of [`crate::THRESHOLD_NAMES`] differs from that of a neighbour; bit 0, where the
+    /// contrast exceeds the threshold of the colour.
+    pub differing: u32,
     /// OID of the first hit; `None` where nothing is hit.
     pub object: Option<u32>,
     /// View depth of the first hit (in units of the camera's forward vector), infinite where nothing is hit.

@@ -10,6 +10,9 @@ use crate::{
 /// A listed pixel is one word: 16 bits a coordinate.
 const MAX_SIDE: u32 = 1 << 16;
 
+/// An active quarter of a pixel is one word too: 14 bits a coordinate.
+const MAX_SUPERSAMPLED_SIDE: u32 = 1 << 14;
+
 /// Bytes of the arguments of an indirect dispatch.
 pub const DISPATCH_BYTES: u64 = 12;
 
@@ -50,13 +53,23 @@ impl Targets {
         size: [u32; 2],
     ) -> Result<Self> {
         let grid = grid(gpu, size, settings.sampling)?;
-        let adaptive = settings.method == Method::Adaptive;
-        // Of every second row.
-        let attribute_bytes = if adaptive { 4 * variant.planes().len() as u64 } else { 0 };
+        if settings.supersamples() && size.iter().any(|side| *side > MAX_SUPERSAMPLED_SIDE) {
+            let expected =
+                format!("expected at most {MAX_SUPERSAMPLED_SIDE} pixels a side with extra samples");
+            return Err(Error::setting(format!("--size {}x{}", size[0], size[1]), expected));
+        }
+        let supersamples = settings.supersamples();
+        // Of two rows.
+        let attribute_bytes = 4 * u64::from(variant.stored_planes());
         let checkerboard = settings.method == Method::Checkerboard;
         let sample_bytes = if settings.sampling > 1 || checkerboard { SAMPLE_BYTES } else { 0 };
-        // A sample is listed once at most.
-        let list_bytes = if adaptive { 4 } else { 0 };
+        // A sample is listed once at most, or its quarters are.
+        let listed = match settings.method {
+            _ if supersamples => 4,
+            Method::Adaptive => 1,
+            _ => 0,
+        };
+        let list_bytes = 4 * listed;
         let row_bytes = u64::from(grid[0]) * sample_bytes.max(attribute_bytes.div_ceil(2)).max(list_bytes);
         let band = plan::band_rows(settings.sampling, BAND_BYTES / row_bytes.max(1));
         // Its second pass looks across the borders of bands.
@@ -67,6 +80,7 @@ impl Targets {
             block: settings.block,
             band,
             postcorrect: settings.postcorrect,
+            supersamples,
             landmarks: scene.landmark_count(),
         };
         let plan = Plan::new(settings.method, &shape);

@@ -4,11 +4,17 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use glimpse::{Camera, Lens, Linking, Method, Pose, Postcorrect, Settings, Show, Tolerances};
+use glimpse::{Linking, Method, Postcorrect, Settings, Show, Tolerances};
 
+#[path = "pose.rs"]
+mod pose;
+#[path = "samples.rs"]
+mod samples;
 #[path = "vary.rs"]
 mod vary;
 
+pub use pose::PoseOptions;
+pub use samples::{SampleOptions, focus_by_index};
 pub use vary::Variation;
 
 /// The largest side of a frame.
@@ -90,7 +96,8 @@ pub struct RenderOptions {
     /// How the frame is made
     #[arg(long, value_enum, default_value = "adaptive", ignore_case = true)]
     pub method: MethodName,
-    /// What the picture shows: final, origin, check:NAME (oid, pos, norm, convex, tex, shadow, gcol), cost, depth, normal, oid
+    /// What the picture shows: final, origin, check:NAME (oid, pos, norm, convex, tex, shadow, gcol), cost, depth,
+    /// normal, oid, active, attr:NAME (col, poid, psn, psc, pte, soid, ssn, ssc, ste)
     #[arg(long, value_name = "WHAT", default_value = "final")]
     pub show: Show,
     /// Render that many warm frames and report medians
@@ -294,16 +301,20 @@ pub struct FrameOptions {
     /// Rays that would contribute less than this share of a pixel are not traced
     #[arg(long, value_name = "W", default_value_t = Settings::default().min_weight, allow_negative_numbers = true)]
     pub min_weight: f32,
+    #[command(flatten)]
+    pub samples: SampleOptions,
     /// Leave out what the scene does not need, or link everything
     #[arg(long, value_enum, default_value = "auto", ignore_case = true)]
     pub features: LinkingName,
 }
 
 impl FrameOptions {
-    /// The settings with one method, checked.
+    /// The settings with one method, checked. Objects in focus by name are not known before the scene is.
     pub fn settings(&self, method: MethodName) -> glimpse::Result<Settings> {
+        let method = Method::from(method);
+        let samples = &self.samples;
         let settings = Settings {
-            method: method.into(),
+            method,
             block: self.block,
             sampling: self.sampling,
             postcorrect: self.postcorrect.into(),
@@ -311,6 +322,13 @@ impl FrameOptions {
             depth: self.depth,
             min_weight: self.min_weight,
             features: self.features.into(),
+            // Of several methods, it concerns this one.
+            supersample: samples.supersample && method == Method::Adaptive,
+            thresholds: samples.thresholds(),
+            focus: samples.focus.as_deref().and_then(focus_by_index),
+            inactive: samples.inactive.into(),
+            jitter: samples.jitter.into(),
+            seed: samples.seed,
         };
         settings.validate()?;
         Ok(settings)
@@ -333,63 +351,8 @@ impl Default for FrameOptions {
             t_gcol: settings.tolerances.gcol,
             depth: settings.depth,
             min_weight: settings.min_weight,
+            samples: SampleOptions::default(),
             features: LinkingName::Auto,
-        }
-    }
-}
-
-/// A camera of one's own instead of one of the scene.
-#[derive(Clone, Debug, Default, PartialEq, Args)]
-pub struct PoseOptions {
-    /// A camera at this point of the scene
-    #[arg(long, value_name = "X,Y,Z", value_parser = Point::from_str, allow_negative_numbers = true,
-        requires = "target", conflicts_with = "camera")]
-    pub eye: Option<Point>,
-    /// The point in the middle of its picture
-    #[arg(long, value_name = "X,Y,Z", value_parser = Point::from_str, allow_negative_numbers = true, requires = "eye")]
-    pub target: Option<Point>,
-    /// What is up in its picture [default: 0,1,0]
-    #[arg(long, value_name = "X,Y,Z", value_parser = Point::from_str, allow_negative_numbers = true, requires = "eye")]
-    pub up: Option<Point>,
-    /// Its vertical field of view in degrees [default: 45]
-    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, requires = "eye")]
-    pub fov: Option<f32>,
-    /// Parallel rays, and how much of the scene it shows from bottom to top
-    #[arg(
-        long,
-        value_name = "HEIGHT",
-        allow_negative_numbers = true,
-        requires = "eye",
-        conflicts_with = "fov"
-    )]
-    pub ortho: Option<f32>,
-}
-
-impl PoseOptions {
-    /// The camera, if one was asked for.
-    pub fn camera(&self) -> glimpse::Result<Option<Camera>> {
-        let (Some(Point(eye)), Some(Point(target))) = (self.eye, self.target) else { return Ok(None) };
-        let lens = match self.ortho {
-            Some(height) => Lens::Orthographic { height },
-            None => Lens::Perspective { vertical_fov_degrees: self.fov.unwrap_or(45.0) },
-        };
-        let up = self.up.map_or([0.0, 1.0, 0.0], |Point(up)| up);
-        Pose { eye: eye.into(), target: target.into(), up: up.into(), lens }.camera().map(Some)
-    }
-}
-
-/// A point or a direction, as `X,Y,Z`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point(pub [f32; 3]);
-
-impl FromStr for Point {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let numbers: Option<Vec<f32>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
-        match numbers.as_deref() {
-            Some(&[x, y, z]) if [x, y, z].iter().all(|c| c.is_finite()) => Ok(Self([x, y, z])),
-            _ => Err("expected three numbers X,Y,Z".to_owned()),
         }
     }
 }
@@ -404,6 +367,8 @@ pub enum MethodName {
     Adaptive,
     /// A ray through every second sample, averages elsewhere
     Checkerboard,
+    /// A ray through every pixel, extra samples where neighbours differ
+    Supersample,
 }
 
 impl From<MethodName> for Method {
@@ -412,6 +377,7 @@ impl From<MethodName> for Method {
             MethodName::Full => Self::Full,
             MethodName::Adaptive => Self::Adaptive,
             MethodName::Checkerboard => Self::Checkerboard,
+            MethodName::Supersample => Self::Supersample,
         }
     }
 }

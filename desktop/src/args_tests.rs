@@ -2,6 +2,7 @@
 
 use clap::CommandFactory;
 use clap::error::ErrorKind;
+use glimpse::{Focus, Inactive, Jitter, Preset, Thresholds};
 
 use super::*;
 
@@ -76,7 +77,8 @@ fn every_option_of_render_arrives() {
     let options = render(
         "render builtin:room -o x.EXR --size 640X480 --camera top --method full --t-pos 0.1 --t-norm -0.5 \
          --t-tex 0.2 --t-gcol 0.3 --depth 5 --min-weight 0 --features all --show check:tex --frames 7 \
-         --reference --stats s.json --sampling 4 --block 8 --postcorrect scans",
+         --reference --stats s.json --sampling 4 --block 8 --postcorrect scans \
+         --preset textures --tau-col 0.25 --tau-ste 1 --focus 3-5 --inactive bilinear --jitter on --seed 9",
     );
     let settings = options.frame.settings(options.method).unwrap();
     let tolerances = Tolerances { pos: 0.1, norm: -0.5, tex: 0.2, gcol: 0.3 };
@@ -90,7 +92,13 @@ fn every_option_of_render_arrives() {
             postcorrect: Postcorrect::Scans,
             depth: 5,
             min_weight: 0.0,
-            features: Linking::All
+            features: Linking::All,
+            supersample: false,
+            thresholds: Thresholds { col: 0.25, ste: 1.0, ..Preset::Textures.thresholds() },
+            focus: Some(Focus { first: 3, last: 5 }),
+            inactive: Inactive::Bilinear,
+            jitter: Jitter::On,
+            seed: 9,
         }
     );
     assert_eq!(options.frame.size, Size([640, 480]));

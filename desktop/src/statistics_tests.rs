@@ -27,6 +27,7 @@ pub fn example() -> Statistics {
         },
         rays: Rays::default(),
         samples: Samples {
+            extra: 0,
             total: 32,
             base: 8,
             traced_a1: 1,

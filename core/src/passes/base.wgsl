@@ -14,5 +14,6 @@ fn main(
     let traced = sample_trace(pixel);
     output(pixel, traced.color);
     attributes_keep(pixel, traced.attributes, ATTRIBUTES_TRACED);
+    edges_keep(pixel, traced.attributes, secondary_found(), traced.color);
     inspect_pixel(pixel, ORIGIN_BASE, traced.attributes);
 }

@@ -1,5 +1,5 @@
 // Step-II-b and Step-III-b: the dense list is there, the dispatches that work through it are not yet.
-// What of it comes next: list_step.wgsl, list_all.wgsl, list_round.wgsl.
+// What of it comes next: list_step.wgsl, list_all.wgsl, list_round.wgsl, list_active.wgsl.
 
 struct Dispatch {
     x: u32,
@@ -15,10 +15,11 @@ var<storage, read_write> dispatch: array<Dispatch>;
 fn main(@builtin(local_invocation_index) local: u32) {
     let begin = list_begin(list.end);
     let count = list_end(list.count, begin) - begin;
+    let all = LIST_SAMPLES * count;
     workgroupBarrier();
     for (var chunk = local; chunk < arrayLength(&dispatch); chunk += 64u) {
-        let first = min(chunk * CHUNK_SAMPLES, count);
-        let samples = min(count - first, CHUNK_SAMPLES);
+        let first = min(chunk * CHUNK_SAMPLES, all);
+        let samples = min(all - first, CHUNK_SAMPLES);
         dispatch[chunk] = Dispatch((samples + TRACE_GROUP - 1u) / TRACE_GROUP, 1u, 1u);
     }
     if local == 0u {

@@ -51,8 +51,8 @@ pub const COUNTER_RAYS: usize = 0;
 pub const COUNTER_NODE_VISITS: usize = 4;
 pub const COUNTER_PRIMITIVE_TESTS: usize = 5;
 pub const COUNTER_ORIGINS: usize = 6;
-pub const COUNTER_FAILED: usize = 11;
-pub const COUNTER_CLAIMED: usize = 18;
+pub const COUNTER_FAILED: usize = 12;
+pub const COUNTER_CLAIMED: usize = 19;
 /// Words of all counters, low and high.
 pub const COUNTER_WORDS: usize = 64;
 
@@ -101,7 +101,7 @@ impl Variant {
             let _ = writeln!(text, "const {name}: bool = {value};");
         }
         let numbers = [
-            ("PLANES", planes.len() as u32),
+            ("PLANES", self.stored_planes()),
             ("SAMPLING", self.sampling),
             ("BVH_STACK", self.bvh_stack),
             // Each level leaves at most one branch for later, the last one none; two are put down at a time.
@@ -119,6 +119,12 @@ impl Variant {
             ("ORIGIN_TRACED_A2", Origin::TracedA2 as u32),
             ("ORIGIN_INTERPOLATED", Origin::Interpolated as u32),
             ("ORIGIN_POSTCORRECTED", Origin::Postcorrected as u32),
+            ("ORIGIN_EXTRA", Origin::Extra as u32),
+            ("EDGES_FIRST", planes.len() as u32),
+            ("EDGE_PLANES", self.edge_planes()),
+            ("EDGE_SECONDARY", 2),
+            ("EDGE_COLOR", self.edge_planes() - 3),
+            ("EDGES_APRON", u32::from(!self.interpolates)),
             ("ROUND_SAMPLES", plan::ROUND_SAMPLES),
             ("TEXTURE_NEAREST", atlas::TEXTURE_NEAREST),
             ("TEXTURE_PRESENT", atlas::TEXTURE_PRESENT),

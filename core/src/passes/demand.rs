@@ -90,6 +90,7 @@ impl Demands {
             Method::Full => Stage::Full,
             Method::Adaptive => Stage::TraceA1,
             Method::Checkerboard => Stage::Checkerboard,
+            Method::Supersample => Stage::Presample,
         };
         let kernel = link(&variant.sources(traced))?;
         let of = |function, apart: &[&str]| count(&kernel, function, apart).unwrap_or_default();
@@ -117,7 +118,7 @@ fn between(variant: &Variant, method: Method) -> Result<(Demand, Demand)> {
     let of =
         |stage| Ok::<_, crate::Error>(count(&link(&variant.sources(stage))?, None, &[]).unwrap_or_default());
     Ok(match method {
-        Method::Full => Default::default(),
+        Method::Full | Method::Supersample => Default::default(),
         Method::Adaptive => {
             let [once, light, deeper] = of(Stage::SimilarityA1)?;
             (once, light + deeper)

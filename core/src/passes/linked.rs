@@ -48,6 +48,7 @@ impl Linked {
             block: settings.block,
             band: SIZE[1],
             postcorrect,
+            supersamples: false,
             landmarks: thinness.landmarks().len().max(usize::from(everything)) as u32,
         };
         let passes = Plan::new(Method::Adaptive, &shape).passes();

@@ -17,6 +17,10 @@
 //! | postcorrect | Kim 2016, 4; Step-IV | `passes/postcorrect.wgsl` |
 //! | postcorrect_scan | Kim 2016, 5; Step-IV | `passes/postcorrect_scan.wgsl` |
 //! | resolve | Kim 2016, 6.1 ("Sampling") | `passes/resolve.wgsl` |
+//! | presample | Jin 2009, 4.3.1 | `passes/presample.wgsl` |
+//! | subpixel_test | Jin 2009, 4.3.2 | `passes/subpixel_test.wgsl` |
+//! | compact_active | Jin 2009, 4.3.2 | `passes/compact.wgsl` |
+//! | extra_samples | Jin 2009, 4.3.3 | `passes/extra_samples.wgsl` |
 //! | checkerboard | a baseline | `passes/checkerboard.wgsl` |
 //! | fill | a baseline | `passes/fill.wgsl` |
 
@@ -88,11 +92,19 @@ pub enum Stage {
     Checkerboard,
     /// The other pixels.
     Fill,
+    /// Every pixel's centre.
+    Presample,
+    /// Which quarters of pixels get extra samples.
+    SubpixelTest,
+    /// Those.
+    CompactActive,
+    /// Their samples.
+    ExtraSamples,
 }
 
 impl Stage {
     /// Every stage.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 21] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -110,6 +122,10 @@ impl Stage {
         Self::Resolve,
         Self::Checkerboard,
         Self::Fill,
+        Self::Presample,
+        Self::SubpixelTest,
+        Self::CompactActive,
+        Self::ExtraSamples,
     ];
 
     /// Its name everywhere: GPU label, timing row.
@@ -133,6 +149,10 @@ impl Stage {
             Self::Resolve => "resolve",
             Self::Checkerboard => "checkerboard",
             Self::Fill => "fill",
+            Self::Presample => "presample",
+            Self::SubpixelTest => "subpixel_test",
+            Self::CompactActive => "compact_active",
+            Self::ExtraSamples => "extra_samples",
         }
     }
 
@@ -141,9 +161,14 @@ impl Stage {
             Self::Full => wgsl!("passes/full.wgsl"),
             Self::Base => wgsl!("passes/base.wgsl"),
             Self::SimilarityA1 => wgsl!("passes/similarity_a1.wgsl"),
-            Self::CompactA1 | Self::CompactA2 | Self::CompactSeed | Self::CompactPostcorrect => {
-                wgsl!("passes/compact.wgsl")
-            }
+            Self::CompactA1
+            | Self::CompactA2
+            | Self::CompactSeed
+            | Self::CompactPostcorrect
+            | Self::CompactActive => wgsl!("passes/compact.wgsl"),
+            Self::Presample => wgsl!("passes/presample.wgsl"),
+            Self::SubpixelTest => wgsl!("passes/subpixel_test.wgsl"),
+            Self::ExtraSamples => wgsl!("passes/extra_samples.wgsl"),
             Self::PostcorrectSeed => wgsl!("passes/postcorrect_seed.wgsl"),
             Self::PostcorrectLandmarks => wgsl!("passes/postcorrect_landmarks.wgsl"),
             Self::Postcorrect => wgsl!("passes/postcorrect.wgsl"),

@@ -18,6 +18,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
             inspect_claim();
             let traced = sample_trace(next);
             output(next, traced.color);
+            edges_keep(next, traced.attributes, secondary_found(), traced.color);
             inspect_pixel(next, ORIGIN_POSTCORRECTED, traced.attributes);
             attributes_store_identity(next, traced.attributes);
         }

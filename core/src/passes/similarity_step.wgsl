@@ -16,7 +16,9 @@ fn similarity_step(pixel: vec2u, a_pixel: vec2u, b_pixel: vec2u) {
         return;
     }
     let middle = similarity_interpolate(a, b);
-    output(pixel, similarity_shade(pixel, middle));
+    let color = similarity_shade(pixel, middle);
+    output(pixel, color);
     attributes_keep(pixel, middle, ATTRIBUTES_INTERPOLATED);
+    edges_keep_interpolated(pixel, a_pixel, middle, color);
     inspect_pixel(pixel, ORIGIN_INTERPOLATED, middle);
 }

@@ -4,7 +4,7 @@ use wgpu::naga::{AddressSpace, proc::Layouter};
 
 use super::{Output, Stage, Variant};
 use crate::{
-    Features, Linking, Postcorrect, Robustness, frame, gpu,
+    Features, Inactive, Jitter, Linking, Postcorrect, Robustness, frame, gpu,
     gpu::{mirror::differences, shader::link},
     gpu_scene, probe,
 };
@@ -43,6 +43,11 @@ fn variants() -> impl Iterator<Item = Variant> {
         inspect,
         output,
         sampling: 1,
+        interpolates: true,
+        supersamples: bits & 1 != 0,
+        secondary: bits & 1 != 0 && bits & 96 != 0,
+        inactive: if bits & 4 != 0 { Inactive::Bilinear } else { Inactive::Nearest },
+        jitter: if bits & 8 != 0 { Jitter::On } else { Jitter::Auto },
         postcorrect: if bits & 8 != 0 { Postcorrect::Objects } else { Postcorrect::On },
         bvh_stack: 12,
         depth: 3,
@@ -67,7 +72,7 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
     let mut mirrored = std::collections::HashSet::new();
     let mut kernels = 0;
     for variant in variants() {
-        for stage in Stage::ALL {
+        for stage in Stage::ALL.into_iter().filter(|stage| variant.supersamples || !of_extra(*stage)) {
             let linked =
                 link(&variant.sources(stage)).unwrap_or_else(|e| panic!("{stage:?} {variant:?}: {e}"));
             kernels += 1;
@@ -92,8 +97,17 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
             }
         }
     }
-    assert_eq!(kernels, (256 + 4 * 10) * Stage::ALL.len());
+    let all = variants().count();
+    let supersampling = variants().filter(|variant| variant.supersamples).count();
+    assert_eq!(all, 256 + 4 * 10);
+    assert_eq!(kernels, all * (Stage::ALL.len() - 2) + 2 * supersampling);
+    assert!(supersampling > 100);
     assert_eq!(mirrored.len(), 4, "every mirrored struct was compared: {mirrored:?}");
+}
+
+/// Kernels that are not linked without extra samples.
+fn of_extra(stage: Stage) -> bool {
+    matches!(stage, Stage::SubpixelTest | Stage::ExtraSamples)
 }
 
 fn workgroup_bytes(module: &wgpu::naga::Module) -> u32 {

@@ -2,8 +2,8 @@
 
 use super::{Stage, wgsl};
 use crate::{
-    Features, GpuScene, Linking, Postcorrect, Robustness, Scene, Settings, bvh::MAX_STACK,
-    gpu::shader::Source,
+    Features, GpuScene, Inactive, Jitter, Linking, Method, Postcorrect, Robustness, Scene, Settings,
+    bvh::MAX_STACK, gpu::shader::Source,
 };
 
 /// Where colours go.
@@ -53,6 +53,16 @@ pub struct Variant {
     pub sampling: u32,
     /// What is traced again.
     pub postcorrect: Postcorrect,
+    /// Attributes are kept to interpolate between.
+    pub interpolates: bool,
+    /// What differs between neighbours is kept, for extra samples.
+    pub supersamples: bool,
+    /// The secondary hit is among it.
+    pub secondary: bool,
+    /// What stands for the rest of a pixel.
+    pub inactive: Inactive,
+    /// Where samples lie.
+    pub jitter: Jitter,
     /// Groups on the traversal stack.
     pub bvh_stack: u32,
     /// Levels of rays.
@@ -80,6 +90,11 @@ impl Variant {
             output: Output::Display,
             sampling: settings.sampling,
             postcorrect: settings.postcorrect,
+            interpolates: settings.method == Method::Adaptive,
+            supersamples: settings.supersamples(),
+            secondary: false,
+            inactive: settings.inactive,
+            jitter: settings.jitter,
             bvh_stack: scene.bvh_stack,
             depth: settings.depth,
             lights: scene.light_count,
@@ -103,6 +118,11 @@ impl Variant {
             output: Output::Display,
             sampling: settings.sampling,
             postcorrect: settings.postcorrect,
+            interpolates: settings.method == Method::Adaptive,
+            supersamples: settings.supersamples(),
+            secondary: false,
+            inactive: settings.inactive,
+            jitter: settings.jitter,
             bvh_stack: MAX_STACK,
             depth: settings.depth,
             lights: scene.lights.len() as u32,
@@ -113,10 +133,12 @@ impl Variant {
     }
 
     fn linked(self, linking: Linking) -> Self {
-        match linking {
+        let linked = match linking {
             Linking::Auto => self,
             Linking::All => Self { features: Features::all(), linking, bvh_stack: MAX_STACK, ..self },
-        }
+        };
+        let bounces = linked.features.reflection || linked.features.refraction;
+        Self { secondary: linked.supersamples && bounces, ..linked }
     }
 
     /// Where the shadow bits begin in the word of the object; `None` if they need a word of their own.
@@ -130,9 +152,23 @@ impl Variant {
         matches!(self.postcorrect, Postcorrect::Objects | Postcorrect::On | Postcorrect::Scans)
     }
 
-    /// The planes of the attribute buffer, in order.
+    /// Planes of what supersampling compares, for one row of the frame.
+    pub(super) fn edge_planes(&self) -> u32 {
+        if self.features.reflection || self.features.refraction { 7 } else { 5 }
+    }
+
+    /// All planes of the attribute buffer, for two rows of the frame.
+    pub fn stored_planes(&self) -> u32 {
+        let edges = if self.supersamples { 2 * self.edge_planes() } else { 0 };
+        self.planes().len() as u32 + edges
+    }
+
+    /// The planes of the attribute buffer that interpolation needs, in order.
     #[must_use]
     pub fn planes(&self) -> Vec<&'static str> {
+        if !self.interpolates {
+            return Vec::new();
+        }
         let f = &self.features;
         let optional = [
             ("SHADOW", self.shadow_shift().is_none()),
@@ -154,6 +190,7 @@ impl Variant {
             Stage::CompactA1 | Stage::CompactA2 => self.compact_sources(stage, wgsl!("wgsl/list_step.wgsl")),
             Stage::CompactSeed => self.compact_sources(stage, wgsl!("wgsl/list_all.wgsl")),
             Stage::CompactPostcorrect => self.compact_sources(stage, wgsl!("wgsl/list_round.wgsl")),
+            Stage::CompactActive => self.compact_sources(stage, wgsl!("wgsl/list_active.wgsl")),
             Stage::SimilarityA1 | Stage::SimilarityA2 => self.shading_sources(
                 wgsl!("wgsl/attributes_planes.wgsl"),
                 [
@@ -165,7 +202,11 @@ impl Variant {
                     stage.entry(),
                 ],
             ),
-            Stage::Full | Stage::Base => self.tracing_sources([self.order(), stage.entry()]),
+            Stage::SubpixelTest => self.test_sources(),
+            Stage::ExtraSamples => self.extra_sources(),
+            Stage::Full | Stage::Base | Stage::Presample => {
+                self.tracing_sources([self.order(), stage.entry()])
+            }
             Stage::Checkerboard => {
                 let samples = Self { output: Output::Samples, ..*self };
                 samples.tracing_sources([self.order(), stage.entry()])
@@ -201,6 +242,41 @@ impl Variant {
     /// Which workgroup treats which tile.
     fn order(&self) -> Source {
         if self.on_cpu { wgsl!("wgsl/order_dealt.wgsl") } else { wgsl!("wgsl/order_plain.wgsl") }
+    }
+
+    /// What finds out where extra samples go.
+    fn test_sources(&self) -> Vec<Source> {
+        let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
+        sources.extend([
+            wgsl!("wgsl/list.wgsl"),
+            wgsl!("wgsl/list_append.wgsl"),
+            wgsl!("wgsl/active.wgsl"),
+            wgsl!("wgsl/edges.wgsl"),
+            wgsl!("wgsl/contrast.wgsl"),
+            self.inactive(),
+            self.order(),
+            Stage::SubpixelTest.entry(),
+        ]);
+        sources.extend(self.output.sources());
+        sources
+    }
+
+    fn extra_sources(&self) -> Vec<Source> {
+        let jitter = if self.jitter == Jitter::Off { Jitter::Off } else { Jitter::On };
+        let extra = Self { jitter, secondary: false, ..*self };
+        extra.tracing_sources([
+            wgsl!("wgsl/list.wgsl"),
+            wgsl!("wgsl/active.wgsl"),
+            self.inactive(),
+            Stage::ExtraSamples.entry(),
+        ])
+    }
+
+    fn inactive(&self) -> Source {
+        match self.inactive {
+            Inactive::Nearest => wgsl!("wgsl/inactive_nearest.wgsl"),
+            Inactive::Bilinear => wgsl!("wgsl/inactive_bilinear.wgsl"),
+        }
     }
 
     /// The sources of a kernel that traces rays and ends in these.
@@ -251,6 +327,7 @@ impl Variant {
                 ),
                 hit,
                 wgsl!("wgsl/surface.wgsl"),
+                pick(self.secondary, wgsl!("wgsl/secondary_kept.wgsl"), wgsl!("wgsl/secondary_none.wgsl")),
                 pick(f.lights, wgsl!("wgsl/shadow_rays.wgsl"), wgsl!("wgsl/shadow_none.wgsl")),
                 match (f.reflection, f.refraction) {
                     (_, true) => wgsl!("wgsl/bounce_glass.wgsl"),
@@ -269,6 +346,11 @@ impl Variant {
         vec![
             self.constants(),
             wgsl!("wgsl/frame.wgsl"),
+            if self.jitter == Jitter::On {
+                wgsl!("wgsl/jitter_stratified.wgsl")
+            } else {
+                wgsl!("wgsl/jitter_none.wgsl")
+            },
             wgsl!("wgsl/octahedral.wgsl"),
             wgsl!("wgsl/attributes.wgsl"),
             attributes,
@@ -286,6 +368,11 @@ impl Variant {
             if f.glossy { wgsl!("wgsl/material.wgsl") } else { wgsl!("wgsl/material_matte.wgsl") },
             if f.lights { wgsl!("wgsl/lights_punctual.wgsl") } else { wgsl!("wgsl/lights_none.wgsl") },
         ]);
+        if self.supersamples {
+            sources.extend([wgsl!("wgsl/edges.wgsl"), wgsl!("wgsl/edges_keep.wgsl")]);
+        } else {
+            sources.push(wgsl!("wgsl/edges_none.wgsl"));
+        }
         let pixels = self.sampling == 1 || self.output == Output::Nowhere;
         sources.extend(if pixels { self.output } else { Output::Samples }.sources());
         sources.extend(rest);

@@ -50,6 +50,15 @@ pub fn bands(height: u32, rows: u32) -> impl Iterator<Item = Band> {
 }
 
 impl Band {
+    /// Its own rows in a frame of that height, and all rows that are stored when bands share none: with a row above and a
+    /// row below, which their neighbours are in.
+    pub fn alone(&self, height: u32) -> (Rows, Rows) {
+        let [first, end] = self.own;
+        let turn = first.saturating_sub(1);
+        let rows = |row, end| Rows { stride: 1, row, end, turn };
+        (rows(first, end), rows(turn, (end + 1).min(height)))
+    }
+
     /// Every `stride`-th of these rows.
     pub fn rows(&self, stride: u32, [row, end]: [u32; 2]) -> Rows {
         Rows { stride, row, end, turn: self.turn }

@@ -18,6 +18,7 @@ fn shapes() -> impl Iterator<Item = Shape> {
     let of_size = |grid| {
         [(2, 1, u32::MAX), (2, 1, 16), (4, 1, 48), (8, 1, 16), (8, 2, 1024), (2, 4, 64), (4, 3, 48)].map(
             |(block, sampling, band)| Shape {
+                supersamples: false,
                 grid: grid_of(grid, sampling),
                 sampling,
                 block,
@@ -157,6 +158,7 @@ fn bands_hold_whole_blocks_and_whole_pixels() {
 fn small_frames_are_one_submission_of_one_dispatch_a_stage() {
     for (method, stages) in [(Method::Full, 1), (Method::Adaptive, 7), (Method::Checkerboard, 2)] {
         let shape = Shape {
+            supersamples: false,
             grid: [450, 450],
             sampling: 1,
             block: 2,

@@ -2,6 +2,14 @@
 
 var<storage, read_write> attributes: array<atomic<u32>>;
 
+fn attributes_read(place: u32) -> u32 {
+    return atomicLoad(&attributes[place]);
+}
+
+fn attributes_write(place: u32, word: u32) {
+    atomicStore(&attributes[place], word);
+}
+
 // What postcorrection compares: OID, and SHDBIT if it is wished.
 fn attributes_identity(object: u32, shadow: u32) -> vec2u {
     return vec2u(object, select(0u, shadow, COMPARES_SHADOWS));

@@ -2,6 +2,14 @@
 
 var<storage, read_write> attributes: array<u32>;
 
+fn attributes_read(place: u32) -> u32 {
+    return attributes[place];
+}
+
+fn attributes_write(place: u32, word: u32) {
+    attributes[place] = word;
+}
+
 // Keeps what later steps refer to.
 fn attributes_keep(pixel: vec2u, a: Attributes, traced: u32) {
     if attributes_stored(pixel) {

@@ -30,6 +30,14 @@ struct Frame {
     step: vec2i,
     // The most samples that a thread of the postcorrection traces.
     walk: u32,
+    seed: u32,
+    // Of objects, normals, shadow counts and textures, at the primary hit and at the secondary one (Jin 2009, Table 1).
+    tau_primary: vec4f,
+    tau_secondary: vec4f,
+    tau_col: f32,
+    // The objects whose differences count: OID + 1 of the first and of the last.
+    focus_first: u32,
+    focus_last: u32,
     padding: u32,
 }
 
@@ -50,12 +58,18 @@ struct Ray {
     after: f32,
 }
 
-// Through the centre of a sample (a pixel, unless pixels have several); a perspective ray's parameter is the view depth along `forward`.
+// Through a sample (a pixel, unless pixels have several); a perspective ray's parameter is the view depth along `forward`.
 fn frame_ray(pixel: vec2u) -> Ray {
-    let size = vec2f(frame.size);
-    let at = vec2f(pixel) + 0.5;
-    let x = (2.0 * at.x - size.x) * frame.inverse_height;
-    let y = (size.y - 2.0 * at.y) * frame.inverse_height;
+    return frame_ray_in(pixel, 1.0);
+}
+
+// Through a cell of a grid that is so many times as fine as that of the samples.
+fn frame_ray_in(cell: vec2u, fineness: f32) -> Ray {
+    let size = fineness * vec2f(frame.size);
+    let at = vec2f(cell) + jitter_in(cell);
+    let scale = frame.inverse_height / fineness;
+    let x = (2.0 * at.x - size.x) * scale;
+    let y = (size.y - 2.0 * at.y) * scale;
     let spread = x * frame.right + y * frame.up;
     return Ray(
         frame.origin + frame.orthographic * spread,

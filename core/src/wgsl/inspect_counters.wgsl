@@ -3,10 +3,12 @@
 struct PixelRecord {
     origin: u32,
     failed: u32,
-    cost: u32,
+    cost: atomic<u32>,
     object: u32,
     depth: f32,
     normal: u32,
+    // Active quarters in bits 0 to 3, then what differs, see contrast.wgsl.
+    edges: u32,
 }
 
 struct Inspection {
@@ -58,7 +60,8 @@ fn inspect_claim() {
     inspect_count(COUNTER_CLAIMED, 1u);
 }
 
-fn inspect_pixel(pixel: vec2u, origin: u32, attributes: Attributes) {
+// What was counted since the last time is an origin's; returns its cost.
+fn inspect_work(origin: u32) -> u32 {
     for (var kind = 0u; kind < 4u; kind += 1u) {
         inspect_count(COUNTER_RAYS + kind, inspect_rays[kind]);
         inspect_rays[kind] = 0u;
@@ -66,14 +69,35 @@ fn inspect_pixel(pixel: vec2u, origin: u32, attributes: Attributes) {
     inspect_count(COUNTER_NODE_VISITS, inspect_nodes);
     inspect_count(COUNTER_PRIMITIVE_TESTS, inspect_primitives);
     inspect_count(COUNTER_ORIGINS + origin, 1u);
+    let cost = inspect_nodes + inspect_primitives;
+    inspect_nodes = 0u;
+    inspect_primitives = 0u;
+    return cost;
+}
+
+fn inspect_pixel(pixel: vec2u, origin: u32, attributes: Attributes) {
+    let cost = inspect_work(origin);
     if HAS_RECORDS {
         let index = pixel.y * frame.size.x + pixel.x;
         inspection.pixels[index].origin = origin;
-        inspection.pixels[index].cost = inspect_nodes + inspect_primitives;
+        atomicStore(&inspection.pixels[index].cost, cost);
         inspection.pixels[index].object = attributes.object;
         inspection.pixels[index].depth = attributes.depth;
         inspection.pixels[index].normal = octahedral_encode(attributes.normal);
     }
-    inspect_nodes = 0u;
-    inspect_primitives = 0u;
+}
+
+// A sample besides the one that the record is about.
+fn inspect_extra(pixel: vec2u) {
+    let cost = inspect_work(ORIGIN_EXTRA);
+    if HAS_RECORDS {
+        atomicAdd(&inspection.pixels[pixel.y * frame.size.x + pixel.x].cost, cost);
+    }
+}
+
+// What the test of a pixel's quarters says.
+fn inspect_edges(pixel: vec2u, edges: u32) {
+    if HAS_RECORDS {
+        inspection.pixels[pixel.y * frame.size.x + pixel.x].edges = edges;
+    }
 }

@@ -1,5 +1,7 @@
 // All that the adaptive steps have listed.
 
+const LIST_SAMPLES: u32 = 1u;
+
 fn list_begin(done: u32) -> u32 {
     return 0u;
 }

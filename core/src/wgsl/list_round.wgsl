@@ -1,5 +1,7 @@
 // What is listed and not done, as far as a round goes.
 
+const LIST_SAMPLES: u32 = 1u;
+
 fn list_begin(done: u32) -> u32 {
     return done;
 }

@@ -1,5 +1,7 @@
 // What the step before has listed.
 
+const LIST_SAMPLES: u32 = 1u;
+
 fn list_begin(done: u32) -> u32 {
     return done;
 }

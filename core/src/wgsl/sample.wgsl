@@ -10,6 +10,7 @@ fn sample_trace(pixel: vec2u) -> Sample {
 }
 
 fn sample_follow(ray: Ray) -> Sample {
+    secondary_begin();
     var result: Sample;
     result.attributes.color = vec3f(1.0);
     result.attributes.depth = FAR;
@@ -34,6 +35,8 @@ fn sample_follow(ray: Ray) -> Sample {
                 result.attributes.shadow = shadow;
                 result.attributes.texcoord = texture_fold(s.object, s.texcoord);
                 result.attributes.color = s.color;
+            } else if branch.level == 2u {
+                secondary_hit(branch.weight, s, shadow);
             }
             gcol += bounce_split(s, m, branch, direction);
         }

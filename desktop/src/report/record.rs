@@ -162,6 +162,8 @@ pub mod tests {
     #[test]
     fn mirrors_are_counted_by_what_is_seen_first() {
         let pixel = |object| PixelRecord {
+            active: 0,
+            differing: 0,
             origin: Origin::Base,
             failed: 0,
             cost: 0,

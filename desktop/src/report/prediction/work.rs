@@ -98,7 +98,16 @@ mod tests {
     }
 
     fn pixel(origin: Origin, cost: u32) -> PixelRecord {
-        PixelRecord { origin, failed: 0, cost, object: None, depth: 1.0, normal: [0.0; 3] }
+        PixelRecord {
+            origin,
+            failed: 0,
+            cost,
+            active: 0,
+            differing: 0,
+            object: None,
+            depth: 1.0,
+            normal: [0.0; 3],
+        }
     }
 
     #[test]
@@ -116,6 +125,7 @@ mod tests {
         let counts = Counts {
             rays: Rays { primary: 3, shadow: 4, reflection: 1, refraction: 0, total: 8 },
             samples: Samples {
+                extra: 0,
                 total: 9,
                 base: 2,
                 traced_a1: 1,

@@ -2,6 +2,10 @@
 
 use serde::Serialize;
 
+mod supersampling;
+
+pub use supersampling::{Focus, Inactive, Jitter, Preset, THRESHOLD_NAMES, Thresholds};
+
 /// How a frame is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -13,11 +17,13 @@ pub enum Method {
     /// A baseline: a ray through every second pixel in the order of a checkerboard, the average of their neighbours in the
     /// others. One sample a pixel.
     Checkerboard,
+    /// Jin 2009: a ray through every pixel, and four more through those quarters of pixels whose neighbours differ.
+    Supersample,
 }
 
 impl Method {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Full, Self::Adaptive, Self::Checkerboard];
+    pub const ALL: [Self; 4] = [Self::Full, Self::Adaptive, Self::Checkerboard, Self::Supersample];
 
     /// Its name on the command line.
     #[must_use]
@@ -26,6 +32,7 @@ impl Method {
             Self::Full => "full",
             Self::Adaptive => "adaptive",
             Self::Checkerboard => "checkerboard",
+            Self::Supersample => "supersample",
         }
     }
 }
@@ -131,6 +138,18 @@ pub struct Settings {
     pub min_weight: f32,
     /// Which pieces are linked.
     pub features: Linking,
+    /// Extra samples after an adaptive frame too, where its pixels differ from their neighbours.
+    pub supersample: bool,
+    /// Where extra samples go.
+    pub thresholds: Thresholds,
+    /// Whose differences count; `None` for everything's.
+    pub focus: Option<Focus>,
+    /// What stands for the rest of a pixel.
+    pub inactive: Inactive,
+    /// Where samples lie.
+    pub jitter: Jitter,
+    /// Of whatever is random; the same seed gives the same samples.
+    pub seed: u32,
 }
 
 /// The deepest recursion: what the ray stack of the refraction kernels is sized for.
@@ -154,6 +173,12 @@ impl Default for Settings {
             depth: 3,
             min_weight: 0.05,
             features: Linking::Auto,
+            supersample: false,
+            thresholds: Thresholds::default(),
+            focus: None,
+            inactive: Inactive::Nearest,
+            jitter: Jitter::Auto,
+            seed: 0,
         }
     }
 }
@@ -188,17 +213,53 @@ impl Settings {
                 return Err(crate::Error::setting(name, format!("expected 1 to {most}, found {value}")));
             }
         }
-        if self.method == Method::Checkerboard && self.sampling > 1 {
+        let single = matches!(self.method, Method::Checkerboard | Method::Supersample);
+        if self.sampling > 1 && (single || self.supersample) {
+            let with =
+                if single { format!("--method {}", self.method.name()) } else { "--supersample".to_owned() };
             return Err(crate::Error::setting(
                 "--sampling",
-                format!("expected 1 with --method checkerboard, found {}", self.sampling),
+                format!("expected 1 with {with}, found {}", self.sampling),
             ));
         }
+        self.thresholds.validate()?;
+        self.validate_samples()?;
         if ![2, 4, 8].contains(&self.block) {
             return Err(crate::Error::setting(
                 "--block",
                 format!("expected 2, 4 or 8, found {}", self.block),
             ));
+        }
+        Ok(())
+    }
+}
+
+impl Settings {
+    /// Does a frame get extra samples?
+    #[must_use]
+    pub fn supersamples(&self) -> bool {
+        self.method == Method::Supersample || self.supersample
+    }
+
+    /// What goes with what.
+    fn validate_samples(&self) -> crate::Result<()> {
+        let wrong =
+            |name: &str, expected: String| Err(crate::Error::setting(name, format!("expected {expected}")));
+        let method = self.method.name();
+        if self.supersample && self.method != Method::Adaptive {
+            return wrong("--supersample", format!("--method adaptive, found --method {method}"));
+        }
+        if self.jitter == Jitter::On && !matches!(self.method, Method::Full | Method::Supersample) {
+            return wrong(
+                "--jitter",
+                format!("auto or off with --method {method}, whose samples have fixed places"),
+            );
+        }
+        if let Some(Focus { first, last }) = self.focus.filter(|focus| focus.first > focus.last) {
+            return wrong(
+                "--focus",
+                format!("a first object that is not behind the last, found {first}-{last}"),
+            );
         }
         Ok(())
     }

@@ -1,0 +1,153 @@
+//! Wishes about extra samples: which differences between pixels are worth some (Jin 2009).
+
+use serde::Serialize;
+
+use crate::{Error, Result};
+
+/// How strong a contrast must be, by what differs between neighbouring pixels, for a quarter of a pixel to get extra
+/// samples (Jin 2009, Table 1), each from 0, always, to 1, never.
+///
+/// Where several attributes differ the smallest counts, where none does that of the colour. All equal to `col` is the
+/// colour measure alone.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Thresholds {
+    /// Nothing but the colour.
+    pub col: f32,
+    /// Primary hit: object.
+    pub poid: f32,
+    /// Primary hit: surface normal.
+    pub psn: f32,
+    /// Primary hit: number of lights that do not reach it.
+    pub psc: f32,
+    /// Primary hit: it is textured, whatever its neighbours are.
+    pub pte: f32,
+    /// Secondary hit: object.
+    pub soid: f32,
+    /// Secondary hit: surface normal.
+    pub ssn: f32,
+    /// Secondary hit: number of lights that do not reach it.
+    pub ssc: f32,
+    /// Secondary hit: it is textured.
+    pub ste: f32,
+}
+
+/// The names of [`Thresholds`], in order.
+pub const THRESHOLD_NAMES: [&str; 9] = ["col", "poid", "psn", "psc", "pte", "soid", "ssn", "ssc", "ste"];
+
+impl Thresholds {
+    /// One threshold for everything: the colour measure alone.
+    #[must_use]
+    pub const fn uniform(col: f32) -> Self {
+        Self::paper(col, col, col)
+    }
+
+    /// The paper's: of colour and textures, of shadows, of objects and normals.
+    const fn paper(alpha: f32, shadow: f32, geometry: f32) -> Self {
+        Self {
+            col: alpha,
+            poid: geometry,
+            psn: geometry,
+            psc: shadow,
+            pte: alpha,
+            soid: geometry,
+            ssn: geometry,
+            ssc: shadow,
+            ste: alpha,
+        }
+    }
+
+    /// In the order of [`THRESHOLD_NAMES`].
+    #[must_use]
+    pub fn values(&self) -> [f32; 9] {
+        let t = self;
+        [t.col, t.poid, t.psn, t.psc, t.pte, t.soid, t.ssn, t.ssc, t.ste]
+    }
+
+    pub(super) fn validate(&self) -> Result<()> {
+        for (name, value) in THRESHOLD_NAMES.into_iter().zip(self.values()) {
+            if !(0.0..=1.0).contains(&value) {
+                let expected = format!("expected a number from 0 to 1, found {value}");
+                return Err(Error::setting(format!("--tau-{name}"), expected));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Default for Thresholds {
+    fn default() -> Self {
+        Preset::Balanced.thresholds()
+    }
+}
+
+/// Thresholds by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Preset {
+    /// The paper's default (Table 2, tau_alpha = 0.6).
+    Balanced,
+    /// Strict about textures too (Table 2, tau_alpha = 0.1).
+    Textures,
+    /// Edges alone, of objects and in mirrors (Table 2, Fairy Forest with tau_alpha = tau_beta = 1).
+    Edges,
+    /// The colour measure alone (Figure 7, tau_col = 0.1).
+    Color,
+}
+
+impl Preset {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Balanced, Self::Textures, Self::Edges, Self::Color];
+
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Balanced => "balanced",
+            Self::Textures => "textures",
+            Self::Edges => "edges",
+            Self::Color => "color",
+        }
+    }
+
+    /// What it stands for.
+    #[must_use]
+    pub const fn thresholds(self) -> Thresholds {
+        match self {
+            Self::Balanced => Thresholds { poid: 0.05, soid: 0.05, ..Thresholds::paper(0.6, 0.06, 0.06) },
+            Self::Textures => Thresholds { poid: 0.05, soid: 0.05, ..Thresholds::paper(0.1, 0.06, 0.06) },
+            Self::Edges => Thresholds { poid: 0.05, soid: 0.05, ..Thresholds::paper(1.0, 1.0, 0.06) },
+            Self::Color => Thresholds::uniform(0.1),
+        }
+    }
+}
+
+/// The objects whose differences count: the first and the last of a run of [`crate::Scene::objects`] (Jin 2009, section 5,
+/// "Fairy focused"). Elsewhere the colour decides alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Focus {
+    /// Index of the first object.
+    pub first: u32,
+    /// Index of the last object.
+    pub last: u32,
+}
+
+/// What stands for the quarters of a pixel that get no extra samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Inactive {
+    /// The sample at the pixel's centre.
+    Nearest,
+    /// The four centres around them, bilinearly (Jin 2009, section 6): softer textures, softer everything.
+    Bilinear,
+}
+
+/// Where in its cell a sample lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Jitter {
+    /// Anywhere for extra samples (Jin 2009, 4.1.4), in the centre for all others.
+    Auto,
+    /// Anywhere: noise in the place of aliasing (lecture, "Jittered sampling").
+    On,
+    /// In the centre.
+    Off,
+}

@@ -1,0 +1,73 @@
+// What supersampling compares of neighbouring pixels (Jin 2009, Table 1), as planes of the attribute buffer, for every row of
+// the band. Deviations: normals in 32 bits; of the secondary rays the one with the largest weight is kept, reflected or
+// refracted; a texture that is only seen in a mirror counts as one, though what shows it is small.
+
+struct Edges {
+    // OID + 1, the number of lights in shadow, EDGES_TEXTURE: of the primary hit.
+    primary: u32,
+    normal: u32,
+    // The same of the secondary hit, 0 where there is none.
+    secondary: u32,
+    secondary_normal: u32,
+    // Linear radiance of the sample.
+    color: vec3f,
+}
+
+const EDGES_OBJECT: u32 = 0x01ffffffu;
+const EDGES_SHADOW_SHIFT: u32 = 25u;
+const EDGES_TEXTURE: u32 = 0x80000000u;
+
+fn edges_place(pixel: vec2u, plane: u32) -> u32 {
+    let row = frame_folded(pixel.y);
+    return (row / 2u * PLANES + EDGES_FIRST + row % 2u * EDGE_PLANES + plane) * frame.size.x + pixel.x;
+}
+
+fn edges_color(pixel: vec2u) -> vec3f {
+    return bitcast<vec3f>(vec3u(
+        attributes_read(edges_place(pixel, EDGE_COLOR)),
+        attributes_read(edges_place(pixel, EDGE_COLOR + 1u)),
+        attributes_read(edges_place(pixel, EDGE_COLOR + 2u)),
+    ));
+}
+
+// The words of the secondary hit.
+fn edges_secondary_words(pixel: vec2u) -> vec2u {
+    if !HAS_GCOL {
+        return vec2u(0u);
+    }
+    return vec2u(
+        attributes_read(edges_place(pixel, EDGE_SECONDARY)),
+        attributes_read(edges_place(pixel, EDGE_SECONDARY + 1u)),
+    );
+}
+
+fn edges_load(pixel: vec2u) -> Edges {
+    let secondary = edges_secondary_words(pixel);
+    return Edges(
+        attributes_read(edges_place(pixel, 0u)),
+        attributes_read(edges_place(pixel, 1u)),
+        secondary.x,
+        secondary.y,
+        edges_color(pixel),
+    );
+}
+
+fn edges_store(pixel: vec2u, e: Edges) {
+    attributes_write(edges_place(pixel, 0u), e.primary);
+    attributes_write(edges_place(pixel, 1u), e.normal);
+    if HAS_GCOL {
+        attributes_write(edges_place(pixel, EDGE_SECONDARY), e.secondary);
+        attributes_write(edges_place(pixel, EDGE_SECONDARY + 1u), e.secondary_normal);
+    }
+    let color = bitcast<vec3u>(e.color);
+    attributes_write(edges_place(pixel, EDGE_COLOR), color.x);
+    attributes_write(edges_place(pixel, EDGE_COLOR + 1u), color.y);
+    attributes_write(edges_place(pixel, EDGE_COLOR + 2u), color.z);
+}
+
+// The eight around a pixel and itself, row by row from the upper left; beyond the frame, the nearest inside.
+fn edges_neighbour(pixel: vec2u, index: u32) -> vec2u {
+    let low = vec2i(0, i32(max(frame.row, EDGES_APRON) - EDGES_APRON));
+    let beside = vec2i(pixel) + vec2i(i32(index % 3u), i32(index / 3u)) - 1;
+    return vec2u(clamp(beside, low, vec2i(frame.size) - 1));
+}

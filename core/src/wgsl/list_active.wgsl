@@ -1,0 +1,11 @@
+// All active subpixels.
+
+const LIST_SAMPLES: u32 = 4u;
+
+fn list_begin(done: u32) -> u32 {
+    return 0u;
+}
+
+fn list_end(count: u32, begin: u32) -> u32 {
+    return count;
+}

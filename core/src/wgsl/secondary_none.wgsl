@@ -1,0 +1,8 @@
+// Nobody asks what the second hit of a sample is.
+
+fn secondary_begin() {}
+fn secondary_hit(weight: vec3f, s: Surface, shadow: u32) {}
+
+fn secondary_found() -> vec2u {
+    return vec2u(0u);
+}
