@@ -145,8 +145,8 @@ fn active(frame: &DisplayImage, pixels: &[PixelRecord]) -> (DisplayImage, String
     for pixel in pixels {
         counts[quarters(pixel)] += 1;
     }
-    let entry = |(number, (name, _))| format!("{number} {name} ({})", grouped(counts[number]));
-    let legend: Vec<_> = ACTIVE.iter().enumerate().map(entry).collect();
+    let entry = |number: usize| format!("{number} {} ({})", ACTIVE[number].0, grouped(counts[number]));
+    let legend: Vec<_> = (0..ACTIVE.len()).map(entry).collect();
     let legend = format!("quarters of a pixel with extra samples: {}", legend.join(", "));
     (painted(frame, pixels, |_, p| ACTIVE[quarters(p)].1), legend)
 }

@@ -90,7 +90,7 @@ fn in_steps(x: f64, steps: f64) -> f64 {
     (x.clamp(0.0, 1.0) * steps).round() / steps
 }
 
-fn stored_direction(d: DVec3) -> DVec3 {
+pub(super) fn stored_direction(d: DVec3) -> DVec3 {
     octahedral_decode_exact(octahedral_encode(d.as_vec3()))
 }
 

@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 
-use super::{Cause, Limits, Material, Ray, Reference, Rounding, Surface};
+use super::{Attributes, Cause, Limits, Material, Ray, Reference, Rounding, Surface};
 
 /// A ray on its way, with its place in the recursion.
 pub(super) struct Branch {
@@ -17,7 +17,7 @@ pub(super) struct Branch {
 }
 
 impl Reference {
-    /// What the rays that leave the surface bring to the sample.
+    /// What the rays that leave the surface bring to the sample, and what the heaviest of those that hit something hits.
     pub(super) fn bounced(
         &self,
         s: &Surface,
@@ -25,18 +25,26 @@ impl Reference {
         from: &Branch,
         limits: &Limits,
         rounding: &mut Rounding,
-    ) -> DVec3 {
+    ) -> (DVec3, Option<Attributes>) {
         let direction = from.ray.direction;
         let cosine = (-s.normal.dot(direction)).clamp(0.0, 1.0);
         let cosine = rounding.number(Cause::Branch, cosine, 1.0).clamp(0.0, 1.0);
-        let mut sum = DVec3::ZERO;
-        if let Some(refracted) = refracted(s, m, direction, cosine) {
-            let weight = from.weight * m.refraction(cosine, s.inside);
-            sum += self.followed(s, refracted, weight, from.level, limits, rounding);
-        }
         let mirrored = direction - 2.0 * s.normal.dot(direction) * s.normal;
-        let weight = from.weight * m.mirror(cosine, s.inside);
-        sum + self.followed(s, mirrored, weight, from.level, limits, rounding)
+        let rays = [
+            Some((mirrored, m.mirror(cosine, s.inside))),
+            refracted(s, m, direction, cosine).map(|refracted| (refracted, m.refraction(cosine, s.inside))),
+        ];
+        let mut sum = DVec3::ZERO;
+        let mut heaviest = (0.0, None);
+        for (direction, share) in rays.into_iter().flatten() {
+            let weight = from.weight * share;
+            let (color, hit) = self.followed(s, direction, weight, from.level, limits, rounding);
+            sum += color;
+            if hit.is_some() && weight.max_element() > heaviest.0 {
+                heaviest = (weight.max_element(), hit);
+            }
+        }
+        (sum, heaviest.1)
     }
 
     fn followed(
@@ -47,18 +55,19 @@ impl Reference {
         level: u32,
         limits: &Limits,
         rounding: &mut Rounding,
-    ) -> DVec3 {
+    ) -> (DVec3, Option<Attributes>) {
         let largest = weight.max_element();
         if largest <= 0.0 {
-            return DVec3::ZERO;
+            return (DVec3::ZERO, None);
         }
         let largest = rounding.number(Cause::Branch, largest, largest);
         if level >= limits.depth || largest < limits.min_weight {
-            return weight * self.scene.environment.truncated.as_dvec3();
+            return (weight * self.scene.environment.truncated.as_dvec3(), None);
         }
         let ray = s.spawn(direction.normalize_or_zero(), rounding);
         let branch = Branch { ray, left: Some(s.primitive), weight, level: level + 1 };
-        self.follow(&branch, limits, rounding).color
+        let seen = self.follow(&branch, limits, rounding);
+        (seen.color, seen.attributes.object.map(|_| seen.attributes))
     }
 }
 

@@ -35,10 +35,15 @@ pub struct Pixel {
 impl Frame<'_> {
     /// The ray through a pixel's centre, and the length of its direction, in whose units depths are.
     #[must_use]
-    pub fn ray(&self, [x, y]: [u32; 2]) -> (Ray, f64) {
+    pub fn ray(&self, pixel: [u32; 2]) -> (Ray, f64) {
+        self.ray_at(pixel.map(|i| f64::from(i) + 0.5))
+    }
+
+    /// The ray through a place in the frame, in pixels from its upper left corner.
+    pub(super) fn ray_at(&self, [x, y]: [f64; 2]) -> (Ray, f64) {
         let [width, height] = self.size.map(f64::from);
-        let right = (2.0 * (f64::from(x) + 0.5) - width) / height * self.camera.right.as_dvec3();
-        let up = (height - 2.0 * (f64::from(y) + 0.5)) / height * self.camera.up.as_dvec3();
+        let right = (2.0 * x - width) / height * self.camera.right.as_dvec3();
+        let up = (height - 2.0 * y) / height * self.camera.up.as_dvec3();
         let (eye, forward) = (self.camera.origin.as_dvec3(), self.camera.forward.as_dvec3());
         let (origin, along) = match self.camera.orthographic {
             true => (eye + right + up, forward),
@@ -59,7 +64,12 @@ impl Frame<'_> {
     #[must_use]
     pub fn traced(&self, pixel: [u32; 2], rounding: &mut Rounding) -> Sample {
         let (ray, length) = self.ray(pixel);
-        let mut sample = self.reference.sample(&ray, &Limits::of(&self.settings), rounding);
+        self.followed(&ray, length, rounding)
+    }
+
+    /// What a ray sees whose direction was that long.
+    pub(super) fn followed(&self, ray: &Ray, length: f64, rounding: &mut Rounding) -> Sample {
+        let mut sample = self.reference.sample(ray, &Limits::of(&self.settings), rounding);
         sample.attributes.depth /= length;
         sample
     }
@@ -105,7 +115,7 @@ impl Frame<'_> {
                 Pixel { origin, failed, attributes, color: self.shaded(pixel, &attributes, rounding) }
             }
             _ => {
-                let Sample { attributes, color } = self.traced(pixel, rounding);
+                let Sample { attributes, color, .. } = self.traced(pixel, rounding);
                 Pixel { origin, failed, attributes, color }
             }
         }

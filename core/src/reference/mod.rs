@@ -9,6 +9,7 @@
 //! | [`Frame::ray`], [`Frame::traced`], [`Frame::adaptive`], [`Frame::checkerboard`] | `frame.wgsl`, the passes |
 //! | [`Frame::failed`], [`Frame::interpolated`], [`Frame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes_planes.wgsl` |
 //! | [`Frame::postcorrection`] | `postcorrect_seed.wgsl`, `postcorrect_landmarks.wgsl`, `postcorrect.wgsl`, `postcorrect_scan.wgsl` |
+//! | [`Frame::ray_in`], [`Frame::presampled`], [`Frame::tested`], [`Frame::supersampled`] | `jitter_*.wgsl`, `presample.wgsl`, `contrast.wgsl`, `extra_samples.wgsl` |
 //!
 //! Shared with what it judges: the [`Scene`] in main memory (with its normals in octahedral words, for that is what the
 //! scene holds), the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), and the Rust functions that pack and
@@ -26,6 +27,7 @@ mod attributes;
 mod bounce;
 mod frame;
 mod intersection;
+mod jitter;
 mod judge;
 mod lights;
 mod material;
@@ -34,6 +36,7 @@ mod rounding;
 mod sample;
 mod shadow;
 mod similarity;
+mod supersampling;
 mod surface;
 mod texture;
 mod traversal;
@@ -49,6 +52,7 @@ pub use material::{Material, fresnel_dielectric};
 pub use rounding::{Cause, Rounding, SPAWN_ULPS, ULPS};
 pub use sample::{Limits, Sample};
 pub use similarity::Reached;
+pub use supersampling::Tested;
 pub use surface::Surface;
 pub use texture::Encoding;
 pub use traversal::{Hit, Tracer};

@@ -30,6 +30,8 @@ impl Limits {
 pub struct Sample {
     /// Of the first hit, exact; [`Attributes::miss`] without one.
     pub attributes: Attributes,
+    /// Of the hit one bounce further, by the ray that brings most of those that hit anything.
+    pub secondary: Option<Attributes>,
     /// Linear radiance times the ray's weight.
     pub color: DVec3,
 }
@@ -79,7 +81,7 @@ impl Reference {
         let ray = &branch.ray;
         let Some(crossing) = self.first(ray, branch.left, false, rounding) else {
             let color = branch.weight * self.scene.environment.background.as_dvec3();
-            return Sample { attributes: Attributes::miss(), color };
+            return Sample { attributes: Attributes::miss(), secondary: None, color };
         };
         let s = self.surface(ray, &crossing, rounding);
         let m = self.material(s.object, s.texcoord, s.color);
@@ -93,7 +95,7 @@ impl Reference {
             shadow,
             rounding,
         });
-        let gcol = self.bounced(&s, &m, branch, limits, rounding);
+        let (gcol, secondary) = self.bounced(&s, &m, branch, limits, rounding);
         let attributes = Attributes {
             depth: crossing.t,
             object: Some(s.object),
@@ -104,6 +106,6 @@ impl Reference {
             texcoord: self.folded(s.object, s.texcoord),
             color: s.color,
         };
-        Sample { attributes, color: branch.weight * local + gcol }
+        Sample { attributes, secondary, color: branch.weight * local + gcol }
     }
 }

@@ -84,6 +84,9 @@ fn agree_in_adaptive_frames(name: &str, pair: &Pair) {
     adaptive.adaptive_colors().check(&format!("{name}, adaptive, radiance"), SHARES);
     let checkerboard = pair.frames(Method::Checkerboard);
     checkerboard.checkerboard_colors().check(&format!("{name}, checkerboard, radiance"), SHARES);
+    let supersample = pair.frames(Method::Supersample);
+    supersample.tested().check(&format!("{name}, supersample, test"), SHARES);
+    supersample.supersampled_colors().check(&format!("{name}, supersample, radiance"), SHARES);
     let other = adaptive.other_origins();
     note(&format!("{name}, adaptive: {other} pixels come to be in another way in f64 alone"));
 }

@@ -145,6 +145,28 @@ impl Frames<'_> {
         self.tally(|p| judge(&self.found_color(p), |r| Answer::radiance(self.frame.checkerboard(p, r))))
     }
 
+    /// Which quarters of pixels get extra samples, and what differs between pixels.
+    pub fn tested(&self) -> Tally {
+        self.tally(|p| {
+            let labels =
+                |active, differing| Answer::<0> { labels: [active, differing], values: [], tolerances: [] };
+            let record = self.record(p);
+            judge(&labels(record.active, record.differing), |r| {
+                let tested = self.frame.tested(p, r);
+                labels(tested.active, tested.differing)
+            })
+        })
+    }
+
+    /// Pixels from their samples, given which quarters got extra ones.
+    pub fn supersampled_colors(&self) -> Tally {
+        self.tally(|p| {
+            judge(&self.found_color(p), |r| {
+                Answer::radiance(self.frame.supersampled(p, self.record(p).active, r))
+            })
+        })
+    }
+
     /// The adaptive frame that the reference makes on its own: pixels that came to be in another way.
     pub fn other_origins(&self) -> usize {
         let other = self.tally(|p| {

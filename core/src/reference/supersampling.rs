@@ -1,0 +1,173 @@
+//! Selective and adaptive supersampling (Jin 2009): the subpixel test and the colour of a pixel with extra samples.
+
+use glam::DVec3;
+
+use super::{Attributes, Cause, Frame, Ray, Rounding, Sample, attributes::stored_direction, jitter::jitter};
+use crate::{Inactive, Jitter};
+
+/// Mitchell's contrasts, scaled (Jin 2009, 4.2.2).
+const SCALE: [f64; 3] = [1.36, 1.02, 2.04];
+
+/// How far off a contrast may be: as radiances may that it is computed from.
+const CONTRAST_SCALE: f64 = 64.0;
+
+/// What the test of a pixel's quarters says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tested {
+    /// As [`crate::PixelRecord::active`].
+    pub active: u32,
+    /// As [`crate::PixelRecord::differing`].
+    pub differing: u32,
+}
+
+/// What is compared of a hit (Jin 2009, Table 1).
+#[derive(Clone, Copy, Debug)]
+struct Edges {
+    object: Option<u32>,
+    normal: DVec3,
+    shadow_count: u32,
+    textured: bool,
+}
+
+/// Of a pixel: its two hits and its colour.
+struct Compared {
+    hits: [Edges; 2],
+    color: DVec3,
+}
+
+impl Frame<'_> {
+    /// The ray through a cell of a grid that is so many times as fine as that of the samples, and the length of its
+    /// direction.
+    #[must_use]
+    pub fn ray_in(&self, cell: [u32; 2], fineness: u32, jitters: bool) -> (Ray, f64) {
+        let inside = if jitters { jitter(cell, self.settings.seed) } else { [0.5; 2] };
+        self.ray_at([0, 1].map(|i| (f64::from(cell[i]) + inside[i]) / f64::from(fineness)))
+    }
+
+    fn sample_in(&self, cell: [u32; 2], fineness: u32, jitters: bool, rounding: &mut Rounding) -> Sample {
+        let (ray, length) = self.ray_in(cell, fineness, jitters);
+        self.followed(&ray, length, rounding)
+    }
+
+    /// A pixel's own sample.
+    #[must_use]
+    pub fn presampled(&self, pixel: [u32; 2], rounding: &mut Rounding) -> Sample {
+        self.sample_in(pixel, 1, self.settings.jitter == Jitter::On, rounding)
+    }
+
+    /// Which quarters of a pixel get extra samples, and what differs from the neighbours.
+    #[must_use]
+    pub fn tested(&self, pixel: [u32; 2], rounding: &mut Rounding) -> Tested {
+        let own = self.compared(pixel, rounding);
+        let textures = bits([0, 1].map(|i| self.in_focus(own.hits[i].object) && own.hits[i].textured), 3);
+        let mut tested = Tested { active: 0, differing: 0 };
+        for quarter in 0..4 {
+            let [right, down] = [quarter & 1, quarter >> 1].map(|side| 2 * side as i64 - 1);
+            let neighbours = [[right, 0], [0, down], [right, down]]
+                .map(|[x, y]| self.compared(self.beside(pixel, [x, y]), rounding));
+            let differing =
+                neighbours.iter().fold(textures, |bits, other| bits | self.differing(&own, other));
+            let shown = || neighbours.iter().map(|n| n.color).chain([own.color]).map(shown);
+            let low = shown().fold(DVec3::INFINITY, DVec3::min);
+            let high = shown().fold(DVec3::ZERO, DVec3::max);
+            let contrast = [0, 1, 2].map(|i| {
+                let (low, high) = (low[i], high[i]);
+                let exact = if high + low > 0.0 { (high - low) / (high + low) } else { 0.0 };
+                // Nothing is off where nothing differs.
+                if exact > 0.0 { rounding.number(Cause::Branch, exact, CONTRAST_SCALE) } else { 0.0 }
+            });
+            let exceeds = |tau: f64| (0..3).any(|i| contrast[i] >= tau * SCALE[i]);
+            tested.active |= u32::from(exceeds(self.threshold(differing))) << quarter;
+            tested.differing |= u32::from(exceeds(f64::from(self.settings.thresholds.col))) | differing << 1;
+        }
+        tested
+    }
+
+    /// Linear radiance of a pixel, of which these quarters get extra samples.
+    #[must_use]
+    pub fn supersampled(&self, pixel: [u32; 2], active: u32, rounding: &mut Rounding) -> DVec3 {
+        let own = self.presampled(pixel, rounding).color;
+        let quarters = (0..4_u32).map(|quarter| {
+            let [right, down] = [quarter & 1, quarter >> 1];
+            if active >> quarter & 1 == 1 {
+                let cells = [[0, 0], [1, 0], [0, 1], [1, 1]]
+                    .map(|[x, y]| [4 * pixel[0] + 2 * right + x, 4 * pixel[1] + 2 * down + y]);
+                let jitters = self.settings.jitter != Jitter::Off;
+                return cells.iter().map(|c| self.sample_in(*c, 4, jitters, rounding).color).sum::<DVec3>()
+                    / 4.0;
+            }
+            match self.settings.inactive {
+                Inactive::Nearest => own,
+                Inactive::Bilinear => {
+                    let [x, y] = [right, down].map(|side| 2 * i64::from(side) - 1);
+                    let [beside, above, across] = [[x, 0], [0, y], [x, y]]
+                        .map(|step| self.presampled(self.beside(pixel, step), rounding).color);
+                    (9.0 * own + 3.0 * (beside + above) + across) / 16.0
+                }
+            }
+        });
+        quarters.sum::<DVec3>() / 4.0
+    }
+
+    fn compared(&self, pixel: [u32; 2], rounding: &mut Rounding) -> Compared {
+        let sample = self.presampled(pixel, rounding);
+        let secondary = sample.secondary.unwrap_or_else(Attributes::miss);
+        let hits = [&sample.attributes, &secondary].map(|a| self.edges(a, rounding));
+        Compared { hits, color: sample.color }
+    }
+
+    fn edges(&self, a: &Attributes, rounding: &mut Rounding) -> Edges {
+        Edges {
+            object: a.object,
+            normal: match a.object {
+                Some(_) => stored_direction(rounding.direction(Cause::Storage, a.normal)),
+                None => DVec3::ZERO,
+            },
+            shadow_count: a.shadow.count_ones(),
+            textured: a.object.is_some_and(|object| self.reference.first_texture(object).is_some()),
+        }
+    }
+
+    /// The attributes that differ, as bits in the order of Table 1.
+    fn differing(&self, own: &Compared, other: &Compared) -> u32 {
+        let bits_of = |i: usize| {
+            let (a, b) = (&own.hits[i], &other.hits[i]);
+            if !self.in_focus(a.object) && !self.in_focus(b.object) {
+                return 0;
+            }
+            let bent =
+                a.normal != b.normal && a.normal.dot(b.normal) <= f64::from(self.settings.tolerances.norm);
+            u32::from(a.object != b.object)
+                | u32::from(bent) << 1
+                | u32::from(a.shadow_count != b.shadow_count) << 2
+        };
+        bits_of(0) | bits_of(1) << 4
+    }
+
+    fn in_focus(&self, object: Option<u32>) -> bool {
+        self.settings
+            .focus
+            .is_none_or(|focus| object.is_some_and(|object| (focus.first..=focus.last).contains(&object)))
+    }
+
+    fn threshold(&self, differing: u32) -> f64 {
+        let [col, of_attributes @ ..] = self.settings.thresholds.values();
+        let differing = (0..8).filter(|i| differing >> i & 1 == 1).map(|i| of_attributes[i]);
+        f64::from(differing.reduce(f32::min).unwrap_or(col))
+    }
+
+    /// The nearest pixel of the frame.
+    fn beside(&self, pixel: [u32; 2], step: [i64; 2]) -> [u32; 2] {
+        [0, 1].map(|i| (i64::from(pixel[i]) + step[i]).clamp(0, i64::from(self.size[i]) - 1) as u32)
+    }
+}
+
+/// The same attribute of both hits.
+fn bits([primary, secondary]: [bool; 2], bit: u32) -> u32 {
+    u32::from(primary) << bit | u32::from(secondary) << (bit + 4)
+}
+
+/// About as it is shown.
+fn shown(color: DVec3) -> DVec3 {
+    color.clamp(DVec3::ZERO, DVec3::ONE).map(f64::sqrt)
+}
