@@ -17,8 +17,11 @@ impl Choices {
             (Method::Checkerboard, Show::Check(_) | Show::Depth | Show::Normal | Show::Oid) => {
                 Some("A checkerboard averages every second pixel: no surface belongs to an average.")
             }
-            (_, show) if show.of_extra_samples() && !self.settings.supersamples() => {
-                Some("Extra samples are shown where there are some: method supersample.")
+            (method, Show::Active) if !self.settings.supersamples() && method != Method::Quincunx => {
+                Some("Active pixels are those of the methods supersample and quincunx.")
+            }
+            (_, Show::Attribute(_)) if !self.settings.supersamples() => {
+                Some("Attributes are compared where there are extra samples: method supersample.")
             }
             _ => None,
         }

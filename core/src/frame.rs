@@ -22,7 +22,7 @@ gpu_struct! {
         stride: u32, row: u32, end: u32, turn: u32,
         step: [i32; 2], walk: u32, seed: u32,
         tau_primary: [f32; 4], tau_secondary: [f32; 4],
-        tau_col: f32, focus_first: u32, focus_last: u32, padding: u32,
+        tau_col: f32, focus_first: u32, focus_last: u32, similar: f32,
     }
 }
 
@@ -72,7 +72,7 @@ impl Frame {
             // As objects are stored: 0 is no hit, which is in no focus but everything's.
             focus_first: settings.focus.map_or(0, |focus| focus.first.saturating_add(1)),
             focus_last: settings.focus.map_or(u32::MAX, |focus| focus.last.saturating_add(1)),
-            padding: 0,
+            similar: settings.similar,
         }
     }
 }
@@ -189,9 +189,13 @@ impl Passes {
 
     fn record(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets, index: usize, part: &Part) {
         let [first, _] = part.bounds;
-        if first && matches!(part.stage, Stage::Base | Stage::SubpixelTest) {
+        if first && matches!(part.stage, Stage::Base | Stage::SubpixelTest | Stage::QuincunxBase) {
             // The queue is empty.
             encoder.clear_buffer(&targets.list, 0, Some(LIST_HEADER));
+            if part.stage == Stage::QuincunxBase {
+                // No sample is claimed.
+                encoder.clear_buffer(&targets.attributes, 0, None);
+            }
         }
         let mut pass = self.timer.part(encoder, part.pass, part.bounds);
         match part.extent {

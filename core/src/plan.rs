@@ -144,6 +144,7 @@ impl Plan {
                         plan.supersample(shape, band.rows(1, band.own));
                     }
                 }
+                Method::Quincunx => plan.quincunx(shape.grid[0], &band),
                 Method::Supersample => {
                     let (rows, stored) = band.alone(shape.grid[1]);
                     plan.stored_rows = plan.stored_rows.max(stored.count());
@@ -215,6 +216,28 @@ impl Plan {
         self.push(chunks(Stage::ExtraSamples, longest, rows));
     }
 
+    /// The lecture's recursion, two levels of it, each of which finds what to trace and traces it.
+    fn quincunx(&mut self, width: u32, band: &Band) {
+        let [row, end] = band.own;
+        let rows = Rows { stride: 1, row, end, turn: row };
+        self.stored_rows = self.stored_rows.max(end - row);
+        let with_corners = Rows { end: end + 1, ..rows };
+        let base = tiles(Stage::QuincunxBase, 2 * (width + 1), with_corners);
+        self.push(base.into_iter().map(|part| Part { rows, ..part }).collect());
+        let pixels = (width + 1) * (end - row + 1);
+        for (split, compact, trace, side, samples) in [
+            (Stage::QuincunxSplitA, Stage::CompactQuincunxA, Stage::QuincunxTraceA, 2, 6),
+            (Stage::QuincunxSplitB, Stage::CompactQuincunxB, Stage::QuincunxTraceB, 4, 24),
+        ] {
+            let quads = tiles(split, side * width, Rows { end: row + side * (end - row), ..rows });
+            self.push(quads.into_iter().map(|part| Part { rows, ..part }).collect());
+            self.longest_list = self.longest_list.max(samples * pixels);
+            self.push(once(compact, rows));
+            self.push(chunks(trace, samples * pixels, rows));
+        }
+        self.push(tiles(Stage::QuincunxResolve, width, rows));
+    }
+
     fn traces(&mut self, [compact, trace]: [Stage; 2], columns: u32, rows: Rows) {
         let longest = columns * rows.count();
         self.longest_list = self.longest_list.max(longest);
@@ -279,7 +302,9 @@ fn one(stage: Stage, rows: Rows, groups: [u32; 2]) -> Vec<Part> {
 /// A stage that treats a grid of samples, in groups of rows of workgroups; a stage without rows is no part.
 fn tiles(stage: Stage, columns: u32, rows: Rows) -> Vec<Part> {
     let (side, per_sample) = match stage {
-        Stage::Full | Stage::Base | Stage::Checkerboard | Stage::Presample => (TRACED_TILE, 1),
+        Stage::Full | Stage::Base | Stage::Checkerboard | Stage::Presample | Stage::QuincunxBase => {
+            (TRACED_TILE, 1)
+        }
         Stage::SubpixelTest => (TRACED_TILE, INTERPOLATED_PER_TRACED),
         _ => (INTERPOLATED_TILE, INTERPOLATED_PER_TRACED),
     };

@@ -204,7 +204,7 @@ impl<'a> Renderer<'a> {
 fn resolved(settings: &Settings, scene: &GpuScene, [_, height]: [u32; 2]) -> Settings {
     let thin = || scene.is_thin(height.saturating_mul(settings.sampling), settings.block);
     let postcorrect = match (settings.method, settings.postcorrect) {
-        (Method::Full | Method::Checkerboard | Method::Supersample, _) => Postcorrect::Off,
+        (Method::Full | Method::Checkerboard | Method::Supersample | Method::Quincunx, _) => Postcorrect::Off,
         (Method::Adaptive, Postcorrect::Auto) if settings.block > 2 || thin() => Postcorrect::On,
         (Method::Adaptive, Postcorrect::Auto) => Postcorrect::Off,
         (Method::Adaptive, wished) => wished,

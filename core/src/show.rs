@@ -35,12 +35,6 @@ impl Show {
             .chain((0..THRESHOLD_NAMES.len()).map(Self::Attribute))
     }
 
-    /// Is it about extra samples?
-    #[must_use]
-    pub fn of_extra_samples(self) -> bool {
-        matches!(self, Self::Active | Self::Attribute(_))
-    }
-
     /// Its name on the command line.
     #[must_use]
     pub fn name(self) -> String {

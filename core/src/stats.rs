@@ -149,10 +149,10 @@ pub struct PixelRecord {
     pub failed: u32,
     /// Node visits and primitive tests spent on it.
     pub cost: u32,
-    /// Bit i is set where quarter i gets extra samples: 0 upper left, 1 upper right, 2 lower left, 3 lower right.
+    /// Bit i is set where quarter i gets extra samples, or is divided: 0 upper left, 1 upper right, 2 lower left, 3 lower right.
     pub active: u32,
     /// Bit i is set where attribute i of [`crate::THRESHOLD_NAMES`] differs from that of a neighbour; bit 0, where the
-    /// contrast exceeds the threshold of the colour.
+    /// contrast exceeds the threshold of the colour. Of a quincunx: which quarters of the pixel's quarters are divided.
     pub differing: u32,
     /// OID of the first hit; `None` where nothing is hit.
     pub object: Option<u32>,

@@ -22,6 +22,15 @@ pub const LIST_HEADER: u64 = 16;
 /// Bytes of a sample's radiance.
 const SAMPLE_BYTES: u64 = 12;
 
+/// A bit for each sample of a quincunx that a pixel may share with others.
+const CLAIM_BYTES: u64 = 4;
+
+/// Places for samples of a quincunx in a pixel: of both levels.
+const QUINCUNX_SAMPLES: u64 = 32;
+
+/// Rows of a band whose samples' places, in eighths of a pixel, are told in 15 bits.
+const QUINCUNX_ROWS: u32 = 4000;
+
 /// No buffer of a band is larger: half of what WebGPU lets a storage binding be.
 const BAND_BYTES: u64 = 64 << 20;
 
@@ -53,19 +62,27 @@ impl Targets {
         size: [u32; 2],
     ) -> Result<Self> {
         let grid = grid(gpu, size, settings.sampling)?;
-        if settings.supersamples() && size.iter().any(|side| *side > MAX_SUPERSAMPLED_SIDE) {
+        if (settings.supersamples() || settings.method == Method::Quincunx)
+            && size.iter().any(|side| *side > MAX_SUPERSAMPLED_SIDE)
+        {
             let expected =
                 format!("expected at most {MAX_SUPERSAMPLED_SIDE} pixels a side with extra samples");
             return Err(Error::setting(format!("--size {}x{}", size[0], size[1]), expected));
         }
         let supersamples = settings.supersamples();
         // Of two rows.
-        let attribute_bytes = 4 * u64::from(variant.stored_planes());
+        let quincunx = settings.method == Method::Quincunx;
+        let attribute_bytes = if quincunx { 2 * CLAIM_BYTES } else { 4 * u64::from(variant.stored_planes()) };
         let checkerboard = settings.method == Method::Checkerboard;
-        let sample_bytes = if settings.sampling > 1 || checkerboard { SAMPLE_BYTES } else { 0 };
+        let stored = match settings.method {
+            Method::Quincunx => QUINCUNX_SAMPLES,
+            _ => u64::from(settings.sampling > 1 || checkerboard),
+        };
+        let sample_bytes = SAMPLE_BYTES * stored;
         // A sample is listed once at most, or its quarters are.
         let listed = match settings.method {
             _ if supersamples => 4,
+            Method::Quincunx => QUINCUNX_SAMPLES,
             Method::Adaptive => 1,
             _ => 0,
         };
@@ -73,7 +90,11 @@ impl Targets {
         let row_bytes = u64::from(grid[0]) * sample_bytes.max(attribute_bytes.div_ceil(2)).max(list_bytes);
         let band = plan::band_rows(settings.sampling, BAND_BYTES / row_bytes.max(1));
         // Its second pass looks across the borders of bands.
-        let band = if checkerboard { u32::MAX } else { band };
+        let band = match settings.method {
+            Method::Checkerboard => u32::MAX,
+            Method::Quincunx => band.min(QUINCUNX_ROWS),
+            _ => band,
+        };
         let shape = Shape {
             grid,
             sampling: settings.sampling,
@@ -84,8 +105,10 @@ impl Targets {
             landmarks: scene.landmark_count(),
         };
         let plan = Plan::new(settings.method, &shape);
-        let rows = u64::from(plan.stored_rows);
-        let width = u64::from(grid[0]);
+        // The corners of a pixel are beside and below it.
+        let border = u64::from(quincunx);
+        let rows = u64::from(plan.stored_rows) + border;
+        let width = u64::from(grid[0]) + border;
         let storage = wgpu::BufferUsages::STORAGE;
         let dispatches = DISPATCH_BYTES * u64::from(plan.chunks());
         Ok(Self {

@@ -328,6 +328,7 @@ impl FrameOptions {
             focus: samples.focus.as_deref().and_then(focus_by_index),
             inactive: samples.inactive.into(),
             jitter: samples.jitter.into(),
+            similar: samples.similar,
             seed: samples.seed,
         };
         settings.validate()?;
@@ -369,6 +370,8 @@ pub enum MethodName {
     Checkerboard,
     /// A ray through every pixel, extra samples where neighbours differ
     Supersample,
+    /// Rays through centres and corners of pixels, more between those that differ
+    Quincunx,
 }
 
 impl From<MethodName> for Method {
@@ -378,6 +381,7 @@ impl From<MethodName> for Method {
             MethodName::Adaptive => Self::Adaptive,
             MethodName::Checkerboard => Self::Checkerboard,
             MethodName::Supersample => Self::Supersample,
+            MethodName::Quincunx => Self::Quincunx,
         }
     }
 }

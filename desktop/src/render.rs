@@ -70,9 +70,11 @@ fn check_show(options: &RenderOptions, settings: &Settings) -> glimpse::Result<(
         _ if settings.sampling > 1 => {
             format!("final with --sampling {}: the others are about pixels of one sample", settings.sampling)
         }
-        show if show.of_extra_samples() && !settings.supersamples() => {
-            "--method supersample, or --supersample: no other compares pixels with their neighbours"
-                .to_owned()
+        Show::Active if !settings.supersamples() && settings.method != Method::Quincunx => {
+            "--method supersample or quincunx, or --supersample: no other adds samples".to_owned()
+        }
+        Show::Attribute(_) if !settings.supersamples() => {
+            "--method supersample, or --supersample: no other compares pixels".to_owned()
         }
         Show::Check(_) | Show::Depth | Show::Normal | Show::Oid
             if settings.method == Method::Checkerboard =>

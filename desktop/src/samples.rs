@@ -3,10 +3,10 @@
 use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
-use glimpse::{Focus, Inactive, Jitter, Preset, Thresholds};
+use glimpse::{Focus, Inactive, Jitter, Preset, Settings, Thresholds};
 
 /// What decides where samples go.
-#[derive(Clone, Debug, Default, PartialEq, Args)]
+#[derive(Clone, Debug, PartialEq, Args)]
 pub struct SampleOptions {
     /// Extra samples after the adaptive frame, where its pixels differ from their neighbours
     #[arg(long)]
@@ -25,6 +25,9 @@ pub struct SampleOptions {
     /// Samples lie anywhere in their cells
     #[arg(long, value_enum, default_value = "auto", ignore_case = true)]
     pub jitter: JitterName,
+    /// How much the ends of a quincunx may differ before there are samples between them, 0 to 1
+    #[arg(long, value_name = "X", default_value_t = Settings::default().similar, allow_negative_numbers = true)]
+    pub similar: f32,
     /// Of whatever is random; the same seed gives the same samples
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u32,
@@ -62,6 +65,21 @@ pub struct TauOptions {
     pub tau_ste: Option<f32>,
 }
 
+impl Default for SampleOptions {
+    fn default() -> Self {
+        Self {
+            supersample: false,
+            preset: PresetName::Balanced,
+            tau: TauOptions::default(),
+            focus: None,
+            inactive: InactiveName::Nearest,
+            jitter: JitterName::Auto,
+            similar: Settings::default().similar,
+            seed: 0,
+        }
+    }
+}
+
 impl SampleOptions {
     /// The preset's thresholds, with those that were typed.
     pub fn thresholds(&self) -> Thresholds {
@@ -87,10 +105,9 @@ pub fn focus_by_index(text: &str) -> Option<Focus> {
 }
 
 /// `--preset`
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum PresetName {
     /// What is most visible: edges and shadows, textures where they are strong (Jin 2009, Table 2)
-    #[default]
     Balanced,
     /// Textures too
     Textures,
@@ -112,10 +129,9 @@ impl From<PresetName> for Preset {
 }
 
 /// `--inactive`
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum InactiveName {
     /// The sample at the pixel's centre
-    #[default]
     Nearest,
     /// The centres around it, bilinearly
     Bilinear,
@@ -131,10 +147,9 @@ impl From<InactiveName> for Inactive {
 }
 
 /// `--jitter`
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum JitterName {
     /// Extra samples do, others lie in the centre
-    #[default]
     Auto,
     /// All do: noise in the place of aliasing
     On,

@@ -91,6 +91,7 @@ impl Demands {
             Method::Adaptive => Stage::TraceA1,
             Method::Checkerboard => Stage::Checkerboard,
             Method::Supersample => Stage::Presample,
+            Method::Quincunx => Stage::QuincunxBase,
         };
         let kernel = link(&variant.sources(traced))?;
         let of = |function, apart: &[&str]| count(&kernel, function, apart).unwrap_or_default();
@@ -118,7 +119,7 @@ fn between(variant: &Variant, method: Method) -> Result<(Demand, Demand)> {
     let of =
         |stage| Ok::<_, crate::Error>(count(&link(&variant.sources(stage))?, None, &[]).unwrap_or_default());
     Ok(match method {
-        Method::Full | Method::Supersample => Default::default(),
+        Method::Full | Method::Supersample | Method::Quincunx => Default::default(),
         Method::Adaptive => {
             let [once, light, deeper] = of(Stage::SimilarityA1)?;
             (once, light + deeper)

@@ -21,6 +21,11 @@
 //! | subpixel_test | Jin 2009, 4.3.2 | `passes/subpixel_test.wgsl` |
 //! | compact_active | Jin 2009, 4.3.2 | `passes/compact.wgsl` |
 //! | extra_samples | Jin 2009, 4.3.3 | `passes/extra_samples.wgsl` |
+//! | quincunx_base | lecture, "Adaptive supersampling (1)" | `passes/quincunx_base.wgsl` |
+//! | quincunx_split_a, quincunx_split_b | the same, (2) | `passes/quincunx_split_a.wgsl`, `passes/quincunx_split_b.wgsl` |
+//! | compact_quincunx_a, compact_quincunx_b | ours | `passes/compact.wgsl` |
+//! | quincunx_trace_a, quincunx_trace_b | the same, (2) | `passes/quincunx_trace.wgsl` |
+//! | quincunx_resolve | the same, (3) | `passes/quincunx_resolve.wgsl` |
 //! | checkerboard | a baseline | `passes/checkerboard.wgsl` |
 //! | fill | a baseline | `passes/fill.wgsl` |
 
@@ -100,11 +105,27 @@ pub enum Stage {
     CompactActive,
     /// Their samples.
     ExtraSamples,
+    /// Centres and corners of all pixels.
+    QuincunxBase,
+    /// Which quarters of pixels are divided.
+    QuincunxSplitA,
+    /// What they need.
+    CompactQuincunxA,
+    /// Its samples.
+    QuincunxTraceA,
+    /// Which quarters of those are divided.
+    QuincunxSplitB,
+    /// What they need.
+    CompactQuincunxB,
+    /// Its samples.
+    QuincunxTraceB,
+    /// Pixels from all that.
+    QuincunxResolve,
 }
 
 impl Stage {
     /// Every stage.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 29] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -126,6 +147,14 @@ impl Stage {
         Self::SubpixelTest,
         Self::CompactActive,
         Self::ExtraSamples,
+        Self::QuincunxBase,
+        Self::QuincunxSplitA,
+        Self::CompactQuincunxA,
+        Self::QuincunxTraceA,
+        Self::QuincunxSplitB,
+        Self::CompactQuincunxB,
+        Self::QuincunxTraceB,
+        Self::QuincunxResolve,
     ];
 
     /// Its name everywhere: GPU label, timing row.
@@ -153,6 +182,14 @@ impl Stage {
             Self::SubpixelTest => "subpixel_test",
             Self::CompactActive => "compact_active",
             Self::ExtraSamples => "extra_samples",
+            Self::QuincunxBase => "quincunx_base",
+            Self::QuincunxSplitA => "quincunx_split_a",
+            Self::CompactQuincunxA => "compact_quincunx_a",
+            Self::QuincunxTraceA => "quincunx_trace_a",
+            Self::QuincunxSplitB => "quincunx_split_b",
+            Self::CompactQuincunxB => "compact_quincunx_b",
+            Self::QuincunxTraceB => "quincunx_trace_b",
+            Self::QuincunxResolve => "quincunx_resolve",
         }
     }
 
@@ -165,10 +202,17 @@ impl Stage {
             | Self::CompactA2
             | Self::CompactSeed
             | Self::CompactPostcorrect
-            | Self::CompactActive => wgsl!("passes/compact.wgsl"),
+            | Self::CompactActive
+            | Self::CompactQuincunxA
+            | Self::CompactQuincunxB => wgsl!("passes/compact.wgsl"),
             Self::Presample => wgsl!("passes/presample.wgsl"),
             Self::SubpixelTest => wgsl!("passes/subpixel_test.wgsl"),
             Self::ExtraSamples => wgsl!("passes/extra_samples.wgsl"),
+            Self::QuincunxBase => wgsl!("passes/quincunx_base.wgsl"),
+            Self::QuincunxSplitA => wgsl!("passes/quincunx_split_a.wgsl"),
+            Self::QuincunxSplitB => wgsl!("passes/quincunx_split_b.wgsl"),
+            Self::QuincunxTraceA | Self::QuincunxTraceB => wgsl!("passes/quincunx_trace.wgsl"),
+            Self::QuincunxResolve => wgsl!("passes/quincunx_resolve.wgsl"),
             Self::PostcorrectSeed => wgsl!("passes/postcorrect_seed.wgsl"),
             Self::PostcorrectLandmarks => wgsl!("passes/postcorrect_landmarks.wgsl"),
             Self::Postcorrect => wgsl!("passes/postcorrect.wgsl"),

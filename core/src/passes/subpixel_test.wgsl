@@ -16,7 +16,7 @@ fn main(
     let pixel = at + vec2u(0u, frame.row);
     var mask = 0u;
     if pixel.x < frame.size.x && pixel.y < frame.end {
-        let test = contrast_test(pixel);
+        let test = quarters_test(pixel);
         mask = test.quarters;
         inactive_output(pixel, mask);
         inspect_edges(pixel, test.quarters | (test.differing << 4u));

@@ -202,6 +202,18 @@ impl Variant {
                     stage.entry(),
                 ],
             ),
+            Stage::CompactQuincunxA | Stage::CompactQuincunxB => {
+                self.compact_sources(stage, wgsl!("wgsl/list_step.wgsl"))
+            }
+            Stage::QuincunxBase => self.quincunx_tracing_sources([self.order(), stage.entry()]),
+            Stage::QuincunxTraceA | Stage::QuincunxTraceB => self.quincunx_tracing_sources([
+                wgsl!("wgsl/list.wgsl"),
+                wgsl!("wgsl/quincunx_list.wgsl"),
+                stage.entry(),
+            ]),
+            Stage::QuincunxSplitA | Stage::QuincunxSplitB | Stage::QuincunxResolve => {
+                self.quincunx_pixel_sources(stage)
+            }
             Stage::SubpixelTest => self.test_sources(),
             Stage::ExtraSamples => self.extra_sources(),
             Stage::Full | Stage::Base | Stage::Presample => {
@@ -253,6 +265,7 @@ impl Variant {
             wgsl!("wgsl/active.wgsl"),
             wgsl!("wgsl/edges.wgsl"),
             wgsl!("wgsl/contrast.wgsl"),
+            wgsl!("wgsl/quarters.wgsl"),
             self.inactive(),
             self.order(),
             Stage::SubpixelTest.entry(),
@@ -270,6 +283,38 @@ impl Variant {
             self.inactive(),
             Stage::ExtraSamples.entry(),
         ])
+    }
+
+    fn quincunx_tracing_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
+        let nowhere = Self { output: Output::Nowhere, ..*self };
+        let shared =
+            [wgsl!("wgsl/contrast.wgsl"), wgsl!("wgsl/quincunx.wgsl"), wgsl!("wgsl/quincunx_ray.wgsl")];
+        nowhere.tracing_sources(shared.into_iter().chain(entry))
+    }
+
+    fn quincunx_pixel_sources(&self, stage: Stage) -> Vec<Source> {
+        let mut sources = vec![
+            self.constants(),
+            wgsl!("wgsl/frame.wgsl"),
+            wgsl!("wgsl/jitter_none.wgsl"),
+            wgsl!("wgsl/octahedral.wgsl"),
+            wgsl!("wgsl/attributes.wgsl"),
+            if self.inspect { wgsl!("wgsl/inspect_counters.wgsl") } else { wgsl!("wgsl/inspect_none.wgsl") },
+            wgsl!("wgsl/contrast.wgsl"),
+            wgsl!("wgsl/quincunx.wgsl"),
+        ];
+        if stage == Stage::QuincunxResolve {
+            sources.extend(self.output.sources());
+        } else {
+            sources.extend([
+                wgsl!("wgsl/list.wgsl"),
+                wgsl!("wgsl/list_append.wgsl"),
+                wgsl!("wgsl/quincunx_list.wgsl"),
+                wgsl!("wgsl/quincunx_split.wgsl"),
+            ]);
+        }
+        sources.push(stage.entry());
+        sources
     }
 
     fn inactive(&self) -> Source {

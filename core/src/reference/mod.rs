@@ -9,7 +9,8 @@
 //! | [`Frame::ray`], [`Frame::traced`], [`Frame::adaptive`], [`Frame::checkerboard`] | `frame.wgsl`, the passes |
 //! | [`Frame::failed`], [`Frame::interpolated`], [`Frame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes_planes.wgsl` |
 //! | [`Frame::postcorrection`] | `postcorrect_seed.wgsl`, `postcorrect_landmarks.wgsl`, `postcorrect.wgsl`, `postcorrect_scan.wgsl` |
-//! | [`Frame::ray_in`], [`Frame::presampled`], [`Frame::tested`], [`Frame::supersampled`] | `jitter_*.wgsl`, `presample.wgsl`, `contrast.wgsl`, `extra_samples.wgsl` |
+//! | [`Frame::ray_in`], [`Frame::presampled`], [`Frame::tested`], [`Frame::supersampled`] | `jitter_*.wgsl`, `presample.wgsl`, `quarters.wgsl`, `extra_samples.wgsl` |
+//! | [`Frame::quincunx`] | `quincunx_*.wgsl` |
 //!
 //! Shared with what it judges: the [`Scene`] in main memory (with its normals in octahedral words, for that is what the
 //! scene holds), the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), and the Rust functions that pack and
@@ -25,6 +26,7 @@
 
 mod attributes;
 mod bounce;
+mod contrast;
 mod frame;
 mod intersection;
 mod jitter;
@@ -32,6 +34,7 @@ mod judge;
 mod lights;
 mod material;
 mod postcorrection;
+mod quincunx;
 mod rounding;
 mod sample;
 mod shadow;
@@ -49,6 +52,7 @@ pub use intersection::{Crossing, Ray};
 pub use judge::Verdict;
 pub use lights::Arrival;
 pub use material::{Material, fresnel_dielectric};
+pub use quincunx::Quincunx;
 pub use rounding::{Cause, Rounding, SPAWN_ULPS, ULPS};
 pub use sample::{Limits, Sample};
 pub use similarity::Reached;

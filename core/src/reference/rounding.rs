@@ -12,6 +12,8 @@ const ULP: f64 = 1.0 / 8_388_608.0;
 pub const ULPS: f64 = 16.0;
 /// So far from their surface rays may start, in units in the last place of the coordinates there.
 pub const SPAWN_ULPS: f64 = 64.0;
+/// A contrast is off as if it came from numbers so large: by 2^-13, as radiances are.
+const CONTRAST_SCALE: f64 = 64.0;
 /// A decision that hangs on the last digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cause {
@@ -74,6 +76,11 @@ impl Rounding {
     /// A number that was computed from numbers as large as `scale`.
     pub(super) fn number(&mut self, cause: Cause, x: f64, scale: f64) -> f64 {
         if self.is(cause) { x + ULPS * ULP * scale * self.sign() } else { x }
+    }
+
+    /// A contrast of two colours, which may be off as the radiances may that it is computed from; none where they are equal.
+    pub(super) fn contrast(&mut self, contrast: f64) -> f64 {
+        if contrast > 0.0 { self.number(Cause::Branch, contrast, CONTRAST_SCALE) } else { contrast }
     }
 
     /// A pair of numbers.

@@ -2,14 +2,13 @@
 
 use glam::DVec3;
 
-use super::{Attributes, Cause, Frame, Ray, Rounding, Sample, attributes::stored_direction, jitter::jitter};
+use super::{
+    Attributes, Cause, Frame, Ray, Rounding, Sample,
+    attributes::stored_direction,
+    contrast::{contrasts, exceeds},
+    jitter::jitter,
+};
 use crate::{Inactive, Jitter};
-
-/// Mitchell's contrasts, scaled (Jin 2009, 4.2.2).
-const SCALE: [f64; 3] = [1.36, 1.02, 2.04];
-
-/// How far off a contrast may be: as radiances may that it is computed from.
-const CONTRAST_SCALE: f64 = 64.0;
 
 /// What the test of a pixel's quarters says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,18 +66,11 @@ impl Frame<'_> {
                 .map(|[x, y]| self.compared(self.beside(pixel, [x, y]), rounding));
             let differing =
                 neighbours.iter().fold(textures, |bits, other| bits | self.differing(&own, other));
-            let shown = || neighbours.iter().map(|n| n.color).chain([own.color]).map(shown);
-            let low = shown().fold(DVec3::INFINITY, DVec3::min);
-            let high = shown().fold(DVec3::ZERO, DVec3::max);
-            let contrast = [0, 1, 2].map(|i| {
-                let (low, high) = (low[i], high[i]);
-                let exact = if high + low > 0.0 { (high - low) / (high + low) } else { 0.0 };
-                // Nothing is off where nothing differs.
-                if exact > 0.0 { rounding.number(Cause::Branch, exact, CONTRAST_SCALE) } else { 0.0 }
-            });
-            let exceeds = |tau: f64| (0..3).any(|i| contrast[i] >= tau * SCALE[i]);
-            tested.active |= u32::from(exceeds(self.threshold(differing))) << quarter;
-            tested.differing |= u32::from(exceeds(f64::from(self.settings.thresholds.col))) | differing << 1;
+            let colors = neighbours.iter().map(|n| n.color).chain([own.color]);
+            let contrasts = contrasts(colors).map(|c| rounding.contrast(c));
+            tested.active |= u32::from(exceeds(contrasts, self.threshold(differing))) << quarter;
+            let colored = exceeds(contrasts, self.settings.thresholds.col.into());
+            tested.differing |= u32::from(colored) | differing << 1;
         }
         tested
     }
@@ -165,9 +157,4 @@ impl Frame<'_> {
 /// The same attribute of both hits.
 fn bits([primary, secondary]: [bool; 2], bit: u32) -> u32 {
     u32::from(primary) << bit | u32::from(secondary) << (bit + 4)
-}
-
-/// About as it is shown.
-fn shown(color: DVec3) -> DVec3 {
-    color.clamp(DVec3::ZERO, DVec3::ONE).map(f64::sqrt)
 }

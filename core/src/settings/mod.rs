@@ -19,11 +19,14 @@ pub enum Method {
     Checkerboard,
     /// Jin 2009: a ray through every pixel, and four more through those quarters of pixels whose neighbours differ.
     Supersample,
+    /// Lecture, "Adaptive supersampling": rays through centres and corners of pixels, and more between those that differ.
+    Quincunx,
 }
 
 impl Method {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Full, Self::Adaptive, Self::Checkerboard, Self::Supersample];
+    pub const ALL: [Self; 5] =
+        [Self::Full, Self::Adaptive, Self::Checkerboard, Self::Supersample, Self::Quincunx];
 
     /// Its name on the command line.
     #[must_use]
@@ -33,6 +36,7 @@ impl Method {
             Self::Adaptive => "adaptive",
             Self::Checkerboard => "checkerboard",
             Self::Supersample => "supersample",
+            Self::Quincunx => "quincunx",
         }
     }
 }
@@ -148,6 +152,8 @@ pub struct Settings {
     pub inactive: Inactive,
     /// Where samples lie.
     pub jitter: Jitter,
+    /// How much the ends of a quincunx may differ, 0 to 1, before there are samples between them; as [`Thresholds`].
+    pub similar: f32,
     /// Of whatever is random; the same seed gives the same samples.
     pub seed: u32,
 }
@@ -178,6 +184,7 @@ impl Default for Settings {
             focus: None,
             inactive: Inactive::Nearest,
             jitter: Jitter::Auto,
+            similar: 0.1,
             seed: 0,
         }
     }
@@ -196,6 +203,7 @@ impl Settings {
             ("--t-tex", t.tex, 0.0, 0.5),
             ("--t-gcol", t.gcol, 0.0, f32::MAX),
             ("--min-weight", self.min_weight, 0.0, 1.0),
+            ("--similar", self.similar, 0.0, 1.0),
         ];
         for (name, value, low, high) in ranges {
             if !(low..=high).contains(&value) {
@@ -213,7 +221,7 @@ impl Settings {
                 return Err(crate::Error::setting(name, format!("expected 1 to {most}, found {value}")));
             }
         }
-        let single = matches!(self.method, Method::Checkerboard | Method::Supersample);
+        let single = matches!(self.method, Method::Checkerboard | Method::Supersample | Method::Quincunx);
         if self.sampling > 1 && (single || self.supersample) {
             let with =
                 if single { format!("--method {}", self.method.name()) } else { "--supersample".to_owned() };

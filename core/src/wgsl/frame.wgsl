@@ -38,7 +38,8 @@ struct Frame {
     // The objects whose differences count: OID + 1 of the first and of the last.
     focus_first: u32,
     focus_last: u32,
-    padding: u32,
+    // How much the ends of a quincunx may differ.
+    similar: f32,
 }
 
 var<uniform> frame: Frame;
@@ -65,8 +66,12 @@ fn frame_ray(pixel: vec2u) -> Ray {
 
 // Through a cell of a grid that is so many times as fine as that of the samples.
 fn frame_ray_in(cell: vec2u, fineness: f32) -> Ray {
+    return frame_ray_at(vec2f(cell) + jitter_in(cell), fineness);
+}
+
+// Through a place in such a grid.
+fn frame_ray_at(at: vec2f, fineness: f32) -> Ray {
     let size = fineness * vec2f(frame.size);
-    let at = vec2f(cell) + jitter_in(cell);
     let scale = frame.inverse_height / fineness;
     let x = (2.0 * at.x - size.x) * scale;
     let y = (size.y - 2.0 * at.y) * scale;

@@ -87,6 +87,9 @@ fn agree_in_adaptive_frames(name: &str, pair: &Pair) {
     let supersample = pair.frames(Method::Supersample);
     supersample.tested().check(&format!("{name}, supersample, test"), SHARES);
     supersample.supersampled_colors().check(&format!("{name}, supersample, radiance"), SHARES);
+    let quincunx = pair.frames(Method::Quincunx);
+    quincunx.divided().check(&format!("{name}, quincunx, quads"), SHARES);
+    quincunx.quincunx_colors().check(&format!("{name}, quincunx, radiance"), SHARES);
     let other = adaptive.other_origins();
     note(&format!("{name}, adaptive: {other} pixels come to be in another way in f64 alone"));
 }

@@ -167,6 +167,27 @@ impl Frames<'_> {
         })
     }
 
+    /// Which quads of a quincunx are divided.
+    pub fn divided(&self) -> Tally {
+        self.tally(|p| {
+            let label = |divided| Answer::<0> { labels: [divided, 0], values: [], tolerances: [] };
+            judge(&label(self.found_divided(p)), |r| label(self.frame.quincunx(p, None, r).divided))
+        })
+    }
+
+    /// Pixels of a quincunx frame, given which quads are divided.
+    pub fn quincunx_colors(&self) -> Tally {
+        self.tally(|p| {
+            let divided = self.found_divided(p);
+            judge(&self.found_color(p), |r| Answer::radiance(self.frame.quincunx(p, Some(divided), r).color))
+        })
+    }
+
+    fn found_divided(&self, pixel: [u32; 2]) -> u32 {
+        let record = self.record(pixel);
+        record.active | record.differing << 4
+    }
+
     /// The adaptive frame that the reference makes on its own: pixels that came to be in another way.
     pub fn other_origins(&self) -> usize {
         let other = self.tally(|p| {

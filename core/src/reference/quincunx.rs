@@ -1,0 +1,75 @@
+//! The lecture's adaptive supersampling: its recursion, two levels deep, as its slides have it.
+
+use glam::DVec3;
+
+use super::{
+    Frame, Rounding,
+    contrast::{contrasts, exceeds},
+};
+
+/// Places in the frame, in eighths of a pixel.
+type Point = [u32; 2];
+
+/// A pixel of a quincunx frame.
+#[derive(Clone, Copy, Debug)]
+pub struct Quincunx {
+    /// Linear radiance.
+    pub color: DVec3,
+    /// Bit i: quarter i of the pixel is divided; bit 4 + 4 i + j: so is quarter j of that.
+    pub divided: u32,
+}
+
+impl Frame<'_> {
+    /// A pixel of a quincunx frame. `decided` says which quads are divided, where that is not the reference's to decide.
+    #[must_use]
+    pub fn quincunx(&self, pixel: [u32; 2], decided: Option<u32>, rounding: &mut Rounding) -> Quincunx {
+        let mut result = Quincunx { color: DVec3::ZERO, divided: 0 };
+        let center = pixel.map(|i| 8 * i + 4);
+        for quarter in 0..4 {
+            let corner = [pixel[0] + quarter % 2, pixel[1] + quarter / 2].map(|i| 8 * i);
+            result.color +=
+                self.quad(center, corner, 0, quarter, decided, &mut result.divided, rounding) / 4.0;
+        }
+        result
+    }
+
+    /// The mean of a quad from its inner to its outer corner; `path` counts the quads of its level.
+    #[allow(clippy::too_many_arguments)]
+    fn quad(
+        &self,
+        inner: Point,
+        outer: Point,
+        level: u32,
+        path: u32,
+        decided: Option<u32>,
+        divided: &mut u32,
+        rounding: &mut Rounding,
+    ) -> DVec3 {
+        let ends = [inner, outer].map(|point| self.at(point, rounding));
+        let bit = 1 << (4 * level + path);
+        let differs = level < 2
+            && decided
+                .map_or_else(|| differ(ends, self.settings.similar.into(), rounding), |bits| bits & bit != 0);
+        if !differs {
+            return (ends[0] + ends[1]) / 2.0;
+        }
+        *divided |= bit;
+        let middle = [0, 1].map(|i| u32::midpoint(inner[i], outer[i]));
+        let corners = [inner, [outer[0], inner[1]], [inner[0], outer[1]], outer];
+        let mut sum = DVec3::ZERO;
+        for (part, corner) in (0..4).zip(corners) {
+            sum += self.quad(middle, corner, level + 1, 4 * path + part, decided, divided, rounding) / 4.0;
+        }
+        sum
+    }
+
+    fn at(&self, point: Point, rounding: &mut Rounding) -> DVec3 {
+        let (ray, length) = self.ray_at(point.map(|i| f64::from(i) / 8.0));
+        self.followed(&ray, length, rounding).color
+    }
+}
+
+fn differ(ends: [DVec3; 2], similar: f64, rounding: &mut Rounding) -> bool {
+    let contrasts = contrasts(ends.into_iter());
+    exceeds(contrasts.map(|c| rounding.contrast(c)), similar)
+}

@@ -1,0 +1,9 @@
+// Samples to be traced: 17 bits along the row, 15 along the column of the band.
+
+fn quincunx_entry(point: vec2u) -> u32 {
+    return point.x | (point.y << 17u);
+}
+
+fn quincunx_point(entry: u32) -> vec2u {
+    return vec2u(entry & 0x1ffffu, entry >> 17u);
+}
