@@ -35,6 +35,7 @@ pub mod gpu;
 mod gpu_scene;
 mod image;
 pub mod metrics;
+mod mip;
 mod missing;
 mod passes;
 mod plan;
@@ -61,7 +62,7 @@ pub use pose::{Lens, Pose};
 pub use renderer::Renderer;
 pub use scene::{Features, Scene};
 pub use settings::{
-    Linking, MAX_DEPTH, MAX_RAYS, MAX_SAMPLING, Method, Postcorrect, Robustness, Settings, Tolerances,
+    Linking, MAX_DEPTH, MAX_RAYS, MAX_SAMPLING, Method, Mip, Postcorrect, Robustness, Settings, Tolerances,
 };
 pub use show::Show;
 pub use stats::{

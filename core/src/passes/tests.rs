@@ -4,7 +4,7 @@ use wgpu::naga::{AddressSpace, proc::Layouter};
 
 use super::{Output, Stage, Variant};
 use crate::{
-    Features, Linking, Postcorrect, Robustness, frame, gpu,
+    Features, Linking, Mip, Postcorrect, Robustness, frame, gpu,
     gpu::{mirror::differences, shader::link},
     gpu_scene, probe,
 };
@@ -44,6 +44,7 @@ fn variants() -> impl Iterator<Item = Variant> {
         output,
         sampling: 1,
         postcorrect: if bits & 8 != 0 { Postcorrect::Objects } else { Postcorrect::On },
+        mip: if bits & 4 != 0 { Mip::Off } else { Mip::On },
         bvh_stack: 12,
         depth: 3,
         lights: 2,

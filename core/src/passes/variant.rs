@@ -2,7 +2,7 @@
 
 use super::{Stage, wgsl};
 use crate::{
-    Features, GpuScene, Linking, Postcorrect, Robustness, Scene, Settings, bvh::MAX_STACK,
+    Features, GpuScene, Linking, Mip, Postcorrect, Robustness, Scene, Settings, bvh::MAX_STACK,
     gpu::shader::Source,
 };
 
@@ -53,6 +53,8 @@ pub struct Variant {
     pub sampling: u32,
     /// What is traced again.
     pub postcorrect: Postcorrect,
+    /// What of a texture a sample shows.
+    pub mip: Mip,
     /// Groups on the traversal stack.
     pub bvh_stack: u32,
     /// Levels of rays.
@@ -80,6 +82,7 @@ impl Variant {
             output: Output::Display,
             sampling: settings.sampling,
             postcorrect: settings.postcorrect,
+            mip: settings.mip,
             bvh_stack: scene.bvh_stack,
             depth: settings.depth,
             lights: scene.light_count,
@@ -103,6 +106,7 @@ impl Variant {
             output: Output::Display,
             sampling: settings.sampling,
             postcorrect: settings.postcorrect,
+            mip: settings.mip,
             bvh_stack: MAX_STACK,
             depth: settings.depth,
             lights: scene.lights.len() as u32,
@@ -130,6 +134,11 @@ impl Variant {
         matches!(self.postcorrect, Postcorrect::Objects | Postcorrect::On | Postcorrect::Scans)
     }
 
+    /// Do samples show averages of textures?
+    pub(super) fn averages_textures(&self) -> bool {
+        self.features.textures && self.mip == Mip::On
+    }
+
     /// The planes of the attribute buffer, in order.
     #[must_use]
     pub fn planes(&self) -> Vec<&'static str> {
@@ -140,6 +149,7 @@ impl Variant {
             ("GCOL", f.reflection || f.refraction),
             ("TEXCOORD", f.textures),
             ("COLOR", f.vertex_colors),
+            ("FOOTPRINT", self.averages_textures()),
             ("OBJECT_BETWEEN", self.postcorrects()),
             ("SHADOW_BETWEEN", self.postcorrects() && self.shadow_shift().is_none()),
         ];
@@ -250,6 +260,7 @@ impl Variant {
                     wgsl!("wgsl/vertex_none.wgsl"),
                 ),
                 hit,
+                pick(self.averages_textures(), wgsl!("wgsl/cone.wgsl"), wgsl!("wgsl/cone_none.wgsl")),
                 wgsl!("wgsl/surface.wgsl"),
                 pick(f.lights, wgsl!("wgsl/shadow_rays.wgsl"), wgsl!("wgsl/shadow_none.wgsl")),
                 match (f.reflection, f.refraction) {
@@ -279,9 +290,13 @@ impl Variant {
     fn shading_sources<const N: usize>(&self, attributes: Source, rest: [Source; N]) -> Vec<Source> {
         let f = &self.features;
         let mut sources = self.pixel_sources(attributes);
+        sources.push(wgsl!("wgsl/object.wgsl"));
+        sources.extend(match (f.textures, self.mip) {
+            (false, _) => vec![wgsl!("wgsl/texture_none.wgsl")],
+            (true, Mip::Off) => vec![wgsl!("wgsl/texture_atlas.wgsl"), wgsl!("wgsl/texture_plain.wgsl")],
+            (true, Mip::On) => vec![wgsl!("wgsl/texture_atlas.wgsl"), wgsl!("wgsl/texture_mip.wgsl")],
+        });
         sources.extend([
-            wgsl!("wgsl/object.wgsl"),
-            if f.textures { wgsl!("wgsl/texture_atlas.wgsl") } else { wgsl!("wgsl/texture_none.wgsl") },
             wgsl!("wgsl/fresnel.wgsl"),
             if f.glossy { wgsl!("wgsl/material.wgsl") } else { wgsl!("wgsl/material_matte.wgsl") },
             if f.lights { wgsl!("wgsl/lights_punctual.wgsl") } else { wgsl!("wgsl/lights_none.wgsl") },

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::{
     Attributes, Limits, Ray, Reference, Rounding, Sample, postcorrection::before, similarity::Reached,
 };
-use crate::{Camera, Origin, Settings};
+use crate::{Camera, Mip, Origin, Settings};
 
 /// A frame of a scene.
 pub struct Frame<'a> {
@@ -45,7 +45,13 @@ impl Frame<'_> {
             false => (eye, forward + right + up),
         };
         let length = along.length();
-        (Ray { origin, direction: along / length, t_max: f64::INFINITY }, length)
+        // A ray stands for its whole pixel, unless nobody asks.
+        let side = match self.settings.mip {
+            Mip::Off => 0.0,
+            Mip::On => 2.0 * self.camera.up.as_dvec3().length() / height,
+        };
+        let (width, growth) = if self.camera.orthographic { (side, 0.0) } else { (0.0, side / length) };
+        (Ray { origin, direction: along / length, t_max: f64::INFINITY, width, growth }, length)
     }
 
     /// The point at this depth along a pixel's ray.

@@ -48,21 +48,26 @@ struct Ray {
     left: u32,
     // Where it left it; above 0 for rays that pass straight through, on their way since before.
     after: f32,
+    // How wide what the ray stands for is where it starts, and what that grows by in a unit of the ray's parameter.
+    cone: vec2f,
 }
 
-// Through the centre of a sample (a pixel, unless pixels have several); a perspective ray's parameter is the view depth along `forward`.
+// Through the centre of a sample (a pixel, unless pixels have several), for which it stands; a perspective ray's parameter
+// is the view depth along `forward`.
 fn frame_ray(pixel: vec2u) -> Ray {
     let size = vec2f(frame.size);
     let at = vec2f(pixel) + 0.5;
     let x = (2.0 * at.x - size.x) * frame.inverse_height;
     let y = (size.y - 2.0 * at.y) * frame.inverse_height;
     let spread = x * frame.right + y * frame.up;
+    let side = 2.0 * frame.inverse_height * length(frame.up);
     return Ray(
         frame.origin + frame.orthographic * spread,
         FAR,
         frame.forward + (1.0 - frame.orthographic) * spread,
         MISS,
         0.0,
+        side * vec2f(frame.orthographic, 1.0 - frame.orthographic),
     );
 }
 
