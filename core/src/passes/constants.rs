@@ -46,9 +46,9 @@ pub const OFFSET_SIZE: f32 = 40.0 / 16_777_216.0;
 /// Two hits at distances that differ by no more than this share count as one, and the lower object has it.
 pub const SAME_DISTANCE: f32 = 4.0 / 16_777_216.0;
 
-/// Along a footprint's longer axis points lie at most so far apart from end to end, in units of their distance: 7 points.
+/// Along a footprint's longer axis points lie at most so far apart from end to end, in units of their distance: 5 points.
 /// Longer footprints are taken for wider ones.
-pub const TEXTURE_MOST_LENGTH: f32 = 7.0;
+pub const TEXTURE_MOST_LENGTH: f32 = 5.0;
 /// log2 of the second moments of footprints that are stored, in texture coordinates: from a quarter of a texel of the
 /// largest image to more than [`CONE_MOST`].
 pub const FOOTPRINT_LEAST: f32 = -32.0;

@@ -6,7 +6,7 @@ use super::Reference;
 use crate::scene::{Image8, Material, Texture, Wrap};
 
 /// The longest row of points, in units of their distance.
-const MOST_LENGTH: f64 = 7.0;
+const MOST_LENGTH: f64 = 5.0;
 
 /// What the bytes of an image mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
