@@ -173,6 +173,7 @@ mod tests {
             ("t-norm x", "expected a number, found `x`"),
             ("method maybe", "expected full, adaptive, checkerboard, found `maybe`"),
             ("split 1.5", "expected a number from 0 to 1, found `1.5`"),
+            ("mip maybe", "expected off, on, found `maybe`"),
             ("color red", "expected the name of a choice, found `color`"),
             ("show everything", "expected one of final, origin"),
         ] {
