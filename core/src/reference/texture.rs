@@ -39,7 +39,7 @@ impl Reference {
         let (longer2, shorter2, axis) =
             axes(footprint * DVec3::new(size.x * size.x, size.y * size.y, size.x * size.y));
         if longer2 <= 1.0 {
-            return self.point(texture, 0, encoding, texcoord);
+            return self.point(texture, 0, texture.nearest, encoding, texcoord);
         }
         let (longer2, shorter2) = (longer2 - 1.0, (shorter2 - 1.0).max(0.0));
         let texel2 = (1.0 + shorter2 / 3.0).max((longer2 + 3.0) / (MOST_LENGTH * MOST_LENGTH + 2.0));
@@ -50,7 +50,9 @@ impl Reference {
             let weight = |i: f64| (0.5 * length + 0.5 - i.abs()).clamp(0.0, 1.0);
             let points = (-8..=8).map(f64::from).filter(|i| weight(*i) > 0.0);
             points
-                .map(|i| weight(i) * self.point(texture, level as usize, encoding, texcoord + i * step))
+                .map(|i| {
+                    weight(i) * self.point(texture, level as usize, false, encoding, texcoord + i * step)
+                })
                 .sum::<DVec4>()
                 / length
         };
@@ -58,9 +60,15 @@ impl Reference {
     }
 
     /// A level of a texture at one point.
-    fn point(&self, texture: &Texture, level: usize, encoding: Encoding, texcoord: DVec2) -> DVec4 {
+    fn point(
+        &self,
+        texture: &Texture,
+        level: usize,
+        nearest: bool,
+        encoding: Encoding,
+        texcoord: DVec2,
+    ) -> DVec4 {
         let image = texture.image as usize;
-        let nearest = texture.nearest && level == 0;
         let image = if level == 0 { &self.scene.images[image] } else { &self.levels[image][level - 1] };
         let size = DVec2::new(f64::from(image.width), f64::from(image.height));
         let texel = |x: f64, y: f64| {

@@ -50,7 +50,9 @@ fn texture_average(atlas: texture_2d_array<f32>, place: vec4u, texcoord: vec2f, 
         direction * sqrt(s2) / size,
     );
     let level = u32(average.level);
+    // glTF's nearest texel is for what is magnified.
     var t = texture_whole(place);
+    t.nearest = false;
     if level > 0u {
         t = texture_level(place, level);
     }
