@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use glimpse::{Method, Postcorrect, Settings, Show};
+use glimpse::{Method, Mip, Postcorrect, Settings, Show};
 
 use crate::{Choices, FrameRate, Overlay, SCALES};
 
@@ -30,6 +30,8 @@ pub enum Setting {
     Method(Method),
     /// `postcorrect`
     Postcorrect(Postcorrect),
+    /// `mip`
+    Mip(Mip),
     /// `block`
     Block(u32),
     /// `sampling`
@@ -54,6 +56,7 @@ impl Setting {
         match self {
             Self::Method(method) => settings.method = method,
             Self::Postcorrect(postcorrect) => settings.postcorrect = postcorrect,
+            Self::Mip(mip) => settings.mip = mip,
             Self::Block(block) => settings.block = block,
             Self::Sampling(sampling) => settings.sampling = sampling,
             Self::Depth(depth) => settings.depth = depth,
@@ -126,6 +129,7 @@ fn setting(name: &str, value: &str) -> Result<Setting, String> {
         "postcorrect" => {
             Setting::Postcorrect(one_of(value, &Postcorrect::ALL.map(|wish| (wish.name(), wish)))?)
         }
+        "mip" => Setting::Mip(one_of(value, &Mip::ALL.map(|mip| (mip.name(), mip)))?),
         "block" => Setting::Block(number(value)?),
         "sampling" => Setting::Sampling(number(value)?),
         "depth" => Setting::Depth(number(value)?),
@@ -169,6 +173,7 @@ mod tests {
             ("t-norm x", "expected a number, found `x`"),
             ("method maybe", "expected full, adaptive, checkerboard, found `maybe`"),
             ("split 1.5", "expected a number from 0 to 1, found `1.5`"),
+            ("mip maybe", "expected off, on, found `maybe`"),
             ("color red", "expected the name of a choice, found `color`"),
             ("show everything", "expected one of final, origin"),
         ] {

@@ -27,6 +27,7 @@ fn options(settings: &Settings) -> Vec<String> {
         (settings.sampling != usual.sampling, "sampling", settings.sampling.to_string()),
         (settings.block != usual.block, "block", settings.block.to_string()),
         (settings.postcorrect != usual.postcorrect, "postcorrect", settings.postcorrect.name().to_owned()),
+        (settings.mip != usual.mip, "mip", settings.mip.name().to_owned()),
         (tolerances.pos != usual_tolerances.pos, "t-pos", tolerances.pos.to_string()),
         (tolerances.norm != usual_tolerances.norm, "t-norm", tolerances.norm.to_string()),
         (tolerances.tex != usual_tolerances.tex, "t-tex", tolerances.tex.to_string()),

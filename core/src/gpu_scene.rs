@@ -41,9 +41,9 @@ gpu_struct! {
         emission: [f32; 3], alpha_cutoff: f32,
         metallic: f32, roughness: f32, transmission: f32, ior: f32,
         weights: [f32; 3], flags: u32,
-        base_color_texture: [u32; 3], padding0: u32,
-        metallic_roughness_texture: [u32; 3], padding1: u32,
-        emissive_texture: [u32; 3], padding2: u32,
+        base_color_texture: [u32; 4],
+        metallic_roughness_texture: [u32; 4],
+        emissive_texture: [u32; 4],
     }
 }
 
@@ -264,7 +264,6 @@ fn object(m: &Material, atlas: &Atlas) -> Object {
         base_color_texture: atlas.place(m.base_color_texture),
         metallic_roughness_texture: atlas.place(m.metallic_roughness_texture),
         emissive_texture: atlas.place(m.emissive_texture),
-        ..Object::default()
     }
 }
 

@@ -37,6 +37,7 @@ pub mod gpu;
 mod gpu_scene;
 mod image;
 pub mod metrics;
+mod mip;
 mod missing;
 mod passes;
 mod plan;
@@ -63,7 +64,7 @@ pub use pose::{Lens, Pose};
 pub use renderer::Renderer;
 pub use scene::{Features, Scene};
 pub use settings::{
-    Focus, Inactive, Jitter, Linking, MAX_DEPTH, MAX_RAYS, MAX_SAMPLING, Method, Postcorrect, Preset,
+    Focus, Inactive, Jitter, Linking, MAX_DEPTH, MAX_RAYS, MAX_SAMPLING, Method, Mip, Postcorrect, Preset,
     Robustness, Settings, THRESHOLD_NAMES, Thresholds, Tolerances,
 };
 pub use show::Show;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use glimpse::{Linking, Method, Postcorrect, Settings, Show, Tolerances};
+use glimpse::{Linking, Method, Mip, Postcorrect, Settings, Show, Tolerances};
 
 #[path = "pose.rs"]
 mod pose;
@@ -283,6 +283,9 @@ pub struct FrameOptions {
     /// What is traced again around traced pixels that differ from their neighbours
     #[arg(long, value_enum, default_value = "auto", ignore_case = true)]
     pub postcorrect: PostcorrectName,
+    /// Show averages of textures where they are seen small, or single points
+    #[arg(long, value_enum, default_value = "on", ignore_case = true)]
+    pub mip: MipName,
     /// Positions may differ by less than this, in units of the scene's longest box side
     #[arg(long, value_name = "X", default_value_t = Tolerances::default().pos, allow_negative_numbers = true)]
     pub t_pos: f32,
@@ -318,6 +321,7 @@ impl FrameOptions {
             block: self.block,
             sampling: self.sampling,
             postcorrect: self.postcorrect.into(),
+            mip: self.mip.into(),
             tolerances: Tolerances { pos: self.t_pos, norm: self.t_norm, tex: self.t_tex, gcol: self.t_gcol },
             depth: self.depth,
             min_weight: self.min_weight,
@@ -346,6 +350,7 @@ impl Default for FrameOptions {
             sampling: settings.sampling,
             block: settings.block,
             postcorrect: PostcorrectName::Auto,
+            mip: MipName::On,
             t_pos: settings.tolerances.pos,
             t_norm: settings.tolerances.norm,
             t_tex: settings.tolerances.tex,
@@ -409,6 +414,24 @@ impl From<PostcorrectName> for Postcorrect {
             PostcorrectName::Objects => Self::Objects,
             PostcorrectName::On => Self::On,
             PostcorrectName::Scans => Self::Scans,
+        }
+    }
+}
+
+/// `--mip`
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum MipName {
+    /// The texture at one point
+    Off,
+    /// Its average over what a sample stands for
+    On,
+}
+
+impl From<MipName> for Mip {
+    fn from(name: MipName) -> Self {
+        match name {
+            MipName::Off => Self::Off,
+            MipName::On => Self::On,
         }
     }
 }

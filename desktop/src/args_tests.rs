@@ -77,7 +77,7 @@ fn every_option_of_render_arrives() {
     let options = render(
         "render builtin:room -o x.EXR --size 640X480 --camera top --method full --t-pos 0.1 --t-norm -0.5 \
          --t-tex 0.2 --t-gcol 0.3 --depth 5 --min-weight 0 --features all --show check:tex --frames 7 \
-         --reference --stats s.json --sampling 4 --block 8 --postcorrect scans \
+         --reference --stats s.json --sampling 4 --block 8 --postcorrect scans --mip OFF \
          --preset textures --tau-col 0.25 --tau-ste 1 --focus 3-5 --inactive bilinear --jitter on --similar 0.3 --seed 9",
     );
     let settings = options.frame.settings(options.method).unwrap();
@@ -90,6 +90,7 @@ fn every_option_of_render_arrives() {
             block: 8,
             sampling: 4,
             postcorrect: Postcorrect::Scans,
+            mip: Mip::Off,
             depth: 5,
             min_weight: 0.0,
             features: Linking::All,

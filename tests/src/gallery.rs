@@ -146,6 +146,38 @@ fn paint_corners(scene: &mut Scene) {
         (0..scene.positions.len()).map(|i| if i % 5 == 3 { bright.map(word) } else { white }).collect();
 }
 
+/// A small pattern behind a glass ball and a pane, and in a mirror ball: lenses that show it larger and smaller.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn lenses() -> Scene {
+    let mut b = Builder::new();
+    let images = [noise(16, 16, 2), noise(7, 13, 1)].map(|image| b.image(image));
+    for (image, corner, u) in [
+        (images[0], vec3(-4.0, -1.0, -3.0), 8.0 * Vec3::X),
+        (images[1], vec3(4.0, -1.0, 5.0), -8.0 * Vec3::X),
+    ] {
+        let texture =
+            b.texture(Texture { image, wrap: [Wrap::MirroredRepeat, Wrap::Repeat], nearest: false });
+        let wall = b.object(Material { base_color_texture: Some(texture), ..unlit(Vec3::ONE) });
+        b.textured_quad(wall, [corner, u, 4.0 * Vec3::Y], [vec2(-2.1, 0.3), vec2(7.4, 5.2)]);
+    }
+    let lens = b.object(glass(1.5));
+    b.sphere(lens, vec3(-0.8, 0.2, 0.0), 0.6);
+    let ball = b.object(mirror(vec3(0.9, 0.8, 0.7)));
+    b.sphere(ball, vec3(0.7, 0.2, 0.0), 0.6);
+    let pane = b.object(Material { thin: true, ..glass(1.5) });
+    b.quad(pane, vec3(-0.3, 0.7, 0.3), 0.8 * Vec3::X, 0.5 * Vec3::Y);
+    let pillow = b.object(mirror(Vec3::splat(0.9)));
+    b.quad(pillow, vec3(-1.5, -0.9, -0.2), 2.6 * Vec3::X, 0.6 * Vec3::Y);
+    b.environment(vec3(0.2, 0.3, 0.5), Vec3::splat(0.05));
+    let camera = Camera::look_at(vec3(0.1, 0.4, 3.4), vec3(0.0, 0.2, 0.0), 0.72).expect("a valid camera");
+    let mut scene = b.seen_by(camera);
+    bend_normals(&mut scene, pillow);
+    scene
+}
+
 /// Glass in glass, panes, mirrors that face each other, constant weights.
 ///
 /// # Panics

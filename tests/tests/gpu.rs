@@ -8,6 +8,7 @@ mod gpu {
     mod device;
     mod golden;
     mod minray;
+    mod mip;
     mod postcorrect;
     mod renderer;
     mod scenes;

@@ -1,7 +1,7 @@
 //! The choices between a few values: one table for the buttons and for the keys.
 
 use egui::{Button, Ui, vec2};
-use glimpse::{Method, Postcorrect};
+use glimpse::{Method, Mip, Postcorrect};
 
 use super::actions::Action;
 use super::{keys, style};
@@ -104,6 +104,14 @@ pub const POSTCORRECT: Options<Postcorrect> = Options {
     action: None,
     get: |choices| choices.settings.postcorrect,
     set: |choices, postcorrect| choices.settings.postcorrect = postcorrect,
+};
+
+pub const MIP: Options<Mip> = Options {
+    name: "averaged textures",
+    values: || named(&Mip::ALL.map(|mip| (mip, mip.name()))),
+    action: None,
+    get: |choices| choices.settings.mip,
+    set: |choices, mip| choices.settings.mip = mip,
 };
 
 pub const GOVERNOR: Options<Option<FrameRate>> = Options {

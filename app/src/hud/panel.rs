@@ -117,6 +117,7 @@ fn method(ui: &mut Ui, hud: &mut Hud<'_>) {
     options::BLOCK.buttons(ui, hud.choices, rests);
     options::POSTCORRECT.buttons(ui, hud.choices, rests);
     options::SAMPLING.buttons(ui, hud.choices, None);
+    options::MIP.buttons(ui, hud.choices, None);
     for knob in &knobs::DEPTHS {
         knob.show(ui, hud.choices, None);
     }

@@ -46,6 +46,19 @@ pub const OFFSET_SIZE: f32 = 40.0 / 16_777_216.0;
 /// Two hits at distances that differ by no more than this share count as one, and the lower object has it.
 pub const SAME_DISTANCE: f32 = 4.0 / 16_777_216.0;
 
+/// Along a footprint's longer axis points lie at most so far apart from end to end, in units of their distance: 5 points.
+/// Longer footprints are taken for wider ones.
+pub const TEXTURE_MOST_LENGTH: f32 = 5.0;
+/// log2 of the second moments of footprints that are stored, in texture coordinates: from a quarter of a texel of the
+/// largest image to more than [`CONE_MOST`].
+pub const FOOTPRINT_LEAST: f32 = -32.0;
+pub const FOOTPRINT_MOST: f32 = 10.0;
+/// Surfaces are seen at no smaller cosine, footprints reach over no more of a texture (which is its smallest level many
+/// times over), and cones grow by no more: everything stays finite.
+pub const CONE_LEAST_COSINE: f32 = 1.0e-4;
+pub const CONE_MOST: f32 = 16.0;
+pub const CONE_MOST_GROWTH: f32 = 8.0;
+
 /// Counters of an inspected frame: first index and how many.
 pub const COUNTER_RAYS: usize = 0;
 pub const COUNTER_NODE_VISITS: usize = 4;
@@ -57,7 +70,7 @@ pub const COUNTER_CLAIMED: usize = 19;
 pub const COUNTER_WORDS: usize = 64;
 
 /// The planes that the attribute buffer may have.
-const PLANES: [&str; 10] = [
+const PLANES: [&str; 11] = [
     "DEPTH",
     "OBJECT",
     "NORMAL",
@@ -66,6 +79,7 @@ const PLANES: [&str; 10] = [
     "GCOL",
     "TEXCOORD",
     "COLOR",
+    "FOOTPRINT",
     "OBJECT_BETWEEN",
     "SHADOW_BETWEEN",
 ];
@@ -89,6 +103,7 @@ impl Variant {
             ("HAS_METALLIC_ROUGHNESS_TEXTURES", f.metallic_roughness_textures),
             ("HAS_EMISSIVE_TEXTURES", f.emissive_textures),
             ("HAS_COLORS", f.vertex_colors),
+            ("HAS_FOOTPRINT", self.averages_textures()),
             ("HAS_EMISSION", f.emission),
             ("HAS_PANES", f.panes),
             ("LIGHT_COUNT_KNOWN", self.linking == Linking::Auto),
@@ -126,6 +141,7 @@ impl Variant {
             ("EDGE_COLOR", self.edge_planes() - 3),
             ("EDGES_APRON", u32::from(!self.interpolates)),
             ("ROUND_SAMPLES", plan::ROUND_SAMPLES),
+            ("TEXTURE_PAGE", atlas::MAX_PAGES - 1),
             ("TEXTURE_NEAREST", atlas::TEXTURE_NEAREST),
             ("TEXTURE_PRESENT", atlas::TEXTURE_PRESENT),
             ("WRAP_REPEAT", atlas::WRAP_REPEAT),
@@ -161,6 +177,12 @@ impl Variant {
             ("SAME_DISTANCE", if self.has_panes { 0.0 } else { SAME_DISTANCE }),
             ("SPHERE_MARK", gpu_scene::SPHERE_MARK),
             ("NORMAL_ERROR", OCTAHEDRAL_ERROR),
+            ("FOOTPRINT_LEAST", FOOTPRINT_LEAST),
+            ("FOOTPRINT_MOST", FOOTPRINT_MOST),
+            ("TEXTURE_MOST_LENGTH", TEXTURE_MOST_LENGTH),
+            ("CONE_LEAST_COSINE", CONE_LEAST_COSINE),
+            ("CONE_MOST", CONE_MOST),
+            ("CONE_MOST_GROWTH", CONE_MOST_GROWTH),
         ];
         for (name, value) in reals {
             let _ = writeln!(text, "const {name}: f32 = {value:e};");

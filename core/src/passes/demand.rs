@@ -5,7 +5,10 @@ use std::ops::{Add, AddAssign};
 use serde::{Deserialize, Serialize};
 
 use super::{Stage, Variant, operations::count};
-use crate::{GpuScene, Method, Result, Settings, gpu::shader::link};
+use crate::{
+    GpuScene, Method, Result, Settings,
+    gpu::shader::{Linked, link},
+};
 
 /// What some work asks of a device.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
@@ -52,6 +55,8 @@ impl AddAssign for Demand {
 /// What few tests need: an edge where rounding does not decide it, a triangle beyond the range of f32, and what is asked
 /// about hits, of which a ray has one or two among many tests.
 const RARE: [&str; 5] = ["edge_sign", "triangle_scaled_edges", "bvh_ahead", "bvh_nearer", "hit_counts"];
+/// What texture averages are made of, in loops of their own. They are taken for two levels of three points each, of one texture.
+const AVERAGES: [&str; 2] = ["texture_along", "texture_level"];
 const TRAVERSAL: &str = "bvh_traverse";
 const SHADOWS: &str = "shadow_bits";
 
@@ -95,7 +100,7 @@ impl Demands {
         };
         let kernel = link(&variant.sources(traced))?;
         let of = |function, apart: &[&str]| count(&kernel, function, apart).unwrap_or_default();
-        let tree = [RARE.as_slice(), &[TRAVERSAL]].concat();
+        let tree = [RARE.as_slice(), &AVERAGES, &[TRAVERSAL]].concat();
         let [sample, followed, light] = of(None, &[tree.as_slice(), &[SHADOWS]].concat());
         // Its own loop is over lights.
         let [surface, shadow, _] = of(Some(SHADOWS), &tree);
@@ -103,7 +108,7 @@ impl Demands {
         let (interpolated, interpolated_light) = between(variant, method)?;
         Ok(Self {
             sample,
-            followed_ray: followed + surface,
+            followed_ray: followed + surface + average(&kernel),
             light: light + shadow,
             ray,
             node_visit,
@@ -114,10 +119,20 @@ impl Demands {
     }
 }
 
+/// A texture's average, besides what happens once.
+fn average(kernel: &Linked) -> Demand {
+    let of = |function| count(kernel, Some(function), &[]).unwrap_or_default();
+    let [[point, pair, _], [level, above, _]] = AVERAGES.map(of);
+    (point + pair).times(2.0) + level + above
+}
+
 /// What is not traced: at each sample, and there for each light.
 fn between(variant: &Variant, method: Method) -> Result<(Demand, Demand)> {
-    let of =
-        |stage| Ok::<_, crate::Error>(count(&link(&variant.sources(stage))?, None, &[]).unwrap_or_default());
+    let of = |stage| {
+        let kernel = link(&variant.sources(stage))?;
+        let [once, neighbour, deeper] = count(&kernel, None, &AVERAGES).unwrap_or_default();
+        Ok::<_, crate::Error>([once + average(&kernel), neighbour, deeper])
+    };
     Ok(match method {
         Method::Full | Method::Supersample | Method::Quincunx => Default::default(),
         Method::Adaptive => {
@@ -194,7 +209,7 @@ mod tests {
         let kernel =
             link(&Variant::of_scene(&builtin("room").expect("room"), &settings).sources(Stage::Full))
                 .expect("links");
-        for name in RARE.into_iter().chain([TRAVERSAL, SHADOWS]) {
+        for name in RARE.into_iter().chain(AVERAGES).chain([TRAVERSAL, SHADOWS]) {
             assert!(count(&kernel, Some(name), &[]).is_some(), "{name}");
         }
     }

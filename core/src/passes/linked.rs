@@ -75,8 +75,13 @@ mod tests {
         let spared: Vec<_> = all.bindings.difference(&auto.bindings).map(String::as_str).collect();
         assert_eq!(spared, ["atlas_color", "atlas_data", "vertices"]);
         assert!(auto.bindings.is_subset(&all.bindings));
-        assert_eq!((auto.attribute_bytes, all.attribute_bytes), (16, 40));
-        for file in ["wgsl/texture_atlas.wgsl", "wgsl/bounce_glass.wgsl", "wgsl/sphere_analytic.wgsl"] {
+        assert_eq!((auto.attribute_bytes, all.attribute_bytes), (16, 44));
+        for file in [
+            "wgsl/texture_atlas.wgsl",
+            "wgsl/cone.wgsl",
+            "wgsl/bounce_glass.wgsl",
+            "wgsl/sphere_analytic.wgsl",
+        ] {
             assert!(all.files.contains(file) && !auto.files.contains(file), "{file}");
         }
     }

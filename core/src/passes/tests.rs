@@ -4,7 +4,7 @@ use wgpu::naga::{AddressSpace, proc::Layouter};
 
 use super::{Output, Stage, Variant};
 use crate::{
-    Features, Inactive, Jitter, Linking, Postcorrect, Robustness, frame, gpu,
+    Features, Inactive, Jitter, Linking, Mip, Postcorrect, Robustness, frame, gpu,
     gpu::{mirror::differences, shader::link},
     gpu_scene, probe,
 };
@@ -49,6 +49,7 @@ fn variants() -> impl Iterator<Item = Variant> {
         inactive: if bits & 4 != 0 { Inactive::Bilinear } else { Inactive::Nearest },
         jitter: if bits & 8 != 0 { Jitter::On } else { Jitter::Auto },
         postcorrect: if bits & 8 != 0 { Postcorrect::Objects } else { Postcorrect::On },
+        mip: if bits & 4 != 0 { Mip::Off } else { Mip::On },
         bvh_stack: 12,
         depth: 3,
         lights: 2,

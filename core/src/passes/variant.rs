@@ -2,7 +2,7 @@
 
 use super::{Stage, wgsl};
 use crate::{
-    Features, GpuScene, Inactive, Jitter, Linking, Method, Postcorrect, Robustness, Scene, Settings,
+    Features, GpuScene, Inactive, Jitter, Linking, Method, Mip, Postcorrect, Robustness, Scene, Settings,
     bvh::MAX_STACK, gpu::shader::Source,
 };
 
@@ -63,6 +63,8 @@ pub struct Variant {
     pub inactive: Inactive,
     /// Where samples lie.
     pub jitter: Jitter,
+    /// What of a texture a sample shows.
+    pub mip: Mip,
     /// Groups on the traversal stack.
     pub bvh_stack: u32,
     /// Levels of rays.
@@ -95,6 +97,7 @@ impl Variant {
             secondary: false,
             inactive: settings.inactive,
             jitter: settings.jitter,
+            mip: settings.mip,
             bvh_stack: scene.bvh_stack,
             depth: settings.depth,
             lights: scene.light_count,
@@ -123,6 +126,7 @@ impl Variant {
             secondary: false,
             inactive: settings.inactive,
             jitter: settings.jitter,
+            mip: settings.mip,
             bvh_stack: MAX_STACK,
             depth: settings.depth,
             lights: scene.lights.len() as u32,
@@ -163,6 +167,11 @@ impl Variant {
         self.planes().len() as u32 + edges
     }
 
+    /// Do samples show averages of textures?
+    pub(super) fn averages_textures(&self) -> bool {
+        self.features.textures && self.mip == Mip::On
+    }
+
     /// The planes of the attribute buffer that interpolation needs, in order.
     #[must_use]
     pub fn planes(&self) -> Vec<&'static str> {
@@ -176,6 +185,7 @@ impl Variant {
             ("GCOL", f.reflection || f.refraction),
             ("TEXCOORD", f.textures),
             ("COLOR", f.vertex_colors),
+            ("FOOTPRINT", self.averages_textures()),
             ("OBJECT_BETWEEN", self.postcorrects()),
             ("SHADOW_BETWEEN", self.postcorrects() && self.shadow_shift().is_none()),
         ];
@@ -371,6 +381,7 @@ impl Variant {
                     wgsl!("wgsl/vertex_none.wgsl"),
                 ),
                 hit,
+                pick(self.averages_textures(), wgsl!("wgsl/cone.wgsl"), wgsl!("wgsl/cone_none.wgsl")),
                 wgsl!("wgsl/surface.wgsl"),
                 pick(self.secondary, wgsl!("wgsl/secondary_kept.wgsl"), wgsl!("wgsl/secondary_none.wgsl")),
                 pick(f.lights, wgsl!("wgsl/shadow_rays.wgsl"), wgsl!("wgsl/shadow_none.wgsl")),
@@ -406,9 +417,13 @@ impl Variant {
     fn shading_sources<const N: usize>(&self, attributes: Source, rest: [Source; N]) -> Vec<Source> {
         let f = &self.features;
         let mut sources = self.pixel_sources(attributes);
+        sources.push(wgsl!("wgsl/object.wgsl"));
+        sources.extend(match (f.textures, self.mip) {
+            (false, _) => vec![wgsl!("wgsl/texture_none.wgsl")],
+            (true, Mip::Off) => vec![wgsl!("wgsl/texture_atlas.wgsl"), wgsl!("wgsl/texture_plain.wgsl")],
+            (true, Mip::On) => vec![wgsl!("wgsl/texture_atlas.wgsl"), wgsl!("wgsl/texture_mip.wgsl")],
+        });
         sources.extend([
-            wgsl!("wgsl/object.wgsl"),
-            if f.textures { wgsl!("wgsl/texture_atlas.wgsl") } else { wgsl!("wgsl/texture_none.wgsl") },
             wgsl!("wgsl/fresnel.wgsl"),
             if f.glossy { wgsl!("wgsl/material.wgsl") } else { wgsl!("wgsl/material_matte.wgsl") },
             if f.lights { wgsl!("wgsl/lights_punctual.wgsl") } else { wgsl!("wgsl/lights_none.wgsl") },

@@ -18,12 +18,12 @@ gpu_struct! {
         any: u32,
         /// 1 + the primitive (in the order of the leaves) that the ray leaves and does not meet again; 0 for none.
         left: u32,
+        /// Width of what the ray stands for where it starts, in units of the scene.
+        width: f32,
+        /// What that grows by in a unit of length.
+        growth: f32,
         /// Nothing.
-        padding0: u32,
-        /// Nothing.
-        padding1: u32,
-        /// Nothing.
-        padding2: u32,
+        padding: u32,
     }
 }
 
@@ -35,7 +35,8 @@ impl ProbeRay {
         let origin = Vec3::from(self.origin).as_dvec3();
         let length = direction.length();
         let t_max = f64::from(self.t_max) * length;
-        (reference::Ray { origin, direction: direction / length, t_max }, length)
+        let [width, growth] = [self.width, self.growth].map(f64::from);
+        (reference::Ray { origin, direction: direction / length, t_max, width, growth }, length)
     }
 }
 

@@ -32,6 +32,24 @@ pub struct Attributes {
     pub texcoord: DVec2,
     /// Vertex colour, linear.
     pub color: DVec3,
+    /// What the pixel covers of textures: log2 of the second moments along s and along t, and their correlation.
+    pub footprint: DVec3,
+}
+
+/// Logarithms of second moments that are stored.
+const LEAST_LOG: f64 = -32.0;
+const MOST_LOG: f64 = 10.0;
+
+/// Second moments (ss, tt, st) as an attribute.
+pub(super) fn footprint(moments: DVec3) -> DVec3 {
+    let [s, t] = [moments.x, moments.y].map(|x| x.log2().clamp(LEAST_LOG, MOST_LOG));
+    DVec3::new(s, t, (moments.z / (0.5 * (s + t)).exp2()).clamp(-1.0, 1.0))
+}
+
+/// The second moments that an attribute stands for.
+pub(super) fn moments(footprint: DVec3) -> DVec3 {
+    let [s, t] = [footprint.x, footprint.y];
+    DVec3::new(s.exp2(), t.exp2(), footprint.z * (0.5 * (s + t)).exp2())
 }
 
 impl Attributes {
@@ -47,6 +65,7 @@ impl Attributes {
             gcol: DVec3::ZERO,
             texcoord: DVec2::ZERO,
             color: DVec3::ONE,
+            footprint: footprint(DVec3::ZERO),
         }
     }
 
@@ -62,6 +81,7 @@ impl Attributes {
         let gcol = rounding.vector(Cause::Storage, self.gcol, largest);
         let texcoord = rounding.pair(Cause::Storage, self.texcoord, 1.0);
         let color = rounding.vector(Cause::Storage, self.color, 1.0);
+        let footprint = rounding.vector(Cause::Storage, self.footprint, MOST_LOG - LEAST_LOG);
         Self {
             depth: f64::from(depth as f32),
             normal,
@@ -81,6 +101,7 @@ impl Attributes {
             } else {
                 DVec3::ONE
             },
+            footprint: if features.textures { stored_footprint(footprint) } else { self.footprint },
             ..*self
         }
     }
@@ -92,6 +113,14 @@ fn in_steps(x: f64, steps: f64) -> f64 {
 
 pub(super) fn stored_direction(d: DVec3) -> DVec3 {
     octahedral_decode_exact(octahedral_encode(d.as_vec3()))
+}
+
+/// Eleven bits for each logarithm, ten for the correlation.
+fn stored_footprint(footprint: DVec3) -> DVec3 {
+    let log = |x: f64| {
+        LEAST_LOG + (MOST_LOG - LEAST_LOG) * in_steps((x - LEAST_LOG) / (MOST_LOG - LEAST_LOG), 2047.0)
+    };
+    DVec3::new(log(footprint.x), log(footprint.y), 2.0 * in_steps(0.5 * footprint.z + 0.5, 1022.0) - 1.0)
 }
 
 /// Three radiances with nine bits each and the exponent of the largest.

@@ -30,15 +30,15 @@ impl Reference {
         let cosine = (-s.normal.dot(direction)).clamp(0.0, 1.0);
         let cosine = rounding.number(Cause::Branch, cosine, 1.0).clamp(0.0, 1.0);
         let mirrored = direction - 2.0 * s.normal.dot(direction) * s.normal;
-        let rays = [
-            Some((mirrored, m.mirror(cosine, s.inside))),
-            refracted(s, m, direction, cosine).map(|refracted| (refracted, m.refraction(cosine, s.inside))),
-        ];
+        let through = refracted(s, m, direction, cosine).map(|(refracted, kept, turned)| {
+            (refracted, self.bent(s, kept, turned), m.refraction(cosine, s.inside))
+        });
+        let rays = [Some((mirrored, self.bent(s, 1.0, 2.0), m.mirror(cosine, s.inside))), through];
         let mut sum = DVec3::ZERO;
         let mut heaviest = (0.0, None);
-        for (direction, share) in rays.into_iter().flatten() {
+        for (direction, cone, share) in rays.into_iter().flatten() {
             let weight = from.weight * share;
-            let (color, hit) = self.followed(s, direction, weight, from.level, limits, rounding);
+            let (color, hit) = self.followed(s, (direction, cone), weight, from.level, limits, rounding);
             sum += color;
             if hit.is_some() && weight.max_element() > heaviest.0 {
                 heaviest = (weight.max_element(), hit);
@@ -50,7 +50,7 @@ impl Reference {
     fn followed(
         &self,
         s: &Surface,
-        direction: DVec3,
+        (direction, cone): (DVec3, (f64, f64)),
         weight: DVec3,
         level: u32,
         limits: &Limits,
@@ -64,19 +64,21 @@ impl Reference {
         if level >= limits.depth || largest < limits.min_weight {
             return (weight * self.scene.environment.truncated.as_dvec3(), None);
         }
-        let ray = s.spawn(direction.normalize_or_zero(), rounding);
+        let ray = s.spawn(direction.normalize_or_zero(), cone, rounding);
         let branch = Branch { ray, left: Some(s.primitive), weight, level: level + 1 };
         let seen = self.follow(&branch, limits, rounding);
         (seen.color, seen.attributes.object.map(|_| seen.attributes))
     }
 }
 
-/// The direction of the refracted ray (straight on through a pane), by Snell's law; `None` where reflection is total.
-fn refracted(s: &Surface, m: &Material, direction: DVec3, cosine: f64) -> Option<DVec3> {
+/// The direction of the refracted ray (straight on through a pane), by Snell's law, and how much there is in it of the
+/// direction of the ray that arrives and of the normal; `None` where reflection is total.
+fn refracted(s: &Surface, m: &Material, direction: DVec3, cosine: f64) -> Option<(DVec3, f64, f64)> {
     if m.thin {
-        return Some(direction);
+        return Some((direction, 1.0, 0.0));
     }
     let ratio = m.ratio(s.inside);
     let other2 = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
-    (other2 > 0.0).then(|| ratio * direction + (ratio * cosine - other2.sqrt()) * s.normal)
+    let turned = ratio * cosine - other2.max(0.0).sqrt();
+    (other2 > 0.0).then(|| (ratio * direction + turned * s.normal, ratio, turned))
 }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::{
     Attributes, Limits, Ray, Reference, Rounding, Sample, postcorrection::before, similarity::Reached,
 };
-use crate::{Camera, Origin, Settings};
+use crate::{Camera, Mip, Origin, Settings};
 
 /// A frame of a scene.
 pub struct Frame<'a> {
@@ -36,11 +36,11 @@ impl Frame<'_> {
     /// The ray through a pixel's centre, and the length of its direction, in whose units depths are.
     #[must_use]
     pub fn ray(&self, pixel: [u32; 2]) -> (Ray, f64) {
-        self.ray_at(pixel.map(|i| f64::from(i) + 0.5))
+        self.ray_at(pixel.map(|i| f64::from(i) + 0.5), 1.0)
     }
 
-    /// The ray through a place in the frame, in pixels from its upper left corner.
-    pub(super) fn ray_at(&self, [x, y]: [f64; 2]) -> (Ray, f64) {
+    /// The ray through a place in the frame, in pixels from its upper left corner, for a square of that side around it.
+    pub(super) fn ray_at(&self, [x, y]: [f64; 2], side: f64) -> (Ray, f64) {
         let [width, height] = self.size.map(f64::from);
         let right = (2.0 * x - width) / height * self.camera.right.as_dvec3();
         let up = (height - 2.0 * y) / height * self.camera.up.as_dvec3();
@@ -50,7 +50,13 @@ impl Frame<'_> {
             false => (eye, forward + right + up),
         };
         let length = along.length();
-        (Ray { origin, direction: along / length, t_max: f64::INFINITY }, length)
+        // What a ray stands for matters to averages of textures alone.
+        let side = match self.settings.mip {
+            Mip::Off => 0.0,
+            Mip::On => 2.0 * side * self.camera.up.as_dvec3().length() / height,
+        };
+        let (width, growth) = if self.camera.orthographic { (side, 0.0) } else { (0.0, side / length) };
+        (Ray { origin, direction: along / length, t_max: f64::INFINITY, width, growth }, length)
     }
 
     /// The point at this depth along a pixel's ray.

@@ -11,6 +11,10 @@ pub struct Ray {
     pub direction: DVec3,
     /// Where it ends.
     pub t_max: f64,
+    /// Width of what it stands for where it starts; negative behind a focus.
+    pub width: f64,
+    /// What that grows by in a unit of length.
+    pub growth: f64,
 }
 
 /// Where a ray crosses a primitive.

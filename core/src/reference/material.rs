@@ -40,13 +40,14 @@ pub(super) struct Shading<'a> {
 }
 
 impl Reference {
-    /// The material of an object at these texture coordinates with this vertex colour.
+    /// The material of an object at these texture coordinates with this vertex colour, as a sample sees it that covers a
+    /// footprint.
     #[must_use]
-    pub fn material(&self, object: u32, texcoord: DVec2, color: DVec3) -> Material {
+    pub fn material(&self, object: u32, texcoord: DVec2, footprint: DVec3, color: DVec3) -> Material {
         let m = self.material_of(object);
-        let base = self.texture(m.base_color_texture, Encoding::Srgb, texcoord);
-        let emission = self.texture(m.emissive_texture, Encoding::Srgb, texcoord);
-        let surface = self.texture(m.metallic_roughness_texture, Encoding::Linear, texcoord);
+        let base = self.texture(m.base_color_texture, Encoding::Srgb, texcoord, footprint);
+        let emission = self.texture(m.emissive_texture, Encoding::Srgb, texcoord, footprint);
+        let surface = self.texture(m.metallic_roughness_texture, Encoding::Linear, texcoord, footprint);
         Material {
             base: m.base_color.as_dvec3() * color * base.xyz(),
             emission: m.emission.as_dvec3() * emission.xyz(),

@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | [`Tracer`] | `bvh.wgsl`, `triangle.wgsl`, `sphere_analytic.wgsl` |
 //! | [`Reference::first`], [`Reference::occluded`], [`Reference::shadow_bits`] | `hit_*.wgsl`, `shadow_rays.wgsl` |
-//! | [`Reference::surface`], [`Reference::texture`], [`Reference::material`], [`Reference::arrival`] | `surface.wgsl`, `texture_atlas.wgsl`, `material.wgsl`, `lights_punctual.wgsl` |
+//! | [`Reference::surface`], [`Reference::texture`], [`Reference::material`], [`Reference::arrival`] | `surface.wgsl`, `cone.wgsl`, `texture_*.wgsl`, `material.wgsl`, `lights_punctual.wgsl` |
 //! | [`Reference::sample`] | `sample.wgsl`, `bounce_*.wgsl` |
 //! | [`Frame::ray`], [`Frame::traced`], [`Frame::adaptive`], [`Frame::checkerboard`] | `frame.wgsl`, the passes |
 //! | [`Frame::failed`], [`Frame::interpolated`], [`Frame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes_planes.wgsl` |
@@ -13,8 +13,9 @@
 //! | [`Frame::quincunx`] | `quincunx_*.wgsl` |
 //!
 //! Shared with what it judges: the [`Scene`] in main memory (with its normals in octahedral words, for that is what the
-//! scene holds), the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), and the Rust functions that pack and
-//! unpack octahedral words, which the shaders do not use. Nothing else is: no tree, no buffer, no formula.
+//! scene holds), the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), the Rust functions that pack and
+//! unpack octahedral words, which the shaders do not use, and the bytes of the mip levels. Nothing else is: no tree, no
+//! buffer, no formula.
 //!
 //! Spawned rays start exactly on the surface and cannot meet the primitive that they leave; the shaders start them a
 //! little off it. Lights and materials are the formulas of `scene/material.rs` and of the glTF extensions.
@@ -26,6 +27,7 @@
 
 mod attributes;
 mod bounce;
+mod cone;
 mod contrast;
 mod frame;
 mod intersection;
@@ -61,7 +63,11 @@ pub use surface::Surface;
 pub use texture::Encoding;
 pub use traversal::{Hit, Tracer};
 
-use crate::{Features, Scene, scene::Thinness};
+use crate::{
+    Features, Scene,
+    mip::{self, Content},
+    scene::{Image8, Thinness},
+};
 
 /// A scene that is asked in f64.
 pub struct Reference {
@@ -69,6 +75,8 @@ pub struct Reference {
     tracer: Tracer,
     features: Features,
     thinness: Thinness,
+    /// Of each image, from level 1 on.
+    levels: Vec<Vec<Image8>>,
     bounds: (DVec3, DVec3),
     /// The linear value of each byte of sRGB.
     srgb: [f64; 256],
@@ -78,11 +86,14 @@ impl Reference {
     /// A scene that is [valid](Scene::validate).
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
+        let contents = Content::of_images(scene);
+        let levels = scene.images.iter().zip(contents).map(|(image, content)| mip::levels(image, content));
         let (low, high) = scene.bounds().unwrap_or_default();
         Self {
             tracer: Tracer::new(scene),
             features: Features::of(scene),
             thinness: Thinness::of(scene),
+            levels: levels.collect(),
             bounds: (low.as_dvec3(), high.as_dvec3()),
             srgb: texture::srgb_table(),
             scene: scene.clone(),

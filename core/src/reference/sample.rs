@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{
-    Attributes, Cause, Crossing, Ray, Reference, Rounding, bounce::Branch, material::Shading,
+    Attributes, Cause, Crossing, Ray, Reference, Rounding, attributes, bounce::Branch, material::Shading,
     texture::Encoding,
 };
 use crate::Settings;
@@ -65,7 +65,7 @@ impl Reference {
         }
         m.alpha_cutoff.is_none_or(|cutoff| {
             let texcoord = self.texcoord(crossing, rounding);
-            let alpha = self.texture(m.base_color_texture, Encoding::Srgb, texcoord).w;
+            let alpha = self.texture(m.base_color_texture, Encoding::Srgb, texcoord, DVec3::ZERO).w;
             let alpha = rounding.number(Cause::TexelEdge, f64::from(m.alpha) * alpha, 1.0);
             alpha >= f64::from(cutoff)
         })
@@ -84,7 +84,7 @@ impl Reference {
             return Sample { attributes: Attributes::miss(), secondary: None, color };
         };
         let s = self.surface(ray, &crossing, rounding);
-        let m = self.material(s.object, s.texcoord, s.color);
+        let m = self.material(s.object, s.texcoord, s.footprint, s.color);
         let shadow = self.shadow_bits(&s, rounding);
         let local = self.local(Shading {
             material: m,
@@ -105,6 +105,7 @@ impl Reference {
             gcol,
             texcoord: self.folded(s.object, s.texcoord),
             color: s.color,
+            footprint: attributes::footprint(self.folded_footprint(s.object, s.texcoord, s.footprint)),
         };
         Sample { attributes, secondary, color: branch.weight * local + gcol }
     }

@@ -37,6 +37,6 @@ impl Reference {
         } else {
             t_max
         };
-        self.occluded(&Ray { origin, direction, t_max }, Some(s.primitive), rounding)
+        self.occluded(&Ray { origin, direction, t_max, width: 0.0, growth: 0.0 }, Some(s.primitive), rounding)
     }
 }

@@ -6,7 +6,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Attributes, Frame, Rounding, material::Shading};
+use super::{Attributes, Frame, Rounding, attributes, material::Shading};
 use crate::{CHECK_NAMES, scene::OCTAHEDRAL_ERROR};
 
 /// An attribute vector with the place that it stands for.
@@ -82,6 +82,7 @@ impl Frame<'_> {
             gcol: 0.5 * (a.gcol + b.gcol),
             texcoord: weight * a.texcoord + (1.0 - weight) * b.texcoord,
             color: mix(a.color, b.color),
+            footprint: 0.5 * (a.footprint + b.footprint),
         }
     }
 
@@ -93,7 +94,7 @@ impl Frame<'_> {
         };
         let (ray, _) = self.ray(pixel);
         let local = self.reference.local(Shading {
-            material: self.reference.material(object, a.texcoord, a.color),
+            material: self.reference.material(object, a.texcoord, attributes::moments(a.footprint), a.color),
             position: self.position(pixel, a.depth),
             normal: a.normal,
             view: -ray.direction,

@@ -40,7 +40,8 @@ impl Frame<'_> {
     #[must_use]
     pub fn ray_in(&self, cell: [u32; 2], fineness: u32, jitters: bool) -> (Ray, f64) {
         let inside = if jitters { jitter(cell, self.settings.seed) } else { [0.5; 2] };
-        self.ray_at([0, 1].map(|i| (f64::from(cell[i]) + inside[i]) / f64::from(fineness)))
+        let side = f64::from(fineness).recip();
+        self.ray_at([0, 1].map(|i| side * (f64::from(cell[i]) + inside[i])), side)
     }
 
     fn sample_in(&self, cell: [u32; 2], fineness: u32, jitters: bool, rounding: &mut Rounding) -> Sample {

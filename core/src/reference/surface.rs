@@ -25,6 +25,12 @@ pub struct Surface {
     pub texcoord: DVec2,
     /// Vertex colour, linear.
     pub color: DVec3,
+    /// Width of what the ray stands for, and what that grows by in a unit of length.
+    pub width: f64,
+    /// See `width`.
+    pub growth: f64,
+    /// Second moments (ss, tt, st) of what it covers in texture coordinates.
+    pub footprint: DVec3,
     /// The size of the numbers that describe the place: coordinates along the normal and the primitive's size.
     pub extent: f64,
 }
@@ -76,6 +82,9 @@ impl Reference {
             inside,
             texcoord: self.texcoord(crossing, rounding),
             color: self.vertex_color(crossing),
+            width: ray.width + crossing.t * ray.growth,
+            growth: ray.growth,
+            footprint: self.covered(ray, crossing),
             extent: face.abs().dot(low.abs().max(high.abs())) + (high - low).max_element(),
         }
     }
@@ -100,11 +109,12 @@ impl Reference {
 }
 
 impl Surface {
-    /// A ray that leaves the surface.
+    /// A ray that leaves the surface, with its cone's width and growth.
     #[must_use]
-    pub fn spawn(&self, direction: DVec3, rounding: &mut Rounding) -> Ray {
+    pub fn spawn(&self, direction: DVec3, (width, growth): (f64, f64), rounding: &mut Rounding) -> Ray {
         let off = rounding.spawn(Cause::Silhouette, self.extent);
         let side = if direction.dot(self.face) >= 0.0 { off } else { -off };
-        Ray { origin: self.position + side * self.face, direction, t_max: f64::INFINITY }
+        let origin = self.position + side * self.face;
+        Ray { origin, direction, t_max: f64::INFINITY, width, growth }
     }
 }

@@ -1,9 +1,12 @@
 //! Textures: glTF's wrap modes and filters (glTF 2.0, section 3.8.4), sRGB by its formula (IEC 61966-2-1).
 
-use glam::{DVec2, DVec4};
+use glam::{DVec2, DVec3, DVec4};
 
 use super::Reference;
-use crate::scene::{Image8, Material, Wrap};
+use crate::scene::{Image8, Material, Texture, Wrap};
+
+/// The longest row of points, in units of their distance.
+const MOST_LENGTH: f64 = 5.0;
 
 /// What the bytes of an image mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,20 +18,65 @@ pub enum Encoding {
 }
 
 impl Reference {
-    /// A texture's value, linear RGBA; ones without a texture.
+    /// A texture's average over a footprint with these second moments (ss, tt, st) of its axes in texture coordinates,
+    /// linear RGBA; ones without a texture.
+    ///
+    /// It is the mean of two mip levels, in each of which points lie along the longer axis so far apart as texels. How far
+    /// that is and how far they reach is such that second moments are those of an average of the image itself.
     #[must_use]
-    pub fn texture(&self, texture: Option<u32>, encoding: Encoding, texcoord: DVec2) -> DVec4 {
+    pub fn texture(
+        &self,
+        texture: Option<u32>,
+        encoding: Encoding,
+        texcoord: DVec2,
+        footprint: DVec3,
+    ) -> DVec4 {
         let Some(texture) = texture.and_then(|i| self.scene.textures.get(i as usize)) else {
             return DVec4::ONE;
         };
         let image = &self.scene.images[texture.image as usize];
+        let size = DVec2::new(f64::from(image.width), f64::from(image.height));
+        let (longer2, shorter2, axis) =
+            axes(footprint * DVec3::new(size.x * size.x, size.y * size.y, size.x * size.y));
+        if longer2 <= 1.0 {
+            return self.point(texture, 0, texture.nearest, encoding, texcoord);
+        }
+        let (longer2, shorter2) = (longer2 - 1.0, (shorter2 - 1.0).max(0.0));
+        let texel2 = (1.0 + shorter2 / 3.0).max((longer2 + 3.0) / (MOST_LENGTH * MOST_LENGTH + 2.0));
+        let length = ((longer2 + 3.0) / texel2 - 2.0).max(1.0).sqrt();
+        let step = texel2.sqrt() * axis / size;
+        let level = texel2.sqrt().log2().min(self.levels[texture.image as usize].len() as f64);
+        let along = |level: f64| {
+            let weight = |i: f64| (0.5 * length + 0.5 - i.abs()).clamp(0.0, 1.0);
+            let points = (-8..=8).map(f64::from).filter(|i| weight(*i) > 0.0);
+            points
+                .map(|i| {
+                    weight(i) * self.point(texture, level as usize, false, encoding, texcoord + i * step)
+                })
+                .sum::<DVec4>()
+                / length
+        };
+        along(level.floor()).lerp(along(level.ceil()), level - level.floor())
+    }
+
+    /// A level of a texture at one point.
+    fn point(
+        &self,
+        texture: &Texture,
+        level: usize,
+        nearest: bool,
+        encoding: Encoding,
+        texcoord: DVec2,
+    ) -> DVec4 {
+        let image = texture.image as usize;
+        let image = if level == 0 { &self.scene.images[image] } else { &self.levels[image][level - 1] };
         let size = DVec2::new(f64::from(image.width), f64::from(image.height));
         let texel = |x: f64, y: f64| {
             let x = wrapped(x, size.x, texture.wrap[0]);
             let y = wrapped(y, size.y, texture.wrap[1]);
             self.texel(image, x, y, encoding)
         };
-        if texture.nearest {
+        if nearest {
             let at = (texcoord * size).floor();
             return texel(at.x, at.y);
         }
@@ -62,6 +110,15 @@ impl Reference {
         DVec2::new(folded(texcoord.x, wrap[0]), folded(texcoord.y, wrap[1]))
     }
 
+    /// The footprint around [`Reference::folded`] coordinates: it leans the other way where one of them runs backwards.
+    pub(super) fn folded_footprint(&self, object: u32, texcoord: DVec2, footprint: DVec3) -> DVec3 {
+        let wrap =
+            self.first_texture(object).map_or([Wrap::Repeat; 2], |t| self.scene.textures[t as usize].wrap);
+        let backwards = |x: f64, wrap| wrap == Wrap::MirroredRepeat && x.rem_euclid(2.0) >= 1.0;
+        let turned = backwards(texcoord.x, wrap[0]) != backwards(texcoord.y, wrap[1]);
+        DVec3::new(footprint.x, footprint.y, if turned { -footprint.z } else { footprint.z })
+    }
+
     /// The texture whose coordinates an object's pixels store.
     pub(super) fn first_texture(&self, object: u32) -> Option<u32> {
         self.material_of(object).textures().next()
@@ -70,6 +127,15 @@ impl Reference {
     pub(super) fn material_of(&self, object: u32) -> &Material {
         &self.scene.materials[self.scene.objects[object as usize].material as usize]
     }
+}
+
+/// The squared lengths of the axes of an ellipse, the longer one first, and its direction, from the second moments: the
+/// eigenvalues of their matrix.
+fn axes(moments: DVec3) -> (f64, f64, DVec2) {
+    let (mean, difference) = (0.5 * (moments.x + moments.y), 0.5 * (moments.x - moments.y));
+    let angle = 0.5 * moments.z.atan2(difference);
+    let spread = difference.hypot(moments.z);
+    (mean + spread, mean - spread, DVec2::from_angle(angle))
 }
 
 /// The linear value of each byte of sRGB.

@@ -75,6 +75,31 @@ impl Postcorrect {
     }
 }
 
+/// What of a texture a sample shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Mip {
+    /// The texture at the one point that the ray meets: it aliases where it is seen small.
+    Off,
+    /// Its average over the part that the sample stands for, from mip levels; wherever texels are seen larger than
+    /// samples, the same.
+    On,
+}
+
+impl Mip {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Off, Self::On];
+
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Off => "off",
+            Self::On => "on",
+        }
+    }
+}
+
 /// Which pieces of the shaders are linked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -136,6 +161,8 @@ pub struct Settings {
     pub sampling: u32,
     /// What is traced again.
     pub postcorrect: Postcorrect,
+    /// What of a texture a sample shows.
+    pub mip: Mip,
     /// Levels of rays: 1 is primary rays alone. More shows more mirrors in mirrors, 1 to [`MAX_DEPTH`].
     pub depth: u32,
     /// Rays that would contribute less than this share of the pixel are not traced. 0 follows them all.
@@ -176,6 +203,7 @@ impl Default for Settings {
             block: 2,
             sampling: 1,
             postcorrect: Postcorrect::Auto,
+            mip: Mip::On,
             depth: 3,
             min_weight: 0.05,
             features: Linking::Auto,

@@ -14,6 +14,19 @@ struct Attributes {
     gcol: vec3f,
     texcoord: vec2f,
     color: vec3f,
+    // What the pixel covers of textures: log2 of the second moments along s and along t, and their correlation.
+    footprint: vec3f,
+}
+
+// A footprint as an attribute: half way between two of them lies the geometric mean.
+fn attributes_footprint(moments: vec3f) -> vec3f {
+    let lengths = clamp(moments.xy, vec2f(exp2(FOOTPRINT_LEAST)), vec2f(exp2(FOOTPRINT_MOST)));
+    return vec3f(log2(lengths), clamp(moments.z * inverseSqrt(lengths.x * lengths.y), -1.0, 1.0));
+}
+
+fn attributes_moments(footprint: vec3f) -> vec3f {
+    let lengths = exp2(footprint.xy);
+    return vec3f(lengths, footprint.z * sqrt(lengths.x * lengths.y));
 }
 
 // In the word of OID, whose bits end below it: the pixel was traced.

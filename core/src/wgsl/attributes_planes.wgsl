@@ -44,6 +44,9 @@ fn attributes_store(pixel: vec2u, a: Attributes, traced: u32) {
     if HAS_COLORS {
         attributes[attributes_plane(PLANE_COLOR, pixel)] = pack4x8unorm(vec4f(a.color, 1.0));
     }
+    if HAS_FOOTPRINT {
+        attributes[attributes_plane(PLANE_FOOTPRINT, pixel)] = footprint_encode(a.footprint);
+    }
 }
 
 fn attributes_load(pixel: vec2u) -> Attributes {
@@ -72,7 +75,23 @@ fn attributes_load(pixel: vec2u) -> Attributes {
     if HAS_COLORS {
         a.color = unpack4x8unorm(attributes[attributes_plane(PLANE_COLOR, pixel)]).rgb;
     }
+    if HAS_FOOTPRINT {
+        a.footprint = footprint_decode(attributes[attributes_plane(PLANE_FOOTPRINT, pixel)]);
+    }
     return a;
+}
+
+// Eleven bits for each logarithm and ten for the correlation, whose zero is exact.
+fn footprint_encode(footprint: vec3f) -> u32 {
+    let share = (footprint.xy - FOOTPRINT_LEAST) / (FOOTPRINT_MOST - FOOTPRINT_LEAST);
+    let lengths = vec2u(round(2047.0 * clamp(share, vec2f(0.0), vec2f(1.0))));
+    return lengths.x | (lengths.y << 11u) | (u32(round(511.0 * footprint.z) + 511.0) << 22u);
+}
+
+fn footprint_decode(packed: u32) -> vec3f {
+    let share = vec2f(vec2u(packed & 2047u, (packed >> 11u) & 2047u)) / 2047.0;
+    let lengths = FOOTPRINT_LEAST + (FOOTPRINT_MOST - FOOTPRINT_LEAST) * share;
+    return vec3f(lengths, f32(packed >> 22u) / 511.0 - 1.0);
 }
 
 // Three radiances with a shared exponent: nine bits each, relative error 2^-9 of the largest.

@@ -52,10 +52,14 @@ fn bounce_split(s: Surface, m: Material, branch: Branch, direction: vec3f) -> ve
             sum += bounce_push(surface_pass(s, branch.ray), transmitted, level, RAY_REFRACTION);
         } else if beyond > 0.0 {
             let refracted = fresnel_refracted(direction, s.normal, cosine, ratio, beyond);
-            sum += bounce_push(surface_spawn(s, refracted, FAR), transmitted, level, RAY_REFRACTION);
+            let cone = cone_bent(s, ratio, ratio * cosine - beyond);
+            sum += bounce_push(surface_spawn(s, refracted, FAR, cone), transmitted, level, RAY_REFRACTION);
         }
     }
     let mirrored = branch.weight * material_mirror(m, cosine, s.inside);
-    let reflected = surface_spawn(s, normalize(reflect(direction, s.normal)), FAR);
+    if max(mirrored.x, max(mirrored.y, mirrored.z)) <= 0.0 {
+        return sum;
+    }
+    let reflected = surface_spawn(s, normalize(reflect(direction, s.normal)), FAR, cone_bent(s, 1.0, 2.0));
     return sum + bounce_push(reflected, mirrored, level, RAY_REFLECTION);
 }

@@ -29,7 +29,7 @@ fn bounce_split(s: Surface, m: Material, branch: Branch, direction: vec3f) -> ve
     if branch.level >= frame.depth || largest < frame.min_weight {
         return weight * frame.truncated;
     }
-    let ray = surface_spawn(s, normalize(reflect(direction, s.normal)), FAR);
+    let ray = surface_spawn(s, normalize(reflect(direction, s.normal)), FAR, cone_bent(s, 1.0, 2.0));
     bounce_pending = Branch(ray, weight, branch.level + 1u, RAY_REFLECTION);
     bounce_is_pending = true;
     return vec3f(0.0);

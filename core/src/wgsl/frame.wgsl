@@ -57,31 +57,36 @@ struct Ray {
     left: u32,
     // Where it left it; above 0 for rays that pass straight through, on their way since before.
     after: f32,
+    // How wide what the ray stands for is where it starts, and what that grows by in a unit of the ray's parameter.
+    cone: vec2f,
 }
 
-// Through a sample (a pixel, unless pixels have several); a perspective ray's parameter is the view depth along `forward`.
+// Through a sample (a pixel, unless pixels have several), for which it stands; a perspective ray's parameter is the view depth
+// along `forward`.
 fn frame_ray(pixel: vec2u) -> Ray {
     return frame_ray_in(pixel, 1.0);
 }
 
 // Through a cell of a grid that is so many times as fine as that of the samples.
 fn frame_ray_in(cell: vec2u, fineness: f32) -> Ray {
-    return frame_ray_at(vec2f(cell) + jitter_in(cell), fineness);
+    return frame_ray_at(vec2f(cell) + jitter_in(cell), fineness, 1.0);
 }
 
-// Through a place in such a grid.
-fn frame_ray_at(at: vec2f, fineness: f32) -> Ray {
+// Through a place in such a grid, for a square of so many cells' side.
+fn frame_ray_at(at: vec2f, fineness: f32, cells: f32) -> Ray {
     let size = fineness * vec2f(frame.size);
     let scale = frame.inverse_height / fineness;
     let x = (2.0 * at.x - size.x) * scale;
     let y = (size.y - 2.0 * at.y) * scale;
     let spread = x * frame.right + y * frame.up;
+    let side = 2.0 * scale * cells * length(frame.up);
     return Ray(
         frame.origin + frame.orthographic * spread,
         FAR,
         frame.forward + (1.0 - frame.orthographic) * spread,
         MISS,
         0.0,
+        side * vec2f(frame.orthographic, 1.0 - frame.orthographic),
     );
 }
 

@@ -10,6 +10,6 @@ fn hit_counts(primitive: u32, u: f32, v: f32, shadow: bool) -> bool {
     }
     let object = flags & SURFACE_OBJECT;
     let texcoord = vertex_texcoord(Hit(0.0, primitive, u, v));
-    let alpha = objects[object].alpha * texture_color(objects[object].base_color_texture, texcoord).a;
+    let alpha = objects[object].alpha * texture_alpha(objects[object].base_color_texture, texcoord);
     return alpha >= objects[object].alpha_cutoff;
 }

@@ -11,10 +11,10 @@ struct Material {
     ior: f32,
 }
 
-fn material_at(object: u32, texcoord: vec2f, color: vec3f) -> Material {
+fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f) -> Material {
     var m: Material;
     m.flags = objects[object].flags;
-    m.base = objects[object].base_color * color * texture_color(objects[object].base_color_texture, texcoord).rgb;
+    m.base = objects[object].base_color * color * texture_color(objects[object].base_color_texture, texcoord, footprint).rgb;
     m.roughness = 1.0;
     m.ior = 1.5;
     if !material_is(m, OBJECT_MATTE) {
@@ -22,12 +22,12 @@ fn material_at(object: u32, texcoord: vec2f, color: vec3f) -> Material {
             m.emission = objects[object].emission;
         }
         if HAS_EMISSIVE_TEXTURES {
-            m.emission *= texture_color(objects[object].emissive_texture, texcoord).rgb;
+            m.emission *= texture_color(objects[object].emissive_texture, texcoord, footprint).rgb;
         }
         m.roughness = objects[object].roughness;
         m.metallic = objects[object].metallic;
         if HAS_METALLIC_ROUGHNESS_TEXTURES {
-            let surface = texture_data(objects[object].metallic_roughness_texture, texcoord);
+            let surface = texture_data(objects[object].metallic_roughness_texture, texcoord, footprint);
             m.roughness *= surface.g;
             m.metallic *= surface.b;
         }

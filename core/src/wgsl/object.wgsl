@@ -13,13 +13,9 @@ struct Object {
     weights: vec3f,
     flags: u32,
     // Places in the atlas.
-    base_color_texture: vec3u,
-    padding0: u32,
-    metallic_roughness_texture: vec3u,
-    padding1: u32,
-    emissive_texture: vec3u,
-    padding2: u32,
+    base_color_texture: vec4u,
+    metallic_roughness_texture: vec4u,
+    emissive_texture: vec4u,
 }
-
 
 var<storage, read> objects: array<Object>;

@@ -7,9 +7,10 @@ struct ProbeRay {
     any: u32,
     // 1 + the primitive that the ray leaves, 0 for none.
     left: u32,
-    padding0: u32,
-    padding1: u32,
-    padding2: u32,
+    // Of what the ray stands for, where it starts, and what that grows by in a unit of length.
+    width: f32,
+    growth: f32,
+    padding: u32,
 }
 
 var<storage, read> rays: array<ProbeRay>;
@@ -19,5 +20,6 @@ fn probe_index(group: vec3u, local: u32) -> u32 {
 }
 
 fn probe_ray(index: u32) -> Ray {
-    return Ray(rays[index].origin, rays[index].t_max, rays[index].direction, rays[index].left - 1u, 0.0);
+    let ray = rays[index];
+    return Ray(ray.origin, ray.t_max, ray.direction, ray.left - 1u, 0.0, vec2f(ray.width, length(ray.direction) * ray.growth));
 }

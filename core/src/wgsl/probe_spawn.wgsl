@@ -34,9 +34,9 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
         result.object = s.object;
         result.face = s.face;
         result.inside = select(0u, 1u, s.inside);
-        result.above = surface_spawn(s, s.face, FAR).origin;
+        result.above = surface_spawn(s, s.face, FAR, vec2f(0.0)).origin;
         result.t = hit.t;
-        result.below = surface_spawn(s, -s.face, FAR).origin;
+        result.below = surface_spawn(s, -s.face, FAR, vec2f(0.0)).origin;
         result.offset = s.offset;
     }
     results[index] = result;

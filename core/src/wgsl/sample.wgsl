@@ -24,7 +24,7 @@ fn sample_follow(ray: Ray) -> Sample {
         if hit.primitive != MISS {
             let direction = normalize(branch.ray.direction);
             let s = surface_at(branch.ray, hit);
-            let m = material_at(s.object, s.texcoord, s.color);
+            let m = material_at(s.object, s.texcoord, s.footprint, s.color);
             let shadow = shadow_bits(s);
             arriving = material_local(m, s.position, s.normal, -direction, s.inside, shadow);
             if branch.level == 1u {
@@ -35,6 +35,7 @@ fn sample_follow(ray: Ray) -> Sample {
                 result.attributes.shadow = shadow;
                 result.attributes.texcoord = texture_fold(s.object, s.texcoord);
                 result.attributes.color = s.color;
+                result.attributes.footprint = cone_attribute(s);
             } else if branch.level == 2u {
                 secondary_hit(branch.weight, s, shadow);
             }

@@ -13,7 +13,7 @@ fn shadow_bits(s: Surface) -> u32 {
         if !blocked {
             inspect_ray(RAY_SHADOW);
             let reach = max(arrival.distance * 0.99999 - lights.list[i].radius, 0.0);
-            blocked = bvh_traverse(Ray(origin, reach, arrival.direction, s.primitive, 0.0), true).primitive != MISS;
+            blocked = bvh_traverse(Ray(origin, reach, arrival.direction, s.primitive, 0.0, vec2f(0.0)), true).primitive != MISS;
         }
         bits |= select(0u, 1u << i, blocked);
     }

@@ -68,6 +68,7 @@ fn similarity_interpolate(a: Attributes, b: Attributes) -> Attributes {
     middle.gcol = 0.5 * (a.gcol + b.gcol);
     middle.texcoord = a_weight * a.texcoord + b_weight * b.texcoord;
     middle.color = a_weight * a.color + b_weight * b.color;
+    middle.footprint = 0.5 * (a.footprint + b.footprint);
     return middle;
 }
 
@@ -77,7 +78,7 @@ fn similarity_shade(pixel: vec2u, a: Attributes) -> vec3f {
         return frame.background;
     }
     let ray = frame_ray(pixel);
-    let m = material_at(a.object - 1u, a.texcoord, a.color);
+    let m = material_at(a.object - 1u, a.texcoord, attributes_moments(a.footprint), a.color);
     let position = ray.origin + a.depth * ray.direction;
     let view = -normalize(ray.direction);
     return a.gcol + material_local(m, position, a.normal, view, false, a.shadow);

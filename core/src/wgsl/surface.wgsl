@@ -17,6 +17,9 @@ struct Surface {
     inside: bool,
     texcoord: vec2f,
     color: vec3f,
+    // Of the ray's cone: its width here, what it grows by in a unit of length, and what it covers of textures.
+    cone: vec2f,
+    footprint: vec3f,
 }
 
 fn surface_at(ray: Ray, hit: Hit) -> Surface {
@@ -30,6 +33,11 @@ fn surface_at(ray: Ray, hit: Hit) -> Surface {
     s.primitive = hit.primitive;
     s.t = hit.t;
     s.object = shading[hit.primitive].w & SURFACE_OBJECT;
+    s.cone = cone_arrived(ray, hit.t);
+    if !sphere_is(hit.primitive) && texture_seam_matters(s.object) {
+        let texcoords = vertex_texcoords(hit.primitive);
+        s.footprint = cone_footprint(s.cone.x, normalize(ray.direction), s.face, corners, texcoords);
+    }
     s.texcoord = vertex_texcoord(hit);
     s.color = vertex_color(hit);
     return s;
@@ -118,12 +126,12 @@ fn surface_offset(face: vec3f, coordinates: vec3f, size: f32) -> f32 {
 }
 
 // A ray that leaves the surface on the side that its direction points to.
-fn surface_spawn(s: Surface, direction: vec3f, t_max: f32) -> Ray {
+fn surface_spawn(s: Surface, direction: vec3f, t_max: f32, cone: vec2f) -> Ray {
     let side = select(-s.offset, s.offset, dot(direction, s.face) >= 0.0);
-    return Ray(s.position + side * s.face, t_max, direction, s.primitive, 0.0);
+    return Ray(s.position + side * s.face, t_max, direction, s.primitive, 0.0, cone);
 }
 
 // The same ray on its way through the surface.
 fn surface_pass(s: Surface, ray: Ray) -> Ray {
-    return Ray(ray.origin, FAR, ray.direction, s.primitive, s.t);
+    return Ray(ray.origin, FAR, ray.direction, s.primitive, s.t, ray.cone);
 }

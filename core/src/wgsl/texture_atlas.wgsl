@@ -1,16 +1,17 @@
-// All images in one array of pages, filtered bilinearly with glTF's wrap modes. A place is
-// (x | y << 16, width | height << 16, page | wrap_s << 16 | wrap_t << 18 | TEXTURE_* flags).
+// All images in one array of pages, with glTF's wrap modes. A place is (x | y << 16, width | height << 16,
+// page | wrap_s << 11 | wrap_t << 13 | page of the levels << 15 | TEXTURE_* flags, x | y << 16 of the levels).
 
 // Decodes sRGB.
 var atlas_color: texture_2d_array<f32>;
 // The same texels as they are.
 var atlas_data: texture_2d_array<f32>;
 
-struct Footprint {
-    low: vec2i,
-    high: vec2i,
-    weight: vec2f,
+// A rectangle of texels on a page.
+struct Texels {
+    corner: vec2i,
+    size: vec2i,
     page: i32,
+    nearest: bool,
 }
 
 // The coordinate inside [0, 1] that shows the same texel.
@@ -27,40 +28,45 @@ fn texture_wrap_axis(i: i32, size: i32, wrap: u32) -> i32 {
     return select(clamp(i, 0, size - 1), repeated, wrap == WRAP_REPEAT);
 }
 
-fn texture_footprint(place: vec3u, texcoord: vec2f) -> Footprint {
-    let corner = vec2i(vec2u(place.x & 0xffffu, place.x >> 16u));
-    let size = vec2i(vec2u(place.y & 0xffffu, place.y >> 16u));
-    let wrap = vec2u((place.z >> 16u) & 3u, (place.z >> 18u) & 3u);
-    let folded = vec2f(texture_fold_axis(texcoord.x, wrap.x), texture_fold_axis(texcoord.y, wrap.y));
-    let at = folded * vec2f(size) - 0.5;
+// Of the third word of a place.
+fn texture_wrap(word: u32) -> vec2u {
+    return vec2u((word >> 11u) & 3u, (word >> 13u) & 3u);
+}
+
+fn texture_corner(word: u32) -> vec2i {
+    return vec2i(vec2u(word & 0xffffu, word >> 16u));
+}
+
+// The image itself.
+fn texture_whole(place: vec4u) -> Texels {
     let nearest = (place.z & TEXTURE_NEAREST) != 0u;
-    let low = vec2i(floor(select(at, at + 0.5, nearest)));
-    var f: Footprint;
-    f.weight = select(at - floor(at), vec2f(0.0), nearest);
-    f.low = corner + vec2i(texture_wrap_axis(low.x, size.x, wrap.x), texture_wrap_axis(low.y, size.y, wrap.y));
-    f.high = corner + vec2i(texture_wrap_axis(low.x + 1, size.x, wrap.x), texture_wrap_axis(low.y + 1, size.y, wrap.y));
-    f.page = i32(place.z & 0xffffu);
-    return f;
+    return Texels(texture_corner(place.x), texture_corner(place.y), i32(place.z & TEXTURE_PAGE), nearest);
 }
 
-fn texture_color(place: vec3u, texcoord: vec2f) -> vec4f {
-    if (place.z & TEXTURE_PRESENT) == 0u {
-        return vec4f(1.0);
-    }
-    let f = texture_footprint(place, texcoord);
-    let top = mix(textureLoad(atlas_color, f.low, f.page, 0), textureLoad(atlas_color, vec2i(f.high.x, f.low.y), f.page, 0), f.weight.x);
-    let bottom = mix(textureLoad(atlas_color, vec2i(f.low.x, f.high.y), f.page, 0), textureLoad(atlas_color, f.high, f.page, 0), f.weight.x);
-    return mix(top, bottom, f.weight.y);
+// What one point of the texture shows.
+fn texture_point(atlas: texture_2d_array<f32>, t: Texels, wrap: vec2u, texcoord: vec2f) -> vec4f {
+    let folded = vec2f(texture_fold_axis(texcoord.x, wrap.x), texture_fold_axis(texcoord.y, wrap.y));
+    let at = folded * vec2f(t.size) - 0.5;
+    let floored = vec2i(floor(select(at, at + 0.5, t.nearest)));
+    let weight = select(at - floor(at), vec2f(0.0), t.nearest);
+    let low = t.corner + vec2i(texture_wrap_axis(floored.x, t.size.x, wrap.x), texture_wrap_axis(floored.y, t.size.y, wrap.y));
+    let high = t.corner
+        + vec2i(texture_wrap_axis(floored.x + 1, t.size.x, wrap.x), texture_wrap_axis(floored.y + 1, t.size.y, wrap.y));
+    let top = mix(textureLoad(atlas, low, t.page, 0), textureLoad(atlas, vec2i(high.x, low.y), t.page, 0), weight.x);
+    let bottom = mix(textureLoad(atlas, vec2i(low.x, high.y), t.page, 0), textureLoad(atlas, high, t.page, 0), weight.x);
+    return mix(top, bottom, weight.y);
 }
 
-fn texture_data(place: vec3u, texcoord: vec2f) -> vec4f {
-    if (place.z & TEXTURE_PRESENT) == 0u {
-        return vec4f(1.0);
+fn texture_present(place: vec4u) -> bool {
+    return (place.z & TEXTURE_PRESENT) != 0u;
+}
+
+// Whether the point is part of the surface: that is never a matter of an average.
+fn texture_alpha(place: vec4u, texcoord: vec2f) -> f32 {
+    if !texture_present(place) {
+        return 1.0;
     }
-    let f = texture_footprint(place, texcoord);
-    let top = mix(textureLoad(atlas_data, f.low, f.page, 0), textureLoad(atlas_data, vec2i(f.high.x, f.low.y), f.page, 0), f.weight.x);
-    let bottom = mix(textureLoad(atlas_data, vec2i(f.low.x, f.high.y), f.page, 0), textureLoad(atlas_data, f.high, f.page, 0), f.weight.x);
-    return mix(top, bottom, f.weight.y);
+    return texture_point(atlas_color, texture_whole(place), texture_wrap(place.z), texcoord).a;
 }
 
 // Of several textures of a material the first that is there decides how coordinates are stored.
@@ -72,11 +78,8 @@ fn texture_first(object: u32) -> u32 {
 }
 
 fn texture_fold(object: u32, texcoord: vec2f) -> vec2f {
-    let place = texture_first(object);
-    return vec2f(
-        texture_fold_axis(texcoord.x, (place >> 16u) & 3u),
-        texture_fold_axis(texcoord.y, (place >> 18u) & 3u),
-    );
+    let wrap = texture_wrap(texture_first(object));
+    return vec2f(texture_fold_axis(texcoord.x, wrap.x), texture_fold_axis(texcoord.y, wrap.y));
 }
 
 fn texture_seam_matters(object: u32) -> bool {

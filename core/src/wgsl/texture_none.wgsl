@@ -1,11 +1,15 @@
 // The scene shows no texture.
 
-fn texture_color(place: vec3u, texcoord: vec2f) -> vec4f {
+fn texture_color(place: vec4u, texcoord: vec2f, footprint: vec3f) -> vec4f {
     return vec4f(1.0);
 }
 
-fn texture_data(place: vec3u, texcoord: vec2f) -> vec4f {
+fn texture_data(place: vec4u, texcoord: vec2f, footprint: vec3f) -> vec4f {
     return vec4f(1.0);
+}
+
+fn texture_alpha(place: vec4u, texcoord: vec2f) -> f32 {
+    return 1.0;
 }
 
 fn texture_fold(object: u32, texcoord: vec2f) -> vec2f {

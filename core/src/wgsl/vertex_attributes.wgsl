@@ -15,6 +15,16 @@ fn vertex_corner_texcoord(index: u32) -> vec2f {
     return vec2f(bitcast<f32>(vertices[index]), bitcast<f32>(vertices[index + 1u]));
 }
 
+// Of the three corners.
+fn vertex_texcoords(primitive: u32) -> array<vec2f, 3> {
+    let stride = vertex_stride();
+    if stride < 6u {
+        return array<vec2f, 3>();
+    }
+    let i = primitive * stride;
+    return array<vec2f, 3>(vertex_corner_texcoord(i), vertex_corner_texcoord(i + 2u), vertex_corner_texcoord(i + 4u));
+}
+
 fn vertex_texcoord(hit: Hit) -> vec2f {
     let stride = vertex_stride();
     if stride < 6u {

@@ -1,5 +1,9 @@
 // Vertices carry neither texture coordinates nor colours.
 
+fn vertex_texcoords(primitive: u32) -> array<vec2f, 3> {
+    return array<vec2f, 3>();
+}
+
 fn vertex_texcoord(hit: Hit) -> vec2f {
     return vec2f(0.0);
 }

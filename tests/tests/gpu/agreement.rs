@@ -6,7 +6,7 @@ mod wrong;
 
 use std::sync::OnceLock;
 
-use glimpse::{Method, Scene, Settings, probe::ProbeRay, reference::Reference, scene::builtin};
+use glimpse::{Method, Mip, Scene, Settings, probe::ProbeRay, reference::Reference, scene::builtin};
 use glimpse_tests::{Stage, gallery, note};
 
 /// Of pixels and rays these shares may be sensitive to rounding, and ties.
@@ -122,6 +122,19 @@ fn furnace() {
 #[test]
 fn textures() {
     agree("textures", gallery::textures(), [128, 85], Settings::default());
+}
+
+#[test]
+fn lenses() {
+    agree("lenses", gallery::lenses(), [96, 64], Settings { depth: 5, ..Settings::default() });
+}
+
+/// The texture itself at one point.
+#[test]
+fn textures_without_averages() {
+    let settings = Settings { mip: Mip::Off, ..Settings::default() };
+    let pair = Pair::new(gallery::textures(), [96, 64], settings);
+    agree_in_adaptive_frames("textures without averages", &pair);
 }
 
 #[test]

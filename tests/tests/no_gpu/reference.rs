@@ -20,7 +20,7 @@ use glimpse_tests::{
 const ALL: Limits = Limits { depth: 4, min_weight: 0.0 };
 
 fn ray(origin: DVec3, direction: DVec3) -> Ray {
-    Ray { origin, direction: direction.normalize(), t_max: f64::INFINITY }
+    Ray { origin, direction: direction.normalize(), t_max: f64::INFINITY, width: 0.0, growth: 0.0 }
 }
 
 fn seen(scene: &Scene, origin: DVec3, direction: DVec3) -> DVec3 {

@@ -30,6 +30,8 @@ fn rays(seed: u64, count: usize) -> impl Iterator<Item = Ray> {
         origin: random.inside(DVec3::splat(-1.5), DVec3::splat(1.5)),
         direction: random.direction(),
         t_max: f64::INFINITY,
+        width: 0.0,
+        growth: 0.0,
     })
     .take(count)
 }
@@ -56,8 +58,13 @@ fn rays_along_the_axes_are_no_exception() {
         builder.quad(object, Vec3::new(i as f32, -1.0, 0.0), Vec3::X, 2.0 * Vec3::Y);
     }
     let tracer = Tracer::new(&builder.seen_by(front_camera()));
-    let at =
-        |x: f64, y: f64| Ray { origin: DVec3::new(x, y, 5.0), direction: DVec3::NEG_Z, t_max: f64::INFINITY };
+    let at = |x: f64, y: f64| Ray {
+        origin: DVec3::new(x, y, 5.0),
+        direction: DVec3::NEG_Z,
+        t_max: f64::INFINITY,
+        width: 0.0,
+        growth: 0.0,
+    };
     // On a shared edge, on an outer edge, inside, and beside.
     for (x, y) in [(1.0, 0.0), (0.25, 1.0), (0.25, 0.5)] {
         assert_eq!(tracer.nearest(&at(x, y)), Some(Hit { object: 0, t: 5.0 }), "({x}, {y})");

@@ -36,6 +36,8 @@ fn random_rays(stage: &Stage, count: usize) -> Vec<ProbeRay> {
             origin: origin.to_array(),
             t_max: 1e30,
             direction: direction.to_array(),
+            width: 0.002,
+            growth: 0.01,
             ..ProbeRay::default()
         }
     })

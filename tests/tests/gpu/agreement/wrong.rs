@@ -1,7 +1,7 @@
 //! The comparisons see what they should: each of them objects to a reference that is wrong by a little.
 
 use glam::Vec2;
-use glimpse::{Method, Scene, Settings, Tolerances, reference::Reference, scene::LightKind};
+use glimpse::{Method, Mip, Scene, Settings, Tolerances, reference::Reference, scene::LightKind};
 use glimpse_tests::{agreement::Tally, gallery};
 
 use super::{Pair, built_in, frames::Frames, rays, srgb};
@@ -57,6 +57,18 @@ fn textures_shifted_by_half_a_texel_are_seen() {
     let pair = Pair::new(scene, SIZE, Settings::default());
     let frames = pair.frames(Method::Full).against(&wrong, pair.settings);
     objects(&frames.traced_colors(), 50, "radiance");
+}
+
+/// Textures of which samples show one point, where they should show averages.
+#[test]
+fn points_in_place_of_averages_are_seen() {
+    let scene = gallery::lenses();
+    let reference = changed(&scene, |_| ());
+    let pair = Pair::new(scene, SIZE, Settings::default());
+    for method in [Method::Full, Method::Adaptive] {
+        let points = Settings { method, mip: Mip::Off, ..pair.settings };
+        objects(&pair.frames(method).against(&reference, points).adaptive_colors(), 100, "radiance");
+    }
 }
 
 #[test]

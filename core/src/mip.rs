@@ -1,0 +1,244 @@
+//! Mip levels: an image at every half of its size. Each texel of a level is the average of the part of the image that it
+//! covers, with the share of a texel at its border that lies inside: sizes that are not even lose no row.
+
+use glam::Vec4;
+
+use crate::scene::{Image8, Scene};
+
+/// What the bytes of an image mean, and so how they are averaged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Content {
+    /// Numbers.
+    Data,
+    /// sRGB, averaged in linear light; alpha is linear and decides nothing.
+    Color,
+    /// sRGB with holes cut by alpha: no ray sees the colour of a hole, so colours count by their alpha. Where all is hole
+    /// the colour of the next smaller level stands, as filters reach over the border.
+    CutColor,
+}
+
+impl Content {
+    /// Of each image of a scene. Of several uses the last one above decides.
+    pub fn of_images(scene: &Scene) -> Vec<Self> {
+        let mut contents = vec![Self::Data; scene.images.len()];
+        for m in &scene.materials {
+            let base = if m.alpha_cutoff.is_some() { Self::CutColor } else { Self::Color };
+            for (texture, content) in [(m.base_color_texture, base), (m.emissive_texture, Self::Color)] {
+                let image = texture.map(|t| scene.textures[t as usize].image as usize);
+                if let Some(image) = image {
+                    contents[image] = contents[image].max(content);
+                }
+            }
+        }
+        contents
+    }
+
+    /// What is averaged, of a texel's bytes.
+    fn decode(self, texel: [u8; 4], linear: &[f32; 256]) -> Vec4 {
+        let plain = Vec4::from(texel.map(f32::from)) / 255.0;
+        let [r, g, b, _] = texel.map(|byte| linear[usize::from(byte)]);
+        match self {
+            Self::Data => plain,
+            Self::Color => Vec4::new(r, g, b, plain.w),
+            Self::CutColor => Vec4::new(r * plain.w, g * plain.w, b * plain.w, plain.w),
+        }
+    }
+
+    fn encode(self, average: Vec4) -> [u8; 4] {
+        let color = match self {
+            Self::CutColor if average.w > 0.0 => average / average.w,
+            _ => average,
+        };
+        let byte = |x: f32| (255.0 * x).round() as u8;
+        let [r, g, b, _] = color.to_array().map(|c| byte(if self == Self::Data { c } else { encoded(c) }));
+        [r, g, b, byte(average.w)]
+    }
+}
+
+/// sRGB of a linear value (IEC 61966-2-1).
+fn encoded(c: f32) -> f32 {
+    if c <= 0.003_130_8 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 }
+}
+
+/// The linear value of each byte of sRGB.
+fn linear_table() -> [f32; 256] {
+    std::array::from_fn(|byte| {
+        let c = byte as f32 / 255.0;
+        if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+    })
+}
+
+/// Width and height of a level; level 0 is the image.
+pub fn level_size(size: [u32; 2], level: u32) -> [u32; 2] {
+    size.map(|side| (side >> level).max(1))
+}
+
+/// The level that is one texel.
+pub fn last_level([width, height]: [u32; 2]) -> u32 {
+    width.max(height).max(1).ilog2()
+}
+
+/// The levels of an image from level 1 on.
+pub fn levels(image: &Image8, content: Content) -> Vec<Image8> {
+    let linear = linear_table();
+    let size = [image.width, image.height];
+    let texels = |i: usize| {
+        let [r, g, b, a] = [0, 1, 2, 3].map(|channel| image.rgba[4 * i + channel]);
+        content.decode([r, g, b, a], &linear)
+    };
+    let mut averages: Vec<([u32; 2], Vec<Vec4>)> = Vec::new();
+    for level in 1..=last_level(size) {
+        let smaller = level_size(size, level);
+        let texels = match averages.last() {
+            None => averaged(size, smaller, texels),
+            Some((larger, of)) => averaged(*larger, smaller, |i| of[i]),
+        };
+        averages.push((smaller, texels));
+    }
+    let mut levels: Vec<Image8> = averages
+        .iter()
+        .map(|([width, height], texels)| {
+            let rgba = texels.iter().flat_map(|average| content.encode(*average)).collect();
+            Image8 { width: *width, height: *height, rgba }
+        })
+        .collect();
+    if content == Content::CutColor {
+        fill_holes(&mut levels);
+    }
+    levels
+}
+
+/// The averages over the parts of a larger grid of texels that those of a smaller one cover.
+fn averaged(larger: [u32; 2], smaller: [u32; 2], texel: impl Fn(usize) -> Vec4) -> Vec<Vec4> {
+    let [columns, rows] = [0, 1].map(|axis| shares(larger[axis], smaller[axis]));
+    let mut averages = Vec::with_capacity(rows.len() * columns.len());
+    for row in &rows {
+        for column in &columns {
+            let in_row = |y: usize| -> Vec4 {
+                column.iter().map(|(x, share)| *share * texel(y * larger[0] as usize + x)).sum()
+            };
+            averages.push(row.iter().map(|(y, share)| *share * in_row(*y)).sum());
+        }
+    }
+    averages
+}
+
+/// For each of `few` equal parts of a row: the texels of the row's `many` that it covers, with their shares of it.
+fn shares(many: u32, few: u32) -> Vec<Vec<(usize, f32)>> {
+    let covered = f64::from(many) / f64::from(few);
+    let part = |i: u32| {
+        // In texels times `few`, which is exact.
+        let (low, high) = (u64::from(i) * u64::from(many), u64::from(i + 1) * u64::from(many));
+        let few = u64::from(few);
+        let share = |x: u64| ((x + 1) * few).min(high) - (x * few).max(low);
+        let texels = low / few..high.div_ceil(few);
+        texels.map(|x| (x as usize, (share(x) as f64 / (few as f64 * covered)) as f32)).collect()
+    };
+    (0..few).map(part).collect()
+}
+
+/// Texels without alpha take the colour of the next smaller level.
+fn fill_holes(levels: &mut [Image8]) {
+    for larger in (1..levels.len()).rev() {
+        let (larger, smaller) = levels.split_at_mut(larger);
+        let (Some(larger), Some(smaller)) = (larger.last_mut(), smaller.first()) else { continue };
+        for i in 0..larger.rgba.len() / 4 {
+            if larger.rgba[4 * i + 3] == 0 {
+                let (x, y) = (i as u32 % larger.width, i as u32 / larger.width);
+                let [x, y] = [(x, larger.width, smaller.width), (y, larger.height, smaller.height)]
+                    .map(|(at, of, to)| u64::from(at) * u64::from(to) / u64::from(of));
+                let from = 4 * (y * u64::from(smaller.width) + x) as usize;
+                larger.rgba[4 * i..4 * i + 3].copy_from_slice(&smaller.rgba[from..from + 3]);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn image(width: u32, height: u32, texel: impl Fn(u32, u32) -> [u8; 4]) -> Image8 {
+        let rgba = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).flat_map(|(x, y)| texel(x, y));
+        Image8 { width, height, rgba: rgba.collect() }
+    }
+
+    fn noise(width: u32, height: u32) -> Image8 {
+        let byte = |i: u32| (i.wrapping_mul(2_654_435_761) >> 24) as u8;
+        image(width, height, |x, y| [0, 1, 2, 3].map(|channel| byte(4 * (y * width + x) + channel + 1)))
+    }
+
+    /// The mean of each channel as it is averaged, in f64, of numbers as they are.
+    fn mean(image: &Image8) -> [f64; 4] {
+        let count = image.rgba.len() as f64 / 4.0;
+        let linear = linear_table();
+        std::array::from_fn(|channel| {
+            let values = image.rgba.iter().skip(channel).step_by(4).map(|b| match channel {
+                3 => f64::from(*b) / 255.0,
+                _ => f64::from(linear[usize::from(*b)]),
+            });
+            values.sum::<f64>() / count
+        })
+    }
+
+    #[test]
+    fn levels_halve_until_one_texel() {
+        for (size, expected) in [
+            ([1, 1], vec![]),
+            ([2, 1], vec![[1, 1]]),
+            ([5, 3], vec![[2, 1], [1, 1]]),
+            ([1, 9], vec![[1, 4], [1, 2], [1, 1]]),
+        ] {
+            let levels = levels(&noise(size[0], size[1]), Content::Data);
+            let sizes: Vec<_> = levels.iter().map(|level| [level.width, level.height]).collect();
+            assert_eq!(sizes, expected, "{size:?}");
+            assert_eq!(last_level(size) as usize, expected.len());
+            assert!(levels.iter().all(|l| l.rgba.len() == 4 * (l.width * l.height) as usize));
+        }
+    }
+
+    #[test]
+    fn a_checkerboard_is_half_as_bright_and_not_half_the_bytes() {
+        let board = image(64, 64, |x, y| [[0, 0, 0, 255], [255, 255, 255, 255]][((x + y) % 2) as usize]);
+        for level in levels(&board, Content::Color) {
+            // sRGB of 0.5 is byte 187.52.
+            assert!(level.rgba.chunks(4).all(|texel| texel == [188, 188, 188, 255]), "{level:?}");
+        }
+        for level in levels(&board, Content::Data) {
+            assert!(level.rgba.chunks(4).all(|texel| texel == [128, 128, 128, 255]), "{level:?}");
+        }
+    }
+
+    /// Of any size: no row or column counts less than another. Half a byte of sRGB is at most 0.0043 of linear light.
+    #[test]
+    fn every_level_has_the_mean_of_the_image() {
+        for (width, height) in [(16, 16), (5, 3), (7, 1), (1, 31), (13, 6), (100, 37)] {
+            let whole = noise(width, height);
+            let exact = mean(&whole);
+            for level in levels(&whole, Content::Color) {
+                for (found, exact) in mean(&level).iter().zip(exact) {
+                    let what = format!("{width} x {height} at {} x {}", level.width, level.height);
+                    assert!((found - exact).abs() < 0.0044, "{what}: {found}, exactly {exact}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn parts_of_texels_count_by_their_area() {
+        let row = image(5, 1, |x, _| [[10, 20, 30, 40, 50][x as usize]; 4]);
+        let halves = levels(&row, Content::Data).remove(0);
+        // (10 + 20 + 30 / 2) / 2.5 and (30 / 2 + 40 + 50) / 2.5
+        assert_eq!(halves.rgba, [[18; 4], [42; 4]].concat());
+    }
+
+    #[test]
+    fn holes_have_no_colour() {
+        let leaf = image(4, 4, |x, _| if x < 2 { [0, 200, 0, 255] } else { [255, 0, 255, 0] });
+        let cut = levels(&leaf, Content::CutColor);
+        assert_eq!(cut[0].rgba[..8], [0, 200, 0, 255, 0, 200, 0, 0]);
+        assert_eq!(cut[1].rgba, [0, 200, 0, 128]);
+        let painted = levels(&leaf, Content::Color);
+        assert_eq!(painted[0].rgba[..8], [0, 200, 0, 255, 255, 0, 255, 0]);
+    }
+}
