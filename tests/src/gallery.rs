@@ -161,16 +161,16 @@ pub fn lenses() -> Scene {
         let texture =
             b.texture(Texture { image, wrap: [Wrap::MirroredRepeat, Wrap::Repeat], nearest: false });
         let wall = b.object(Material { base_color_texture: Some(texture), ..unlit(Vec3::ONE) });
-        b.textured_quad(wall, [corner, u, 4.0 * Vec3::Y], [vec2(-2.1, 0.3), vec2(7.4, 5.2)]);
+        b.textured_quad(wall, [corner, u, 4.0 * Vec3::Y], [vec2(-1.1, 0.3), vec2(2.2, 1.9)]);
     }
     let lens = b.object(glass(1.5));
-    b.sphere(lens, vec3(-0.8, 0.2, 0.0), 0.6);
+    b.sphere(lens, vec3(-0.8, 0.2, 0.0), 0.35);
     let ball = b.object(mirror(vec3(0.9, 0.8, 0.7)));
-    b.sphere(ball, vec3(0.7, 0.2, 0.0), 0.6);
+    b.sphere(ball, vec3(0.7, 0.2, 0.0), 0.45);
     let pane = b.object(Material { thin: true, ..glass(1.5) });
     b.quad(pane, vec3(-0.3, 0.7, 0.3), 0.8 * Vec3::X, 0.5 * Vec3::Y);
     let pillow = b.object(mirror(Vec3::splat(0.9)));
-    b.quad(pillow, vec3(-1.5, -0.9, -0.2), 2.6 * Vec3::X, 0.6 * Vec3::Y);
+    b.quad(pillow, vec3(-1.1, -0.8, -0.2), 1.6 * Vec3::X, 0.3 * Vec3::Y);
     b.environment(vec3(0.2, 0.3, 0.5), Vec3::splat(0.05));
     let camera = Camera::look_at(vec3(0.1, 0.4, 3.4), vec3(0.0, 0.2, 0.0), 0.72).expect("a valid camera");
     let mut scene = b.seen_by(camera);
