@@ -128,8 +128,10 @@ impl Frame<'_> {
             if !self.in_focus(a.object) && !self.in_focus(b.object) {
                 return 0;
             }
-            let bent =
-                a.normal != b.normal && a.normal.dot(b.normal) <= f64::from(self.settings.tolerances.norm);
+            let both = a.object.is_some() && b.object.is_some();
+            let bent = both
+                && a.normal != b.normal
+                && a.normal.dot(b.normal) <= f64::from(self.settings.tolerances.norm);
             u32::from(a.object != b.object)
                 | u32::from(bent) << 1
                 | u32::from(a.shadow_count != b.shadow_count) << 2

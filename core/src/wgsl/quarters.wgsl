@@ -57,7 +57,8 @@ fn quarters_differing_at(a: u32, b: u32, a_normal: u32, b_normal: u32) -> u32 {
     }
     let objects = (a ^ b) & EDGES_OBJECT;
     let shadows = ((a ^ b) & ~EDGES_TEXTURE) >> EDGES_SHADOW_SHIFT;
-    let bent = a_normal != b_normal
+    let both = (a & EDGES_OBJECT) != 0u && (b & EDGES_OBJECT) != 0u;
+    let bent = both && a_normal != b_normal
         && dot(octahedral_decode(a_normal), octahedral_decode(b_normal)) <= frame.norm_tolerance;
     return select(0u, 1u, objects != 0u) | select(0u, 2u, bent) | select(0u, 4u, shadows != 0u);
 }
