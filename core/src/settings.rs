@@ -13,11 +13,18 @@ pub enum Method {
     /// A baseline: a ray through every second pixel in the order of a checkerboard, the average of their neighbours in the
     /// others. One sample a pixel.
     Checkerboard,
+    /// The lecture's "frameless rendering": a share of the pixels is traced anew, in a well-spread order; the others stay
+    /// as they are, whatever has moved. One sample a pixel.
+    Frameless,
+    /// The lecture's "reprojection": what the frame before showed is moved to where the camera sees it now. What is not
+    /// covered, what mirrors or lets light through, and a share of the pixels are traced. One sample a pixel.
+    Reproject,
 }
 
 impl Method {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Full, Self::Adaptive, Self::Checkerboard];
+    pub const ALL: [Self; 5] =
+        [Self::Full, Self::Adaptive, Self::Checkerboard, Self::Frameless, Self::Reproject];
 
     /// Its name on the command line.
     #[must_use]
@@ -26,7 +33,21 @@ impl Method {
             Self::Full => "full",
             Self::Adaptive => "adaptive",
             Self::Checkerboard => "checkerboard",
+            Self::Frameless => "frameless",
+            Self::Reproject => "reproject",
         }
+    }
+
+    /// A frame keeps something of the frames before it.
+    #[must_use]
+    pub fn keeps_frames(self) -> bool {
+        matches!(self, Self::Frameless | Self::Reproject)
+    }
+
+    /// It knows pixels of one sample alone.
+    #[must_use]
+    pub fn takes_one_sample(self) -> bool {
+        self == Self::Checkerboard || self.keeps_frames()
     }
 }
 
@@ -129,6 +150,9 @@ pub struct Settings {
     pub depth: u32,
     /// Rays that would contribute less than this share of the pixel are not traced. 0 follows them all.
     pub min_weight: f32,
+    /// The share of the pixels that a frame traces anew which keeps the others, above 0 and at most 1: more costs time,
+    /// less leaves longer what is no longer so. No pixel is older than `1 / share` frames.
+    pub share: f32,
     /// Which pieces are linked.
     pub features: Linking,
 }
@@ -153,6 +177,7 @@ impl Default for Settings {
             postcorrect: Postcorrect::Auto,
             depth: 3,
             min_weight: 0.05,
+            share: 0.1,
             features: Linking::Auto,
         }
     }
@@ -182,16 +207,20 @@ impl Settings {
                 return Err(crate::Error::setting(name, format!("expected {range}, found {value}")));
             }
         }
+        if !(self.share > 0.0 && self.share <= 1.0) {
+            let expected = format!("expected a number above 0 and at most 1, found {}", self.share);
+            return Err(crate::Error::setting("--share", expected));
+        }
         let counts = [("--depth", self.depth, MAX_DEPTH), ("--sampling", self.sampling, MAX_SAMPLING)];
         for (name, value, most) in counts {
             if !(1..=most).contains(&value) {
                 return Err(crate::Error::setting(name, format!("expected 1 to {most}, found {value}")));
             }
         }
-        if self.method == Method::Checkerboard && self.sampling > 1 {
+        if self.method.takes_one_sample() && self.sampling > 1 {
             return Err(crate::Error::setting(
                 "--sampling",
-                format!("expected 1 with --method checkerboard, found {}", self.sampling),
+                format!("expected 1 with --method {}, found {}", self.method.name(), self.sampling),
             ));
         }
         if ![2, 4, 8].contains(&self.block) {
@@ -225,6 +254,15 @@ impl Default for Robustness {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_share_is_above_0_and_at_most_1() {
+        for (share, fits) in
+            [(0.0, false), (-0.1, false), (f32::NAN, false), (1.001, false), (1e-9, true), (1.0, true)]
+        {
+            assert_eq!(Settings { share, ..Settings::default() }.validate().is_ok(), fits, "{share}");
+        }
+    }
 
     #[test]
     fn tolerances_are_those_of_every_second_sample() {

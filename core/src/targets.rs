@@ -19,6 +19,12 @@ pub const LIST_HEADER: u64 = 16;
 /// Bytes of a sample's radiance.
 const SAMPLE_BYTES: u64 = 12;
 
+/// Bytes that a frame leaves of a pixel: a point and its radiance.
+const HISTORY_BYTES: u64 = 24;
+
+/// Bytes of what landed in a pixel: a key and where it came from.
+const LANDED_BYTES: u64 = 8;
+
 /// No buffer of a band is larger: half of what WebGPU lets a storage binding be.
 const BAND_BYTES: u64 = 64 << 20;
 
@@ -35,6 +41,10 @@ pub struct Targets {
     pub samples: wgpu::Buffer,
     pub dispatch: wgpu::Buffer,
     pub display: wgpu::Texture,
+    /// What a frame leaves for the next one, in turn.
+    pub histories: [wgpu::Buffer; 2],
+    /// Where that is seen from the next camera.
+    pub landed: wgpu::Buffer,
 }
 
 impl Targets {
@@ -54,13 +64,14 @@ impl Targets {
         // Of every second row.
         let attribute_bytes = if adaptive { 4 * variant.planes().len() as u64 } else { 0 };
         let checkerboard = settings.method == Method::Checkerboard;
+        let reproject = settings.method == Method::Reproject;
         let sample_bytes = if settings.sampling > 1 || checkerboard { SAMPLE_BYTES } else { 0 };
         // A sample is listed once at most.
-        let list_bytes = if adaptive { 4 } else { 0 };
+        let list_bytes = if adaptive || reproject { 4 } else { 0 };
         let row_bytes = u64::from(grid[0]) * sample_bytes.max(attribute_bytes.div_ceil(2)).max(list_bytes);
         let band = plan::band_rows(settings.sampling, BAND_BYTES / row_bytes.max(1));
-        // Its second pass looks across the borders of bands.
-        let band = if checkerboard { u32::MAX } else { band };
+        // Later passes, or frames, look across the borders of bands.
+        let band = if settings.method.takes_one_sample() { u32::MAX } else { band };
         let shape = Shape {
             grid,
             sampling: settings.sampling,
@@ -73,6 +84,8 @@ impl Targets {
         let rows = u64::from(plan.stored_rows);
         let width = u64::from(grid[0]);
         let storage = wgpu::BufferUsages::STORAGE;
+        let moved = if reproject { width * rows } else { 0 };
+        let history = || gpu.buffer("history", HISTORY_BYTES * moved, storage);
         let dispatches = DISPATCH_BYTES * u64::from(plan.chunks());
         Ok(Self {
             size,
@@ -87,6 +100,8 @@ impl Targets {
             samples: gpu.buffer("samples", sample_bytes * width * rows, storage)?,
             dispatch: gpu.buffer("dispatch", dispatches, storage | wgpu::BufferUsages::INDIRECT)?,
             display: texture(gpu, "display", size, wgpu::TextureFormat::Rgba8Unorm)?,
+            histories: [history()?, history()?],
+            landed: gpu.buffer("landed", LANDED_BYTES * moved, storage)?,
             plan,
         })
     }
@@ -102,9 +117,11 @@ impl Targets {
 
     /// Bytes on the device.
     pub fn bytes(&self) -> u64 {
+        let [one, other] = &self.histories;
+        let kept = [one, other, &self.landed];
         let buffers = [&self.frame, &self.attributes, &self.list, &self.samples, &self.dispatch];
         let pixels = u64::from(self.size[0]) * u64::from(self.size[1]);
-        buffers.iter().map(|b| b.size()).sum::<u64>() + 4 * pixels
+        buffers.iter().chain(&kept).map(|b| b.size()).sum::<u64>() + 4 * pixels
     }
 
     /// Bytes on the device together with the scene's.

@@ -11,6 +11,7 @@ mod gpu {
     mod postcorrect;
     mod renderer;
     mod scenes;
+    mod sequences;
     mod stress;
     mod traversal;
 }

@@ -90,6 +90,8 @@ impl Demands {
             Method::Full => Stage::Full,
             Method::Adaptive => Stage::TraceA1,
             Method::Checkerboard => Stage::Checkerboard,
+            Method::Frameless => Stage::Frameless,
+            Method::Reproject => Stage::Renew,
         };
         let kernel = link(&variant.sources(traced))?;
         let of = |function, apart: &[&str]| count(&kernel, function, apart).unwrap_or_default();
@@ -117,7 +119,7 @@ fn between(variant: &Variant, method: Method) -> Result<(Demand, Demand)> {
     let of =
         |stage| Ok::<_, crate::Error>(count(&link(&variant.sources(stage))?, None, &[]).unwrap_or_default());
     Ok(match method {
-        Method::Full => Default::default(),
+        Method::Full | Method::Frameless => Default::default(),
         Method::Adaptive => {
             let [once, light, deeper] = of(Stage::SimilarityA1)?;
             (once, light + deeper)
@@ -125,6 +127,12 @@ fn between(variant: &Variant, method: Method) -> Result<(Demand, Demand)> {
         Method::Checkerboard => {
             let [once, neighbour, _] = of(Stage::Fill)?;
             (once + neighbour.times(4.0), Demand::default())
+        }
+        Method::Reproject => {
+            let [reused, side, _] = of(Stage::Reuse)?;
+            let [moved, ..] = of(Stage::ReprojectDepth)?;
+            let [found, ..] = of(Stage::ReprojectSource)?;
+            (reused + side.times(4.0) + moved + found, Demand::default())
         }
     })
 }
@@ -144,7 +152,7 @@ mod tests {
     /// walk through it sees what happens where.
     #[test]
     fn a_node_is_read_once_a_visit_and_a_triangle_once_a_test() {
-        for method in [Method::Full, Method::Adaptive, Method::Checkerboard] {
+        for method in Method::ALL {
             let demands = demands("room", method);
             assert_eq!(demands.node_visit.scene_bytes, 80.0, "{method:?}");
             // And the number that tells a sphere from a triangle.

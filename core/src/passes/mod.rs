@@ -19,6 +19,12 @@
 //! | resolve | Kim 2016, 6.1 ("Sampling") | `passes/resolve.wgsl` |
 //! | checkerboard | a baseline | `passes/checkerboard.wgsl` |
 //! | fill | a baseline | `passes/fill.wgsl` |
+//! | frameless | lecture, "Low level optimizations" | `passes/frameless.wgsl` |
+//! | reproject_depth | lecture, "Reprojection" | `passes/reproject_depth.wgsl` |
+//! | reproject_source | lecture, "Reprojection" | `passes/reproject_source.wgsl` |
+//! | reuse | lecture, "Reprojection" | `passes/reuse.wgsl` |
+//! | compact_renew | Kim 2016, 5 | `passes/compact.wgsl` |
+//! | renew | lecture, "Reprojection" | `passes/renew.wgsl` |
 
 mod constants;
 mod demand;
@@ -88,11 +94,23 @@ pub enum Stage {
     Checkerboard,
     /// The other pixels.
     Fill,
+    /// The pixels whose turn it is.
+    Frameless,
+    /// What was seen, where it is seen now: the nearest.
+    ReprojectDepth,
+    /// What was seen, where it is seen now: which it was.
+    ReprojectSource,
+    /// The pixels that show it again; the others are listed.
+    Reuse,
+    /// The list's dispatches.
+    CompactRenew,
+    /// The listed pixels.
+    Renew,
 }
 
 impl Stage {
     /// Every stage.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 23] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -110,6 +128,12 @@ impl Stage {
         Self::Resolve,
         Self::Checkerboard,
         Self::Fill,
+        Self::Frameless,
+        Self::ReprojectDepth,
+        Self::ReprojectSource,
+        Self::Reuse,
+        Self::CompactRenew,
+        Self::Renew,
     ];
 
     /// Its name everywhere: GPU label, timing row.
@@ -133,6 +157,12 @@ impl Stage {
             Self::Resolve => "resolve",
             Self::Checkerboard => "checkerboard",
             Self::Fill => "fill",
+            Self::Frameless => "frameless",
+            Self::ReprojectDepth => "reproject_depth",
+            Self::ReprojectSource => "reproject_source",
+            Self::Reuse => "reuse",
+            Self::CompactRenew => "compact_renew",
+            Self::Renew => "renew",
         }
     }
 
@@ -141,9 +171,11 @@ impl Stage {
             Self::Full => wgsl!("passes/full.wgsl"),
             Self::Base => wgsl!("passes/base.wgsl"),
             Self::SimilarityA1 => wgsl!("passes/similarity_a1.wgsl"),
-            Self::CompactA1 | Self::CompactA2 | Self::CompactSeed | Self::CompactPostcorrect => {
-                wgsl!("passes/compact.wgsl")
-            }
+            Self::CompactA1
+            | Self::CompactA2
+            | Self::CompactSeed
+            | Self::CompactPostcorrect
+            | Self::CompactRenew => wgsl!("passes/compact.wgsl"),
             Self::PostcorrectSeed => wgsl!("passes/postcorrect_seed.wgsl"),
             Self::PostcorrectLandmarks => wgsl!("passes/postcorrect_landmarks.wgsl"),
             Self::Postcorrect => wgsl!("passes/postcorrect.wgsl"),
@@ -153,6 +185,11 @@ impl Stage {
             Self::Resolve => wgsl!("passes/resolve.wgsl"),
             Self::Checkerboard => wgsl!("passes/checkerboard.wgsl"),
             Self::Fill => wgsl!("passes/fill.wgsl"),
+            Self::Frameless => wgsl!("passes/frameless.wgsl"),
+            Self::ReprojectDepth => wgsl!("passes/reproject_depth.wgsl"),
+            Self::ReprojectSource => wgsl!("passes/reproject_source.wgsl"),
+            Self::Reuse => wgsl!("passes/reuse.wgsl"),
+            Self::Renew => wgsl!("passes/renew.wgsl"),
         }
     }
 }

@@ -30,7 +30,12 @@ struct Frame {
     step: vec2i,
     // The most samples that a thread of the postcorrection traces.
     walk: u32,
-    padding: u32,
+    // The ranks that are traced anew: the first and how many.
+    renewed_from: u32,
+    renewed: u32,
+    // Not 0 where the camera is that of the frame before.
+    still: u32,
+    padding: vec2u,
 }
 
 var<uniform> frame: Frame;
