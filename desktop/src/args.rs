@@ -151,9 +151,17 @@ pub struct BenchOptions {
     /// Warm frames of each method
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: u32,
+    /// Turn the camera to the right by so much before each warm frame, and compare each with full
+    #[arg(long, value_name = "DEGREES", value_parser = finite, allow_negative_numbers = true)]
+    pub pan: Option<f64>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
+}
+
+fn finite(text: &str) -> Result<f64, String> {
+    let number: Option<f64> = text.parse().ok();
+    number.filter(|number| number.is_finite()).ok_or_else(|| "expected a finite number".to_owned())
 }
 
 /// `glimpse report`
@@ -294,6 +302,9 @@ pub struct FrameOptions {
     /// Rays that would contribute less than this share of a pixel are not traced
     #[arg(long, value_name = "W", default_value_t = Settings::default().min_weight, allow_negative_numbers = true)]
     pub min_weight: f32,
+    /// Share of the pixels that methods which keep frames trace anew in each
+    #[arg(long, value_name = "S", default_value_t = Settings::default().share, allow_negative_numbers = true)]
+    pub share: f32,
     /// Leave out what the scene does not need, or link everything
     #[arg(long, value_enum, default_value = "auto", ignore_case = true)]
     pub features: LinkingName,
@@ -310,6 +321,7 @@ impl FrameOptions {
             tolerances: Tolerances { pos: self.t_pos, norm: self.t_norm, tex: self.t_tex, gcol: self.t_gcol },
             depth: self.depth,
             min_weight: self.min_weight,
+            share: self.share,
             features: self.features.into(),
         };
         settings.validate()?;
@@ -333,6 +345,7 @@ impl Default for FrameOptions {
             t_gcol: settings.tolerances.gcol,
             depth: settings.depth,
             min_weight: settings.min_weight,
+            share: settings.share,
             features: LinkingName::Auto,
         }
     }
@@ -404,6 +417,10 @@ pub enum MethodName {
     Adaptive,
     /// A ray through every second sample, averages elsewhere
     Checkerboard,
+    /// Rays through a share of the pixels; the others stay as they are
+    Frameless,
+    /// The last frame moved to where the camera sees it; rays where that leaves gaps
+    Reproject,
 }
 
 impl From<MethodName> for Method {
@@ -412,6 +429,8 @@ impl From<MethodName> for Method {
             MethodName::Full => Self::Full,
             MethodName::Adaptive => Self::Adaptive,
             MethodName::Checkerboard => Self::Checkerboard,
+            MethodName::Frameless => Self::Frameless,
+            MethodName::Reproject => Self::Reproject,
         }
     }
 }

@@ -76,7 +76,7 @@ fn every_option_of_render_arrives() {
     let options = render(
         "render builtin:room -o x.EXR --size 640X480 --camera top --method full --t-pos 0.1 --t-norm -0.5 \
          --t-tex 0.2 --t-gcol 0.3 --depth 5 --min-weight 0 --features all --show check:tex --frames 7 \
-         --reference --stats s.json --sampling 4 --block 8 --postcorrect scans",
+         --reference --stats s.json --sampling 4 --block 8 --postcorrect scans --share 0.5",
     );
     let settings = options.frame.settings(options.method).unwrap();
     let tolerances = Tolerances { pos: 0.1, norm: -0.5, tex: 0.2, gcol: 0.3 };
@@ -90,6 +90,7 @@ fn every_option_of_render_arrives() {
             postcorrect: Postcorrect::Scans,
             depth: 5,
             min_weight: 0.0,
+            share: 0.5,
             features: Linking::All
         }
     );

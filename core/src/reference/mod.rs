@@ -9,6 +9,7 @@
 //! | [`Frame::ray`], [`Frame::traced`], [`Frame::adaptive`], [`Frame::checkerboard`] | `frame.wgsl`, the passes |
 //! | [`Frame::failed`], [`Frame::interpolated`], [`Frame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes_planes.wgsl` |
 //! | [`Frame::postcorrection`] | `postcorrect_seed.wgsl`, `postcorrect_landmarks.wgsl`, `postcorrect.wgsl`, `postcorrect_scan.wgsl` |
+//! | [`Frame::renews`], [`Frame::reprojected`] | `renewal.wgsl`, `reproject_depth.wgsl`, `reproject_source.wgsl`, `reuse.wgsl` |
 //!
 //! Shared with what it judges: the [`Scene`] in main memory (with its normals in octahedral words, for that is what the
 //! scene holds), the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), and the Rust functions that pack and
@@ -30,6 +31,7 @@ mod judge;
 mod lights;
 mod material;
 mod postcorrection;
+mod reprojection;
 mod rounding;
 mod sample;
 mod shadow;
@@ -46,6 +48,7 @@ pub use intersection::{Crossing, Ray};
 pub use judge::Verdict;
 pub use lights::Arrival;
 pub use material::{Material, fresnel_dielectric};
+pub use reprojection::Kept;
 pub use rounding::{Cause, Rounding, SPAWN_ULPS, ULPS};
 pub use sample::{Limits, Sample};
 pub use similarity::Reached;
