@@ -183,7 +183,7 @@ fn after_a_pan_reprojection_becomes_full() {
 }
 
 /// The bound on reprojection's error: PSNR in dB against full ray tracing of the same frame.
-const SLOW_PAN_DB: f64 = 24.0;
+const SLOW_PAN_DB: f64 = 27.0;
 
 #[test]
 fn a_slow_pan_stays_below_the_bound() {
@@ -203,7 +203,7 @@ fn a_slow_pan_stays_below_the_bound() {
         let share = shares.iter().sum::<f64>() / shares.len() as f64;
         note(&format!("{scene}: worst frame of a slow pan {worst:.2} dB, {share:.3} of the pixels traced"));
         assert!(worst > SLOW_PAN_DB, "{scene}: {worst}");
-        assert!(share < 0.6, "{scene}: {share}");
+        assert!(share < 0.65, "{scene}: {share}");
     }
 }
 
@@ -232,21 +232,28 @@ fn the_nearest_wins_and_what_it_hid_is_traced() {
     }
 }
 
-/// Coming closer tears the post's points apart; the wall, whose points land in the gaps, is not seen through it.
+/// Coming closer tears the post's points apart, and going aside moves the post over points of the wall, which land in the
+/// gaps: they are not seen through it.
 #[test]
 fn nothing_shows_through_gaps() {
     let stage = Stage::new(wall_and_post(Some([-0.4, 0.8])));
     let _turn = turn();
     let mut pair = Pair::new(&stage, Method::Reproject, 1.0 / 256.0);
-    pair.frame(&stage.camera);
-    for frame in 1..6 {
-        let camera = moved(&stage.camera, -0.12 * frame as f32 * Vec3::Z);
+    for trial in 0..24_u16 {
+        // Another share: the next frame is a first one.
+        let share = f32::from(1 + trial % 2) / 256.0;
+        pair.renderer.change(SIZE, &settings(Method::Reproject, share)).expect("a change");
+        pair.frame(&stage.camera);
+        let step = f32::from(trial);
+        let camera = moved(&stage.camera, vec3(0.35 - 0.011 * step, 0.0, -0.2 - 0.013 * step));
         let [found, full] = pair.frame(&camera);
-        // Well inside of the post.
+        let objects = pair.full.inspect(&camera).expect("counts").pixels;
         let [width, height] = SIZE;
-        let inside = |x: u32, y: u32| x.abs_diff(width / 2) < 12 && y.abs_diff(height / 2) < 12;
-        for (x, y, pixel) in found.enumerate_pixels().filter(|(x, y, _)| inside(*x, *y)) {
-            assert_eq!(pixel, full.get_pixel(x, y), "{frame}: {x} {y}");
+        let of_post = |x: u32, y: u32| objects[(y * width + x) as usize].object == Some(1);
+        for (x, y) in (2..height - 2).flat_map(|y| (2..width - 2).map(move |x| (x, y))) {
+            if (y - 2..=y + 2).all(|y| (x - 2..=x + 2).all(|x| of_post(x, y))) {
+                assert_eq!(found.get_pixel(x, y), full.get_pixel(x, y), "{trial}: {x} {y}");
+            }
         }
     }
 }
