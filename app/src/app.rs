@@ -411,9 +411,13 @@ impl App {
 
     /// The frame of a view that rests is shown, or cannot be made.
     fn is_complete(&self) -> bool {
-        let shown = self.shown.as_ref().map(|shown| &shown.frame.job);
         let job = self.still_job();
-        job.as_ref() == shown || job == self.pending.vain
+        job.as_ref().is_some_and(|job| self.is_shown(job)) || job == self.pending.vain
+    }
+
+    /// The job's frame is shown, and another would be the same.
+    pub(crate) fn is_shown(&self, job: &Job) -> bool {
+        self.shown.as_ref().is_some_and(|shown| shown.frame.job == *job && shown.frame.settled)
     }
 
     /// Waits until the worker has done what it was asked for.
@@ -445,7 +449,7 @@ impl App {
 
     pub(crate) fn still_quality(&self) -> Quality {
         let scale =
-            if self.choices.governor.is_some() { self.governor.largest() } else { self.choices.scale };
+            if self.choices.governed().is_some() { self.governor.largest() } else { self.choices.scale };
         Quality { scale, ..Quality::FULL }
     }
 

@@ -48,6 +48,8 @@ pub enum Setting {
     Gcol(f32),
     /// `min-weight`
     MinWeight(f32),
+    /// `share`
+    Share(f32),
 }
 
 impl Setting {
@@ -65,6 +67,7 @@ impl Setting {
             Self::Tex(value) => tolerances.tex = value,
             Self::Gcol(value) => tolerances.gcol = value,
             Self::MinWeight(value) => settings.min_weight = value,
+            Self::Share(value) => settings.share = value,
         }
     }
 }
@@ -138,6 +141,7 @@ fn setting(name: &str, value: &str) -> Result<Setting, String> {
         "t-tex" => Setting::Tex(number(value)?),
         "t-gcol" => Setting::Gcol(number(value)?),
         "min-weight" => Setting::MinWeight(number(value)?),
+        "share" => Setting::Share(number(value)?),
         _ => return Err(format!("expected the name of a choice, found `{name}`")),
     })
 }
@@ -171,7 +175,8 @@ mod tests {
             ("block 3", "2, 4 or 8"),
             ("depth 0", "1 to 64"),
             ("t-norm x", "expected a number, found `x`"),
-            ("method maybe", "expected full, adaptive, checkerboard, found `maybe`"),
+            ("method maybe", "expected full, adaptive, checkerboard, frameless, reproject, found `maybe`"),
+            ("share 0", "above 0 and at most 1"),
             ("split 1.5", "expected a number from 0 to 1, found `1.5`"),
             ("mip maybe", "expected off, on, found `maybe`"),
             ("color red", "expected the name of a choice, found `color`"),

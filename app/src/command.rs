@@ -34,6 +34,7 @@ fn options(settings: &Settings) -> Vec<String> {
         (tolerances.gcol != usual_tolerances.gcol, "t-gcol", tolerances.gcol.to_string()),
         (settings.depth != usual.depth, "depth", settings.depth.to_string()),
         (settings.min_weight != usual.min_weight, "min-weight", settings.min_weight.to_string()),
+        (settings.share != usual.share, "share", settings.share.to_string()),
     ];
     words
         .into_iter()

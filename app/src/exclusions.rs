@@ -2,7 +2,7 @@
 
 use glimpse::Method;
 
-use crate::{Choices, Show};
+use crate::{Choices, FrameRate, Show};
 
 impl Choices {
     /// Why no frame can be made like this, for people; `None` if one can.
@@ -11,6 +11,7 @@ impl Choices {
         let several = self.settings.sampling > 1;
         match (self.settings.method, self.show) {
             (Method::Checkerboard, _) if several => Some("A checkerboard has one sample a pixel."),
+            (method, _) if several && method.keeps_frames() => Some("Pixels that are kept have one sample."),
             (_, show) if several && show != Show::Final => {
                 Some("What is shown instead of the frame is about pixels of one sample.")
             }
@@ -23,8 +24,23 @@ impl Choices {
             (_, Show::Attribute(_)) if !self.settings.supersamples() => {
                 Some("Attributes are compared where there are extra samples: method supersample.")
             }
+            (method, Show::Check(_) | Show::Depth | Show::Normal | Show::Oid) if method.keeps_frames() => {
+                Some("Of pixels that are kept only the colour is known.")
+            }
             _ => None,
         }
+    }
+
+    /// The rate that the governor holds, where it has a say: a frame of another size keeps nothing of the one before.
+    #[must_use]
+    pub fn governed(&self) -> Option<FrameRate> {
+        self.governor.filter(|_| !self.settings.method.keeps_frames())
+    }
+
+    /// Why the share of renewed pixels changes nothing; `None` if it does.
+    #[must_use]
+    pub fn share_rests(&self) -> Option<&'static str> {
+        (!self.settings.method.keeps_frames()).then_some("Only frameless and reproject keep pixels.")
     }
 
     /// Why the knobs of the adaptive method change nothing; `None` if they do.
@@ -36,6 +52,6 @@ impl Choices {
     /// Why the scale changes nothing; `None` if it does.
     #[must_use]
     pub fn scale_rests(&self) -> Option<&'static str> {
-        self.governor.map(|_| "The governor chooses the scale: switch it off first.")
+        self.governed().map(|_| "The governor chooses the scale: switch it off first.")
     }
 }

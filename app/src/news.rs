@@ -98,14 +98,15 @@ impl App {
     fn framed(&mut self, frame: Box<Frame>) {
         // While the view moves, orders overtake frames: every frame is shown.
         self.pending.frame.take_if(|coming| coming.number == frame.number);
-        self.pending.count = frame.job.is_still().then_some(frame.number);
+        self.pending.count = (frame.job.is_still() && frame.settled).then_some(frame.number);
         self.losses = 0;
         let pixels = frame.job.size.map(u64::from).iter().product();
         let ms = self.cost.map_or(frame.ms, |cost| cost * pixels as f64 * 1e-6);
         if !frame.compiled {
             self.frames += 1;
-            self.report = Some(FrameReport { level: frame.job.level, pixels, ms });
-            if !frame.job.is_still() {
+            let governed = self.choices.governed().is_some();
+            self.report = governed.then_some(FrameReport { level: frame.job.level, pixels, ms });
+            if governed && !frame.job.is_still() {
                 self.tally.frames += 1;
                 self.tally.late += u32::from(ms > self.governor.limit_ms());
             }
@@ -160,7 +161,7 @@ impl App {
         self.quality = self.next_quality();
         self.readings.governor = self.governor_at_work();
         let Some(job) = self.job(&self.quality) else { return };
-        let known = self.shown.as_ref().is_some_and(|shown| shown.frame.job == job);
+        let known = self.is_shown(&job);
         let coming = self.pending.frame.as_ref().is_some_and(|coming| coming.job == job);
         if known || coming || self.pending.vain.as_ref() == Some(&job) {
             return;
@@ -174,7 +175,7 @@ impl App {
     /// What the governor does, for people.
     fn governor_at_work(&self) -> String {
         let Quality { level, scale, block, relax } = self.quality;
-        match (self.choices.governor, level) {
+        match (self.choices.governed(), level) {
             (None, _) => String::new(),
             (Some(_), None) => "at rest: everything as chosen".to_owned(),
             (Some(_), Some(level)) => format!(
@@ -187,8 +188,12 @@ impl App {
 
     /// The quality that the governor allows now.
     fn next_quality(&mut self) -> Quality {
-        let Some(rate) = self.choices.governor else { return self.still_quality() };
         let moving = self.is_moving();
+        let Some(rate) = self.choices.governed() else {
+            // What a frame keeps must not be given up with it.
+            let keeps = moving && self.choices.settings.method.keeps_frames();
+            return Quality { level: keeps.then_some(0), ..self.still_quality() };
+        };
         self.governor.set_budget(rate.budget_ms());
         self.governor.next(self.now, self.report.take(), moving)
     }

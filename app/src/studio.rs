@@ -53,6 +53,8 @@ pub struct Frame {
     pub full: Option<Arc<wgpu::Texture>>,
     /// Milliseconds on the device.
     pub ms: f64,
+    /// Another frame of the job would show the same.
+    pub settled: bool,
     /// Kernels were compiled for it: no other frame takes so long.
     pub compiled: bool,
     /// Its passes.
@@ -115,7 +117,7 @@ impl<'a> Studio<'a> {
             return Ok(());
         };
         let compiled = renderer.kernels() > known;
-        let memory = renderer.memory();
+        let (memory, settled) = (renderer.memory(), renderer.is_settled());
         let (picture, legend) = if job.show == Show::Final {
             (self.handed_out(false)?, String::new())
         } else {
@@ -142,12 +144,13 @@ impl<'a> Studio<'a> {
             picture,
             full,
             ms,
+            settled,
             compiled,
             passes,
             memory,
             legend,
         })));
-        if still {
+        if still && settled {
             teller.tell(if office.is_urgent() {
                 News::GivenUp(number)
             } else {
@@ -176,6 +179,9 @@ impl<'a> Studio<'a> {
     fn capture(&mut self, job: &Job) -> Result<DisplayImage> {
         let renderer = changed(&mut self.shown, self.gpu, self.scene, job.size, &job.settings)?;
         renderer.render(&job.camera)?;
+        while !renderer.is_settled() {
+            renderer.render(&job.camera)?;
+        }
         let image = renderer.display_image()?;
         if job.show == Show::Final {
             return Ok(image);

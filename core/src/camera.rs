@@ -73,6 +73,19 @@ impl Camera {
         }
     }
 
+    /// The camera turned to the right around its own upward axis, in degrees.
+    #[must_use]
+    pub fn panned(&self, degrees: f64) -> Self {
+        let axis = self.up.as_dvec3().normalize_or_zero();
+        let (sine, cosine) = (-degrees).to_radians().sin_cos();
+        let turned = |v: Vec3| {
+            let v = v.as_dvec3();
+            let along = axis * axis.dot(v);
+            (along + cosine * (v - along) + sine * axis.cross(v)).as_vec3()
+        };
+        Self { right: turned(self.right), forward: turned(self.forward), ..*self }
+    }
+
     /// A camera at `eye` that looks at `target`, world Y up, with a vertical field of view in radians.
     ///
     /// # Errors
@@ -101,5 +114,21 @@ impl Camera {
             forward: -Vec3::Z,
             orthographic: false,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_camera_pans_to_the_right() {
+        let camera = Camera::look_at(Vec3::ZERO, Vec3::NEG_Z, 1.0).expect("a camera");
+        let turned = camera.panned(90.0);
+        assert!((turned.forward - Vec3::X).length() < 1e-6, "{turned:?}");
+        assert!((turned.right.normalize() - Vec3::Z).length() < 1e-6, "{turned:?}");
+        assert_eq!((turned.up, turned.origin), (camera.up, camera.origin));
+        assert!((camera.panned(30.0).panned(-30.0).forward - camera.forward).length() < 1e-6);
+        assert_eq!(camera.panned(0.0), camera);
     }
 }

@@ -3,7 +3,7 @@
 use crate::{
     Camera, Gpu, GpuScene, Result, Settings, Tolerances,
     gpu::{Bound, Kernels, Timer, mirror::gpu_struct},
-    passes::{Output, Stage, Variant},
+    passes::{Output, Stage, TRACE_GROUP, Variant},
     plan::{Extent, Part, Rows},
     targets::{DISPATCH_BYTES, LIST_HEADER, Targets},
 };
@@ -23,6 +23,7 @@ gpu_struct! {
         step: [i32; 2], walk: u32, seed: u32,
         tau_primary: [f32; 4], tau_secondary: [f32; 4],
         tau_col: f32, focus_first: u32, focus_last: u32, similar: f32,
+        renewed_from: u32, renewed: u32, still: u32, padding: u32,
     }
 }
 
@@ -73,14 +74,18 @@ impl Frame {
             focus_first: settings.focus.map_or(0, |focus| focus.first.saturating_add(1)),
             focus_last: settings.focus.map_or(u32::MAX, |focus| focus.last.saturating_add(1)),
             similar: settings.similar,
+            renewed_from: 0,
+            renewed: 0,
+            still: 0,
+            padding: 0,
         }
     }
 }
 
 /// The compiled passes of a method in one variant.
 pub struct Passes {
-    /// As many as the plan has parts.
-    bound: Vec<Bound>,
+    /// As many as the plan has parts, for each history that is written.
+    bound: [Vec<Bound>; 2],
     timer: Timer,
 }
 
@@ -115,11 +120,18 @@ impl Passes {
         };
         resources.extend(name.map(|name| (name, wgpu::BindingResource::TextureView(&color))));
         resources.extend(inspection.map(|buffer| ("inspection", buffer.as_entire_binding())));
-        let mut bound = Vec::with_capacity(targets.plan.parts.len());
-        for (index, part) in targets.plan.parts.iter().enumerate() {
-            resources.push(("frame", targets.constants(index)));
-            bound.push(kernels[part.pass].bind(&gpu.device, &resources)?);
-            resources.pop();
+        resources.push(("landed", targets.landed.as_entire_binding()));
+        let mut bound = [Vec::new(), Vec::new()];
+        for (side, bound) in bound.iter_mut().enumerate() {
+            for (index, part) in targets.plan.parts.iter().enumerate() {
+                let mut resources = resources.clone();
+                resources.extend([
+                    ("frame", targets.constants(index)),
+                    ("history", targets.histories[side].as_entire_binding()),
+                    ("history_before", targets.histories[1 - side].as_entire_binding()),
+                ]);
+                bound.push(kernels[part.pass].bind(&gpu.device, &resources)?);
+            }
         }
         let names: Vec<_> = passes.iter().map(|stage| stage.name()).collect();
         Ok(Self { bound, timer: Timer::new(gpu, &names)? })
@@ -135,9 +147,10 @@ impl Passes {
         targets: &Targets,
         constants: &Frame,
         tolerances: &Tolerances,
+        side: usize,
         cleared: Option<&wgpu::Buffer>,
     ) -> Result<()> {
-        gpu.submit_all_and_wait(self.submissions(gpu, targets, constants, tolerances, cleared))
+        gpu.submit_all_and_wait(self.submissions(gpu, targets, constants, tolerances, side, cleared))
     }
 
     /// As [`Passes::run`], given up between two submissions once `cancelled` says so; tells whether it was finished.
@@ -150,9 +163,10 @@ impl Passes {
         targets: &Targets,
         constants: &Frame,
         tolerances: &Tolerances,
+        side: usize,
         cancelled: &dyn Fn() -> bool,
     ) -> Result<bool> {
-        gpu.submit_until(self.submissions(gpu, targets, constants, tolerances, None), cancelled)
+        gpu.submit_until(self.submissions(gpu, targets, constants, tolerances, side, None), cancelled)
     }
 
     /// The commands of a frame, recorded as they are asked for.
@@ -162,18 +176,19 @@ impl Passes {
         targets: &Targets,
         constants: &Frame,
         tolerances: &Tolerances,
+        side: usize,
         mut cleared: Option<&wgpu::Buffer>,
     ) -> impl Iterator<Item = wgpu::CommandEncoder> {
         gpu.queue.write_buffer(&targets.frame, 0, &in_strides(&targets.plan.parts, constants, tolerances));
         let submissions = targets.plan.submissions();
-        let count = submissions.len();
+        let (count, renewed) = (submissions.len(), constants.renewed);
         submissions.into_iter().enumerate().map(move |(index, parts)| {
             let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             if let Some(buffer) = cleared.take() {
                 encoder.clear_buffer(buffer, 0, None);
             }
             for (index, part) in parts {
-                self.record(&mut encoder, targets, index, &part);
+                self.record(&mut encoder, targets, &self.bound[side][index], &part, renewed);
             }
             if index + 1 == count {
                 self.timer.resolve(&mut encoder);
@@ -187,22 +202,40 @@ impl Passes {
         self.timer.read(gpu)
     }
 
-    fn record(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets, index: usize, part: &Part) {
+    fn record(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        targets: &Targets,
+        bound: &Bound,
+        part: &Part,
+        renewed: u32,
+    ) {
         let [first, _] = part.bounds;
-        if first && matches!(part.stage, Stage::Base | Stage::SubpixelTest | Stage::QuincunxBase) {
+        if first
+            && matches!(
+                part.stage,
+                Stage::Base | Stage::SubpixelTest | Stage::QuincunxBase | Stage::ReprojectDepth
+            )
+        {
             // The queue is empty.
             encoder.clear_buffer(&targets.list, 0, Some(LIST_HEADER));
-            if part.stage == Stage::QuincunxBase {
-                // No sample is claimed.
-                encoder.clear_buffer(&targets.attributes, 0, None);
-            }
+        }
+        if first && part.stage == Stage::QuincunxBase {
+            // No sample is claimed.
+            encoder.clear_buffer(&targets.attributes, 0, None);
+        }
+        if first && part.stage == Stage::ReprojectDepth {
+            encoder.clear_buffer(&targets.landed, 0, None);
         }
         let mut pass = self.timer.part(encoder, part.pass, part.bounds);
         match part.extent {
-            Extent::Groups(groups) => self.bound[index].dispatch(&mut pass, groups),
+            Extent::Groups(groups) => bound.dispatch(&mut pass, groups),
+            Extent::Renewed(tiles) => {
+                bound.dispatch(&mut pass, [(tiles * renewed).div_ceil(TRACE_GROUP), 1]);
+            }
             Extent::Chunk(chunk) => {
                 let offset = DISPATCH_BYTES * u64::from(chunk);
-                self.bound[index].dispatch_indirect(&mut pass, &targets.dispatch, offset);
+                bound.dispatch_indirect(&mut pass, &targets.dispatch, offset);
             }
         }
     }

@@ -46,6 +46,7 @@ pub mod probe;
 pub mod reference;
 mod renderer;
 pub mod scene;
+mod sequence;
 mod settings;
 pub mod show;
 mod stats;

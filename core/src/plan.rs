@@ -11,6 +11,7 @@ use crate::{
 };
 
 mod bands;
+mod history;
 #[cfg(test)]
 mod tests;
 
@@ -93,6 +94,8 @@ pub enum Extent {
     Groups([u32; 2]),
     /// So many workgroups as this chunk of the list needs.
     Chunk(u32),
+    /// So many workgroups as renew the frame's share of so many tiles.
+    Renewed(u32),
 }
 
 /// All dispatches of a frame, in order.
@@ -137,6 +140,8 @@ impl Plan {
                     plan.push(tiles(Stage::Checkerboard, width.div_ceil(2), rows));
                     plan.push(tiles(Stage::Fill, width, rows));
                 }
+                Method::Frameless => plan.frameless(shape, band.rows(1, band.own)),
+                Method::Reproject => plan.reproject(shape, band.rows(1, band.own)),
                 Method::Adaptive => {
                     plan.adaptive(shape, &band);
                     plan.postcorrect(shape, &band);

@@ -12,10 +12,14 @@ use crate::{
         COUNTER_RAYS, COUNTER_WORDS, Output, Variant,
     },
     scene::octahedral_decode,
+    sequence::{Sequence, Step},
     targets::{Targets, inspection_buffer, texture},
 };
 
 /// Renders frames of one size of one scene.
+///
+/// With a method that [keeps frames](Method::keeps_frames) they are a sequence: the first traces every pixel, and so does
+/// the first after another size, other settings or [`Renderer::linear_image`]. A frame that was given up is none of them.
 pub struct Renderer<'a> {
     gpu: &'a Gpu,
     scene: &'a GpuScene,
@@ -23,6 +27,7 @@ pub struct Renderer<'a> {
     targets: Targets,
     kernels: Kernels,
     passes: Passes,
+    sequence: Sequence,
     inspecting: Option<(Passes, wgpu::Buffer)>,
     linear: Option<(Passes, wgpu::Texture)>,
 }
@@ -39,7 +44,8 @@ impl<'a> Renderer<'a> {
         let targets = Targets::new(gpu, scene, &variant, &settings, size)?;
         let mut kernels = Kernels::default();
         let passes = Passes::new(gpu, scene, &targets, &variant, &mut kernels, &targets.display, None)?;
-        Ok(Self { gpu, scene, settings, targets, kernels, passes, inspecting: None, linear: None })
+        let sequence = Sequence::new(&settings);
+        Ok(Self { gpu, scene, settings, targets, kernels, passes, sequence, inspecting: None, linear: None })
     }
 
     /// Goes on with another size or other settings: what was compiled is kept. On an error everything is as before.
@@ -59,6 +65,10 @@ impl<'a> Renderer<'a> {
                 Passes::new(self.gpu, self.scene, &targets, &variant, kernels, &targets.display, None)?;
             self.targets = targets;
             (self.inspecting, self.linear) = (None, None);
+            self.sequence = Sequence::new(&settings);
+        }
+        if settings != self.settings {
+            self.sequence.reset();
         }
         self.settings = settings;
         Ok(())
@@ -75,7 +85,9 @@ impl<'a> Renderer<'a> {
     /// # Errors
     /// A device that failed.
     pub fn render(&mut self, camera: &Camera) -> Result<FrameTime> {
-        self.submit(&self.passes, camera, None)?;
+        let step = self.sequence.next(camera);
+        self.submit(&self.passes, camera, &step, None)?;
+        self.sequence.done(step, camera);
         self.passes.times(self.gpu)
     }
 
@@ -89,10 +101,23 @@ impl<'a> Renderer<'a> {
         camera: &Camera,
         cancelled: &dyn Fn() -> bool,
     ) -> Result<Option<FrameTime>> {
-        let constants = self.constants(camera);
+        let step = self.sequence.next(camera);
+        let constants = self.constants(camera, &step);
         let tolerances = &self.settings.tolerances;
-        let done = self.passes.run_until(self.gpu, &self.targets, &constants, tolerances, cancelled)?;
+        let (passes, targets) = (&self.passes, &self.targets);
+        let done = passes.run_until(self.gpu, targets, &constants, tolerances, step.side, cancelled)?;
+        if done {
+            self.sequence.done(step, camera);
+        }
         done.then(|| self.passes.times(self.gpu)).transpose()
+    }
+
+    /// Whether another frame of the last camera would show the same: every pixel shows what a ray through its centre sees.
+    /// False where a method that [keeps frames](Method::keeps_frames) has not yet renewed all that it kept from before the
+    /// camera came to rest.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        !self.settings.method.keeps_frames() || self.sequence.is_settled()
     }
 
     /// How many kernels have been compiled so far: a frame after it has grown takes longer than others, as some drivers
@@ -108,7 +133,8 @@ impl<'a> Renderer<'a> {
         &self.targets.display
     }
 
-    /// Renders the same frame with counting kernels (they are linked on the first call).
+    /// Renders the same frame with counting kernels (they are linked on the first call). Of a sequence it is the last frame
+    /// once more, which changes nothing for those that follow, if the camera is that of the last frame.
     ///
     /// # Errors
     /// A device that failed, or whose buffers cannot hold a record for every pixel.
@@ -125,7 +151,8 @@ impl<'a> Renderer<'a> {
                 (self.link(&variant, &display, Some(&buffer))?, buffer)
             }
         };
-        self.submit(&passes, camera, Some(&buffer))?;
+        let step = self.sequence.again(camera);
+        self.submit(&passes, camera, &step, Some(&buffer))?;
         let bytes = self.gpu.read_buffer(&buffer)?;
         self.inspecting = Some((passes, buffer));
         let inspection = inspection(&bytes, self.targets.grid, self.records())?;
@@ -145,7 +172,8 @@ impl<'a> Renderer<'a> {
         DisplayImage::from_raw(width, height, bytes).ok_or_else(|| Error::Device("short readback".into()))
     }
 
-    /// The frame of this camera in linear radiance (kernels that write it are linked on the first call).
+    /// The frame of this camera in linear radiance (kernels that write it are linked on the first call). Where frames are a
+    /// sequence, this is the first of one, and so is the next that is rendered.
     ///
     /// # Errors
     /// A device that failed.
@@ -160,7 +188,9 @@ impl<'a> Renderer<'a> {
                 (self.link(&variant, &target, None)?, target)
             }
         };
-        self.submit(&passes, camera, None)?;
+        self.sequence.reset();
+        let step = self.sequence.next(camera);
+        self.submit(&passes, camera, &step, None)?;
         let bytes = self.gpu.read_texture(&target, 16)?;
         self.linear = Some((passes, target));
         let texels: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);
@@ -190,13 +220,24 @@ impl<'a> Renderer<'a> {
         Passes::new(gpu, scene, targets, variant, kernels, color, inspection)
     }
 
-    fn constants(&self, camera: &Camera) -> Frame {
-        Frame::new(self.scene, &self.settings, self.targets.grid, camera)
+    fn constants(&self, camera: &Camera, step: &Step) -> Frame {
+        Frame {
+            renewed_from: step.first,
+            renewed: step.count,
+            still: u32::from(step.still),
+            ..Frame::new(self.scene, &self.settings, self.targets.grid, camera)
+        }
     }
 
-    fn submit(&self, passes: &Passes, camera: &Camera, cleared: Option<&wgpu::Buffer>) -> Result<()> {
-        let constants = self.constants(camera);
-        passes.run(self.gpu, &self.targets, &constants, &self.settings.tolerances, cleared)
+    fn submit(
+        &self,
+        passes: &Passes,
+        camera: &Camera,
+        step: &Step,
+        cleared: Option<&wgpu::Buffer>,
+    ) -> Result<()> {
+        let constants = self.constants(camera, step);
+        passes.run(self.gpu, &self.targets, &constants, &self.settings.tolerances, step.side, cleared)
     }
 }
 
@@ -204,10 +245,10 @@ impl<'a> Renderer<'a> {
 fn resolved(settings: &Settings, scene: &GpuScene, [_, height]: [u32; 2]) -> Settings {
     let thin = || scene.is_thin(height.saturating_mul(settings.sampling), settings.block);
     let postcorrect = match (settings.method, settings.postcorrect) {
-        (Method::Full | Method::Checkerboard | Method::Supersample | Method::Quincunx, _) => Postcorrect::Off,
         (Method::Adaptive, Postcorrect::Auto) if settings.block > 2 || thin() => Postcorrect::On,
         (Method::Adaptive, Postcorrect::Auto) => Postcorrect::Off,
         (Method::Adaptive, wished) => wished,
+        _ => Postcorrect::Off,
     };
     Settings { postcorrect, ..*settings }
 }

@@ -31,6 +31,12 @@ const QUINCUNX_SAMPLES: u64 = 32;
 /// Rows of a band whose samples' places, in eighths of a pixel, are told in 15 bits.
 const QUINCUNX_ROWS: u32 = 4000;
 
+/// Bytes that a frame leaves of a pixel: a point and its radiance.
+const HISTORY_BYTES: u64 = 24;
+
+/// Bytes of what landed in a pixel: a key and where it came from.
+const LANDED_BYTES: u64 = 8;
+
 /// No buffer of a band is larger: half of what WebGPU lets a storage binding be.
 const BAND_BYTES: u64 = 64 << 20;
 
@@ -47,6 +53,10 @@ pub struct Targets {
     pub samples: wgpu::Buffer,
     pub dispatch: wgpu::Buffer,
     pub display: wgpu::Texture,
+    /// What a frame leaves for the next one, in turn.
+    pub histories: [wgpu::Buffer; 2],
+    /// Where that is seen from the next camera.
+    pub landed: wgpu::Buffer,
 }
 
 impl Targets {
@@ -83,15 +93,15 @@ impl Targets {
         let listed = match settings.method {
             _ if supersamples => 4,
             Method::Quincunx => QUINCUNX_SAMPLES,
-            Method::Adaptive => 1,
+            Method::Adaptive | Method::Reproject => 1,
             _ => 0,
         };
         let list_bytes = 4 * listed;
         let row_bytes = u64::from(grid[0]) * sample_bytes.max(attribute_bytes.div_ceil(2)).max(list_bytes);
         let band = plan::band_rows(settings.sampling, BAND_BYTES / row_bytes.max(1));
-        // Its second pass looks across the borders of bands.
         let band = match settings.method {
-            Method::Checkerboard => u32::MAX,
+            // Later passes, or frames, look across the borders of bands.
+            Method::Checkerboard | Method::Frameless | Method::Reproject => u32::MAX,
             Method::Quincunx => band.min(QUINCUNX_ROWS),
             _ => band,
         };
@@ -110,6 +120,8 @@ impl Targets {
         let rows = u64::from(plan.stored_rows) + border;
         let width = u64::from(grid[0]) + border;
         let storage = wgpu::BufferUsages::STORAGE;
+        let moved = if settings.method == Method::Reproject { width * rows } else { 0 };
+        let history = || gpu.buffer("history", HISTORY_BYTES * moved, storage);
         let dispatches = DISPATCH_BYTES * u64::from(plan.chunks());
         Ok(Self {
             size,
@@ -124,6 +136,8 @@ impl Targets {
             samples: gpu.buffer("samples", sample_bytes * width * rows, storage)?,
             dispatch: gpu.buffer("dispatch", dispatches, storage | wgpu::BufferUsages::INDIRECT)?,
             display: texture(gpu, "display", size, wgpu::TextureFormat::Rgba8Unorm)?,
+            histories: [history()?, history()?],
+            landed: gpu.buffer("landed", LANDED_BYTES * moved, storage)?,
             plan,
         })
     }
@@ -139,9 +153,11 @@ impl Targets {
 
     /// Bytes on the device.
     pub fn bytes(&self) -> u64 {
+        let [one, other] = &self.histories;
+        let kept = [one, other, &self.landed];
         let buffers = [&self.frame, &self.attributes, &self.list, &self.samples, &self.dispatch];
         let pixels = u64::from(self.size[0]) * u64::from(self.size[1]);
-        buffers.iter().map(|b| b.size()).sum::<u64>() + 4 * pixels
+        buffers.iter().chain(&kept).map(|b| b.size()).sum::<u64>() + 4 * pixels
     }
 
     /// Bytes on the device together with the scene's.

@@ -158,9 +158,17 @@ pub struct BenchOptions {
     /// Warm frames of each method
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: u32,
+    /// Turn the camera to the right by so much before each warm frame, and compare each with full
+    #[arg(long, value_name = "DEGREES", value_parser = finite, allow_negative_numbers = true)]
+    pub pan: Option<f64>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
+}
+
+fn finite(text: &str) -> Result<f64, String> {
+    let number: Option<f64> = text.parse().ok();
+    number.filter(|number| number.is_finite()).ok_or_else(|| "expected a finite number".to_owned())
 }
 
 /// `glimpse report`
@@ -306,6 +314,9 @@ pub struct FrameOptions {
     pub min_weight: f32,
     #[command(flatten)]
     pub samples: SampleOptions,
+    /// Share of the pixels that methods which keep frames trace anew in each
+    #[arg(long, value_name = "S", default_value_t = Settings::default().share, allow_negative_numbers = true)]
+    pub share: f32,
     /// Leave out what the scene does not need, or link everything
     #[arg(long, value_enum, default_value = "auto", ignore_case = true)]
     pub features: LinkingName,
@@ -325,6 +336,7 @@ impl FrameOptions {
             tolerances: Tolerances { pos: self.t_pos, norm: self.t_norm, tex: self.t_tex, gcol: self.t_gcol },
             depth: self.depth,
             min_weight: self.min_weight,
+            share: self.share,
             features: self.features.into(),
             // Of several methods, it concerns this one.
             supersample: samples.supersample && method == Method::Adaptive,
@@ -358,6 +370,7 @@ impl Default for FrameOptions {
             depth: settings.depth,
             min_weight: settings.min_weight,
             samples: SampleOptions::default(),
+            share: settings.share,
             features: LinkingName::Auto,
         }
     }
@@ -377,6 +390,10 @@ pub enum MethodName {
     Supersample,
     /// Rays through centres and corners of pixels, more between those that differ
     Quincunx,
+    /// Rays through a share of the pixels; the others stay as they are
+    Frameless,
+    /// The last frame moved to where the camera sees it; rays where that leaves gaps
+    Reproject,
 }
 
 impl From<MethodName> for Method {
@@ -387,6 +404,8 @@ impl From<MethodName> for Method {
             MethodName::Checkerboard => Self::Checkerboard,
             MethodName::Supersample => Self::Supersample,
             MethodName::Quincunx => Self::Quincunx,
+            MethodName::Frameless => Self::Frameless,
+            MethodName::Reproject => Self::Reproject,
         }
     }
 }

@@ -78,7 +78,7 @@ fn every_option_of_render_arrives() {
         "render builtin:room -o x.EXR --size 640X480 --camera top --method full --t-pos 0.1 --t-norm -0.5 \
          --t-tex 0.2 --t-gcol 0.3 --depth 5 --min-weight 0 --features all --show check:tex --frames 7 \
          --reference --stats s.json --sampling 4 --block 8 --postcorrect scans --mip OFF \
-         --preset textures --tau-col 0.25 --tau-ste 1 --focus 3-5 --inactive bilinear --jitter on --similar 0.3 --seed 9",
+         --preset textures --tau-col 0.25 --tau-ste 1 --focus 3-5 --inactive bilinear --jitter on --similar 0.3 --seed 9 --share 0.5",
     );
     let settings = options.frame.settings(options.method).unwrap();
     let tolerances = Tolerances { pos: 0.1, norm: -0.5, tex: 0.2, gcol: 0.3 };
@@ -93,6 +93,7 @@ fn every_option_of_render_arrives() {
             mip: Mip::Off,
             depth: 5,
             min_weight: 0.0,
+            share: 0.5,
             features: Linking::All,
             supersample: false,
             thresholds: Thresholds { col: 0.25, ste: 1.0, ..Preset::Textures.thresholds() },

@@ -5,6 +5,7 @@ use glimpse::{Gpu, Settings};
 use crate::args::{BenchOptions, MethodName, Size};
 use crate::measure::{Plan, Run, Stage};
 use crate::output;
+use crate::pan::{self, Pan};
 use crate::progress::Progress;
 use crate::scene_file;
 use crate::statistics::Statistics;
@@ -16,7 +17,9 @@ pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> 
     let methods: Vec<_> = rows.iter().map(|row| row.settings).collect();
     options.scenes.iter().try_for_each(|name| scene_file::check(name))?;
     let Size(size) = options.frame.size;
-    let plan = Plan { size, methods: &methods, frames: options.frames, linear: false };
+    let against = rows.iter().map(|row| methods.iter().position(|full| *full == row.baseline)).collect();
+    let pan = options.pan.map(|degrees| Pan { degrees, against });
+    let plan = Plan { size, methods: &methods, frames: options.frames, linear: false, pan };
     let gpu = Gpu::headless(adapter)?;
     let mut all = Vec::new();
     for (index, name) in options.scenes.iter().enumerate() {
@@ -24,7 +27,7 @@ pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> 
         let stage = Stage::set(&gpu, name, &options.frame, &progress)?;
         let runs = plan.measure(&stage, &progress)?;
         let of_row = |(row, run): (&Row, &Run)| {
-            let full = rows.iter().position(|full| full.settings == row.baseline);
+            let full = methods.iter().position(|full| *full == row.baseline);
             Ok((row.name.clone(), Statistics::of(&stage, size, run, full.map(|index| &runs[index]))?))
         };
         let statistics = rows.iter().zip(&runs).map(of_row).collect::<glimpse::Result<Vec<_>>>()?;
@@ -39,7 +42,7 @@ pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> 
 }
 
 /// What does not concern `full`: it is measured once for all values of these.
-const OF_ADAPTIVE: [&str; 6] = ["block", "postcorrect", "t-pos", "t-norm", "t-tex", "t-gcol"];
+const OF_OTHERS: [&str; 7] = ["block", "postcorrect", "t-pos", "t-norm", "t-tex", "t-gcol", "share"];
 
 /// What is measured, and against what.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,13 +62,12 @@ fn rows(options: &BenchOptions) -> glimpse::Result<Vec<Row>> {
     for method in &options.methods {
         for (frame, varied) in &combinations {
             let mut concerned = options.frame.clone();
-            for (option, value) in varied.iter().filter(|(option, _)| !OF_ADAPTIVE.contains(&option.as_str()))
-            {
+            for (option, value) in varied.iter().filter(|(option, _)| !OF_OTHERS.contains(&option.as_str())) {
                 concerned = concerned.with(option, value).map_err(wrong)?;
             }
             let full = *method == MethodName::Full;
             let settings = if full { concerned.settings(*method)? } else { frame.settings(*method)? };
-            let told = |(option, _): &&(String, String)| !full || !OF_ADAPTIVE.contains(&option.as_str());
+            let told = |(option, _): &&(String, String)| !full || !OF_OTHERS.contains(&option.as_str());
             let varied: String =
                 varied.iter().filter(told).map(|(option, value)| format!(" {option}={value}")).collect();
             let name = format!("{}{varied}", summary::method_name(settings.method));
@@ -106,6 +108,7 @@ fn table(rows: &[(String, Statistics)]) -> String {
             text += &format!("{name:<width$}{:>10.3} ms {share:>5.1} %\n", pass.median, width = column + 14);
         }
     }
+    text += &pan::table(column, rows);
     for (name, missing) in rows.iter().filter_map(|(name, s)| Some((name, s.missing?))) {
         if missing.pixels_lost > 0 {
             text += &format!("{name:<column$} loses {}\n", summary::missing(&missing));
@@ -172,6 +175,7 @@ mod tests {
             methods: methods.to_vec(),
             vary: vary.iter().map(|text| text.parse().unwrap()).collect(),
             frames: 1,
+            pan: None,
             json: false,
         }
     }

@@ -8,6 +8,7 @@ mod files;
 mod info;
 mod measure;
 mod output;
+mod pan;
 mod progress;
 mod render;
 mod report;

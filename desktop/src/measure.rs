@@ -9,6 +9,7 @@ use glimpse::{
 };
 
 use crate::args::FrameOptions;
+use crate::pan::{Pan, Panned};
 use crate::progress::Progress;
 use crate::scene_file;
 use crate::statistics::{ErrorAgainst, SceneStatistics};
@@ -68,6 +69,8 @@ pub struct Run {
     pub inspection: Inspection,
     /// Bytes on the device.
     pub memory: Memory,
+    /// The frames of a camera that turns.
+    pub panned: Option<Panned>,
 }
 
 impl Run {
@@ -91,6 +94,8 @@ pub struct Plan<'s> {
     pub frames: u32,
     /// Linear radiance too.
     pub linear: bool,
+    /// How the camera turns.
+    pub pan: Option<Pan>,
 }
 
 impl Plan<'_> {
@@ -101,34 +106,42 @@ impl Plan<'_> {
 
     /// Measures every method, in their order.
     pub fn measure(&self, stage: &Stage<'_>, progress: &Progress) -> anyhow::Result<Vec<Run>> {
-        let (camera, name) = (&stage.camera, &stage.statistics.file);
+        let name = &stage.statistics.file;
+        let mut camera = stage.camera;
         let mut renderers = Vec::with_capacity(self.methods.len());
         for settings in self.methods {
             progress.doing(&format!("{name}: compiling"));
             renderers.push(timed(|| {
                 let mut renderer = Renderer::new(stage.gpu, &stage.scene, self.size, settings)?;
-                renderer.render(camera)?;
+                renderer.render(&camera)?;
                 anyhow::Ok(renderer)
             })?);
             progress.step();
         }
         let mut frames = vec![Vec::with_capacity(self.frames as usize); self.methods.len()];
+        let mut panned = vec![self.pan.as_ref().map(Panned::new); self.methods.len()];
         for frame in 1..=self.frames {
             progress.doing(&format!("{name}: frame {frame}"));
+            if let Some(pan) = &self.pan {
+                camera = stage.camera.panned(f64::from(frame) * pan.degrees);
+            }
             for ((renderer, _), times) in renderers.iter_mut().zip(&mut frames) {
-                times.push(renderer.render(camera)?);
+                times.push(renderer.render(&camera)?);
                 progress.step();
+            }
+            if let Some(pan) = &self.pan {
+                pan.compare(&mut renderers, &camera, &mut panned)?;
             }
         }
         let mut runs = Vec::with_capacity(self.methods.len());
-        for ((mut renderer, compile_ms), frames) in renderers.into_iter().zip(frames) {
+        for (((mut renderer, compile_ms), frames), panned) in renderers.into_iter().zip(frames).zip(panned) {
             progress.doing(&format!("{name}: counting"));
             let settings = *renderer.settings();
             let picture = renderer.display_image()?;
             let memory = renderer.memory();
-            let inspection = renderer.inspect(camera)?;
-            let linear = self.linear.then(|| renderer.linear_image(camera)).transpose()?;
-            runs.push(Run { settings, compile_ms, frames, picture, linear, inspection, memory });
+            let inspection = renderer.inspect(&camera)?;
+            let linear = self.linear.then(|| renderer.linear_image(&camera)).transpose()?;
+            runs.push(Run { settings, compile_ms, frames, picture, linear, inspection, memory, panned });
             progress.step();
         }
         Ok(runs)

@@ -42,7 +42,8 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
         methods.push(options.frame.settings(MethodName::Full)?);
     }
     let Size(size) = options.frame.size;
-    let plan = Plan { size, methods: &methods, frames: options.frames, linear: options.output.linear };
+    let plan =
+        Plan { size, methods: &methods, frames: options.frames, linear: options.output.linear, pan: None };
     let progress = Progress::new(plan.steps());
     let gpu = Gpu::headless(adapter)?;
     let stage = Stage::set(&gpu, &options.scene, &options.frame, &progress)?;
@@ -80,6 +81,10 @@ fn check_show(options: &RenderOptions, settings: &Settings) -> glimpse::Result<(
             if settings.method == Method::Checkerboard =>
         {
             "final, origin or cost with --method checkerboard: no surface belongs to an average".to_owned()
+        }
+        Show::Check(_) | Show::Depth | Show::Normal | Show::Oid if settings.method.keeps_frames() => {
+            let method = settings.method.name();
+            format!("final, origin or cost with --method {method}: kept pixels have nothing but a colour")
         }
         _ => return Ok(()),
     };

@@ -7,10 +7,20 @@ use glimpse::{
 use serde::Serialize;
 
 use crate::measure::{Run, Stage};
+use crate::pan::PanStatistics;
 
 /// The passes that trace rays; every other one is overhead of the adaptive method.
-const TRACING_PASSES: [&str; 7] =
-    ["base", "trace_a1", "trace_a2", "postcorrect", "postcorrect_scan", "full", "checkerboard"];
+const TRACING_PASSES: [&str; 9] = [
+    "base",
+    "trace_a1",
+    "trace_a2",
+    "postcorrect",
+    "postcorrect_scan",
+    "full",
+    "checkerboard",
+    "frameless",
+    "renew",
+];
 
 /// One method on one scene.
 #[derive(Clone, Debug, Serialize)]
@@ -54,6 +64,9 @@ pub struct Statistics {
     /// What `full` of the same run shows and this frame does not.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub missing: Option<Missing>,
+    /// The frames of a camera that turned, where it did.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pan: Option<PanStatistics>,
 }
 
 /// An adapter.
@@ -194,7 +207,11 @@ impl Statistics {
             memory_bytes: run.memory,
             gain,
             error: full.map(|full| run.error_against(full)).transpose()?,
-            missing: full.and_then(|full| Missing::of(&full.inspection.pixels, &run.inspection.pixels)),
+            pan: run.panned.as_ref().map(PanStatistics::of),
+            // Of pixels that were kept from an earlier frame the object is not known.
+            missing: full
+                .filter(|_| !run.settings.method.keeps_frames())
+                .and_then(|full| Missing::of(&full.inspection.pixels, &run.inspection.pixels)),
         })
     }
 }

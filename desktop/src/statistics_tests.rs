@@ -55,6 +55,7 @@ pub fn example() -> Statistics {
                 linear_rmse: None,
             },
         }),
+        pan: None,
         missing: Some(Missing {
             objects_shown: 2000,
             objects_lost: 1,

@@ -12,6 +12,7 @@ mod gpu {
     mod postcorrect;
     mod renderer;
     mod scenes;
+    mod sequences;
     mod stress;
     mod traversal;
 }

@@ -86,6 +86,18 @@ pub const DEPTHS: [Knob; 2] = [
     },
 ];
 
+/// What methods that keep frames do not keep.
+pub const SHARE: Knob = Knob {
+    name: "share renewed",
+    explained: "Share of the pixels that a frame traces anew. Lower is faster and shows longer what is no longer so.",
+    range: [0.01, 1.0],
+    step: 0.01,
+    decimals: 2,
+    mark: (0.1, "default"),
+    get: |choices| choices.settings.share.into(),
+    set: |choices, value| choices.settings.share = value as f32,
+};
+
 /// The resolution of frames.
 pub const SCALE: Knob = Knob {
     name: "resolution scale",
@@ -181,7 +193,7 @@ mod tests {
     #[test]
     fn marks_are_the_defaults_and_lie_on_their_sliders() {
         let usual = Choices::default();
-        let knobs = TOLERANCES.iter().chain(&DEPTHS).chain([&SCALE, &TEXT_SCALE]);
+        let knobs = TOLERANCES.iter().chain(&DEPTHS).chain([&SHARE, &SCALE, &TEXT_SCALE]);
         for knob in knobs {
             assert!(((knob.get)(&usual) - knob.mark.0).abs() < 1e-6, "{}", knob.name);
             assert!((knob.range[0]..=knob.range[1]).contains(&knob.mark.0), "{}", knob.name);
@@ -190,7 +202,7 @@ mod tests {
 
     #[test]
     fn the_ends_of_every_slider_are_settings() {
-        for knob in TOLERANCES.iter().chain(&DEPTHS) {
+        for knob in TOLERANCES.iter().chain(&DEPTHS).chain([&SHARE]) {
             for end in knob.range {
                 let mut choices = Choices::default();
                 (knob.set)(&mut choices, end);

@@ -74,7 +74,8 @@ fn named<T: Copy>(values: &[(T, &str)]) -> Vec<(T, String)> {
 pub const METHOD: Options<Method> = Options {
     name: "method",
     values: || {
-        let order = [Method::Adaptive, Method::Full, Method::Checkerboard];
+        let order =
+            [Method::Adaptive, Method::Full, Method::Checkerboard, Method::Frameless, Method::Reproject];
         named(&order.map(|method| (method, method.name())))
     },
     action: Some(Action::Method),

@@ -121,6 +121,8 @@ fn method(ui: &mut Ui, hud: &mut Hud<'_>) {
     for knob in &knobs::DEPTHS {
         knob.show(ui, hud.choices, None);
     }
+    let rests = hud.choices.share_rests();
+    knobs::SHARE.show(ui, hud.choices, rests);
 }
 
 fn shown(ui: &mut Ui, hud: &mut Hud<'_>) {
@@ -133,7 +135,7 @@ fn shown(ui: &mut Ui, hud: &mut Hud<'_>) {
 
 fn speed(ui: &mut Ui, hud: &mut Hud<'_>) {
     options::GOVERNOR.buttons(ui, hud.choices, None);
-    if hud.choices.governor.is_some() {
+    if hud.choices.governed().is_some() {
         ui.label(RichText::new(hud.readings.governor.as_str()).small().weak());
     }
     let rests = hud.choices.scale_rests();

@@ -8,6 +8,7 @@ use crate::{
     gpu::shader::Source,
     gpu_scene, plan,
     scene::OCTAHEDRAL_ERROR,
+    sequence::{RANK_TILE, RANKS},
     stats::{CHECK_NAMES, Origin},
 };
 
@@ -108,6 +109,7 @@ impl Variant {
             ("HAS_PANES", f.panes),
             ("LIGHT_COUNT_KNOWN", self.linking == Linking::Auto),
             ("VERTEX_STRIDE_KNOWN", self.linking == Linking::Auto),
+            ("COUNTS", self.inspect),
             ("HAS_RECORDS", self.sampling == 1),
             ("HAS_POSTCORRECTION", self.postcorrects()),
             ("COMPARES_SHADOWS", self.postcorrect != Postcorrect::Objects),
@@ -142,6 +144,8 @@ impl Variant {
             ("EDGES_APRON", u32::from(!self.interpolates)),
             ("ROUND_SAMPLES", plan::ROUND_SAMPLES),
             ("TEXTURE_PAGE", atlas::MAX_PAGES - 1),
+            ("RANKS", RANKS),
+            ("RANK_TILE", RANK_TILE),
             ("TEXTURE_NEAREST", atlas::TEXTURE_NEAREST),
             ("TEXTURE_PRESENT", atlas::TEXTURE_PRESENT),
             ("WRAP_REPEAT", atlas::WRAP_REPEAT),

@@ -97,6 +97,8 @@ impl Demands {
             Method::Checkerboard => Stage::Checkerboard,
             Method::Supersample => Stage::Presample,
             Method::Quincunx => Stage::QuincunxBase,
+            Method::Frameless => Stage::Frameless,
+            Method::Reproject => Stage::Renew,
         };
         let kernel = link(&variant.sources(traced))?;
         let of = |function, apart: &[&str]| count(&kernel, function, apart).unwrap_or_default();
@@ -134,7 +136,7 @@ fn between(variant: &Variant, method: Method) -> Result<(Demand, Demand)> {
         Ok::<_, crate::Error>([once + average(&kernel), neighbour, deeper])
     };
     Ok(match method {
-        Method::Full | Method::Supersample | Method::Quincunx => Default::default(),
+        Method::Full | Method::Supersample | Method::Quincunx | Method::Frameless => Default::default(),
         Method::Adaptive => {
             let [once, light, deeper] = of(Stage::SimilarityA1)?;
             (once, light + deeper)
@@ -142,6 +144,12 @@ fn between(variant: &Variant, method: Method) -> Result<(Demand, Demand)> {
         Method::Checkerboard => {
             let [once, neighbour, _] = of(Stage::Fill)?;
             (once + neighbour.times(4.0), Demand::default())
+        }
+        Method::Reproject => {
+            let [reused, side, _] = of(Stage::Reuse)?;
+            let [moved, ..] = of(Stage::ReprojectDepth)?;
+            let [found, ..] = of(Stage::ReprojectSource)?;
+            (reused + side.times(4.0) + moved + found, Demand::default())
         }
     })
 }
@@ -161,7 +169,7 @@ mod tests {
     /// walk through it sees what happens where.
     #[test]
     fn a_node_is_read_once_a_visit_and_a_triangle_once_a_test() {
-        for method in [Method::Full, Method::Adaptive, Method::Checkerboard] {
+        for method in Method::ALL {
             let demands = demands("room", method);
             assert_eq!(demands.node_visit.scene_bytes, 80.0, "{method:?}");
             // And the number that tells a sphere from a triangle.

@@ -28,6 +28,12 @@
 //! | quincunx_resolve | the same, (3) | `passes/quincunx_resolve.wgsl` |
 //! | checkerboard | a baseline | `passes/checkerboard.wgsl` |
 //! | fill | a baseline | `passes/fill.wgsl` |
+//! | frameless | lecture, "Low level optimizations" | `passes/frameless.wgsl` |
+//! | reproject_depth | lecture, "Reprojection" | `passes/reproject_depth.wgsl` |
+//! | reproject_source | lecture, "Reprojection" | `passes/reproject_source.wgsl` |
+//! | reuse | lecture, "Reprojection" | `passes/reuse.wgsl` |
+//! | compact_renew | Kim 2016, 5 | `passes/compact.wgsl` |
+//! | renew | lecture, "Reprojection" | `passes/renew.wgsl` |
 
 mod constants;
 mod demand;
@@ -121,11 +127,23 @@ pub enum Stage {
     QuincunxTraceB,
     /// Pixels from all that.
     QuincunxResolve,
+    /// The pixels whose turn it is.
+    Frameless,
+    /// What was seen, where it is seen now: the nearest.
+    ReprojectDepth,
+    /// What was seen, where it is seen now: which it was.
+    ReprojectSource,
+    /// The pixels that show it again; the others are listed.
+    Reuse,
+    /// The list's dispatches.
+    CompactRenew,
+    /// The listed pixels.
+    Renew,
 }
 
 impl Stage {
     /// Every stage.
-    pub const ALL: [Self; 29] = [
+    pub const ALL: [Self; 35] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -155,6 +173,12 @@ impl Stage {
         Self::CompactQuincunxB,
         Self::QuincunxTraceB,
         Self::QuincunxResolve,
+        Self::Frameless,
+        Self::ReprojectDepth,
+        Self::ReprojectSource,
+        Self::Reuse,
+        Self::CompactRenew,
+        Self::Renew,
     ];
 
     /// Its name everywhere: GPU label, timing row.
@@ -190,6 +214,12 @@ impl Stage {
             Self::CompactQuincunxB => "compact_quincunx_b",
             Self::QuincunxTraceB => "quincunx_trace_b",
             Self::QuincunxResolve => "quincunx_resolve",
+            Self::Frameless => "frameless",
+            Self::ReprojectDepth => "reproject_depth",
+            Self::ReprojectSource => "reproject_source",
+            Self::Reuse => "reuse",
+            Self::CompactRenew => "compact_renew",
+            Self::Renew => "renew",
         }
     }
 
@@ -204,7 +234,8 @@ impl Stage {
             | Self::CompactPostcorrect
             | Self::CompactActive
             | Self::CompactQuincunxA
-            | Self::CompactQuincunxB => wgsl!("passes/compact.wgsl"),
+            | Self::CompactQuincunxB
+            | Self::CompactRenew => wgsl!("passes/compact.wgsl"),
             Self::Presample => wgsl!("passes/presample.wgsl"),
             Self::SubpixelTest => wgsl!("passes/subpixel_test.wgsl"),
             Self::ExtraSamples => wgsl!("passes/extra_samples.wgsl"),
@@ -222,6 +253,11 @@ impl Stage {
             Self::Resolve => wgsl!("passes/resolve.wgsl"),
             Self::Checkerboard => wgsl!("passes/checkerboard.wgsl"),
             Self::Fill => wgsl!("passes/fill.wgsl"),
+            Self::Frameless => wgsl!("passes/frameless.wgsl"),
+            Self::ReprojectDepth => wgsl!("passes/reproject_depth.wgsl"),
+            Self::ReprojectSource => wgsl!("passes/reproject_source.wgsl"),
+            Self::Reuse => wgsl!("passes/reuse.wgsl"),
+            Self::Renew => wgsl!("passes/renew.wgsl"),
         }
     }
 }

@@ -197,7 +197,9 @@ impl Variant {
     #[must_use]
     pub fn sources(&self, stage: Stage) -> Vec<Source> {
         match stage {
-            Stage::CompactA1 | Stage::CompactA2 => self.compact_sources(stage, wgsl!("wgsl/list_step.wgsl")),
+            Stage::CompactA1 | Stage::CompactA2 | Stage::CompactRenew => {
+                self.compact_sources(stage, wgsl!("wgsl/list_step.wgsl"))
+            }
             Stage::CompactSeed => self.compact_sources(stage, wgsl!("wgsl/list_all.wgsl")),
             Stage::CompactPostcorrect => self.compact_sources(stage, wgsl!("wgsl/list_round.wgsl")),
             Stage::CompactActive => self.compact_sources(stage, wgsl!("wgsl/list_active.wgsl")),
@@ -253,6 +255,32 @@ impl Variant {
             ),
             Stage::PostcorrectScan => {
                 self.tracing_sources_from(wgsl!("wgsl/attributes_claims.wgsl"), self.hit(), [stage.entry()])
+            }
+            Stage::Frameless => {
+                self.tracing_sources([wgsl!("wgsl/renewal.wgsl"), self.order(), stage.entry()])
+            }
+            Stage::ReprojectDepth | Stage::ReprojectSource => vec![
+                self.constants(),
+                wgsl!("wgsl/frame.wgsl"),
+                wgsl!("wgsl/history_before.wgsl"),
+                wgsl!("wgsl/reproject.wgsl"),
+                stage.entry(),
+            ],
+            Stage::Reuse => {
+                let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
+                sources.extend(self.output.sources());
+                sources.extend([
+                    wgsl!("wgsl/list.wgsl"),
+                    wgsl!("wgsl/list_append.wgsl"),
+                    wgsl!("wgsl/renewal.wgsl"),
+                    wgsl!("wgsl/history_before.wgsl"),
+                    wgsl!("wgsl/history.wgsl"),
+                    stage.entry(),
+                ]);
+                sources
+            }
+            Stage::Renew => {
+                self.tracing_sources([wgsl!("wgsl/list.wgsl"), wgsl!("wgsl/history.wgsl"), stage.entry()])
             }
         }
     }

@@ -42,8 +42,11 @@ fn grid_of(size: [u32; 2], sampling: u32) -> [u32; 2] {
 fn plans() -> impl Iterator<Item = (Shape, Plan)> {
     let whole = |s: &Shape| Shape { sampling: 1, band: u32::MAX, ..*s };
     shapes().flat_map(move |s| {
-        let checkerboard = (whole(&s), Plan::new(Method::Checkerboard, &whole(&s)));
-        [(s, Plan::new(Method::Full, &s)), (s, Plan::new(Method::Adaptive, &s)), checkerboard]
+        let of_one_sample = [Method::Checkerboard, Method::Frameless, Method::Reproject]
+            .map(|method| (whole(&s), Plan::new(method, &whole(&s))));
+        [(s, Plan::new(Method::Full, &s)), (s, Plan::new(Method::Adaptive, &s))]
+            .into_iter()
+            .chain(of_one_sample)
     })
 }
 
@@ -76,6 +79,7 @@ fn every_pass_is_covered_once() {
                 next += match part.extent {
                     Extent::Groups([groups, 1]) if part.stage == Stage::PostcorrectScan => 64 * groups,
                     Extent::Groups([_, rows]) => rows,
+                    Extent::Renewed(tiles) => tiles,
                     Extent::Chunk(chunk) => {
                         assert_eq!(chunk as usize, i, "{shape:?} {part:?}");
                         SAMPLES_PER_SUBMISSION
@@ -124,6 +128,22 @@ fn every_row_is_made_once_and_stored_once_at_a_time() {
     }
 }
 
+/// So many threads begin and end with a tile, whatever share of it is renewed.
+#[test]
+fn every_tile_is_renewed_once() {
+    for (shape, plan) in plans() {
+        let tiles = shape.grid.map(|side| u64::from(side.div_ceil(16))).iter().product::<u64>();
+        let mut renewed = 0;
+        for part in plan.parts.iter().filter(|part| part.stage == Stage::Frameless) {
+            let Extent::Renewed(count) = part.extent else { panic!("{part:?}") };
+            let last = part.bounds[1];
+            assert!(last || (1..=256).all(|share| count * share % TRACE_GROUP == 0), "{shape:?} {part:?}");
+            renewed += u64::from(count);
+        }
+        assert!(renewed == 0 || renewed == tiles, "{shape:?}: {renewed}");
+    }
+}
+
 /// The row that two bands share has one place in both.
 #[test]
 fn bands_fold_where_they_meet() {
@@ -156,7 +176,13 @@ fn bands_hold_whole_blocks_and_whole_pixels() {
 
 #[test]
 fn small_frames_are_one_submission_of_one_dispatch_a_stage() {
-    for (method, stages) in [(Method::Full, 1), (Method::Adaptive, 7), (Method::Checkerboard, 2)] {
+    for (method, stages) in [
+        (Method::Full, 1),
+        (Method::Adaptive, 7),
+        (Method::Checkerboard, 2),
+        (Method::Frameless, 1),
+        (Method::Reproject, 5),
+    ] {
         let shape = Shape {
             supersamples: false,
             grid: [450, 450],

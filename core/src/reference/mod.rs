@@ -11,6 +11,7 @@
 //! | [`Frame::postcorrection`] | `postcorrect_seed.wgsl`, `postcorrect_landmarks.wgsl`, `postcorrect.wgsl`, `postcorrect_scan.wgsl` |
 //! | [`Frame::ray_in`], [`Frame::presampled`], [`Frame::tested`], [`Frame::supersampled`] | `jitter_*.wgsl`, `presample.wgsl`, `quarters.wgsl`, `extra_samples.wgsl` |
 //! | [`Frame::quincunx`] | `quincunx_*.wgsl` |
+//! | [`Frame::renews`], [`Frame::reprojected`] | `renewal.wgsl`, `reproject_depth.wgsl`, `reproject_source.wgsl`, `reuse.wgsl` |
 //!
 //! Shared with what it judges: the [`Scene`] in main memory (with its normals in octahedral words, for that is what the
 //! scene holds), the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), the Rust functions that pack and
@@ -37,6 +38,7 @@ mod lights;
 mod material;
 mod postcorrection;
 mod quincunx;
+mod reprojection;
 mod rounding;
 mod sample;
 mod shadow;
@@ -55,6 +57,7 @@ pub use judge::Verdict;
 pub use lights::Arrival;
 pub use material::{Material, fresnel_dielectric};
 pub use quincunx::Quincunx;
+pub use reprojection::Kept;
 pub use rounding::{Cause, Rounding, SPAWN_ULPS, ULPS};
 pub use sample::{Limits, Sample};
 pub use similarity::Reached;

@@ -59,7 +59,7 @@ impl Frame<'_> {
     }
 
     /// The place in the image, in pixels from the upper left, where a point is seen; negative behind the camera.
-    fn place(&self, point: DVec3, rounding: &mut Rounding) -> DVec2 {
+    pub(super) fn place(&self, point: DVec3, rounding: &mut Rounding) -> DVec2 {
         let camera = &self.camera;
         let [width, height] = self.size.map(f64::from);
         let away = point - camera.origin.as_dvec3();
@@ -73,7 +73,7 @@ impl Frame<'_> {
         rounding.pair(Cause::Storage, 0.5 * (DVec2::new(width, height) + middle * height), width.max(height))
     }
 
-    fn pixel_at(&self, place: DVec2) -> Option<[u32; 2]> {
+    pub(super) fn pixel_at(&self, place: DVec2) -> Option<[u32; 2]> {
         let inside = place.cmpge(DVec2::ZERO).all()
             && place.x < f64::from(self.size[0])
             && place.y < f64::from(self.size[1]);

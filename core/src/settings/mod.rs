@@ -21,12 +21,25 @@ pub enum Method {
     Supersample,
     /// Lecture, "Adaptive supersampling": rays through centres and corners of pixels, and more between those that differ.
     Quincunx,
+    /// The lecture's "frameless rendering": a share of the pixels is traced anew, in a well-spread order; the others stay
+    /// as they are, whatever has moved. One sample a pixel.
+    Frameless,
+    /// The lecture's "reprojection": what the frame before showed is moved to where the camera sees it now. What is not
+    /// covered, what mirrors or lets light through, and a share of the pixels are traced. One sample a pixel.
+    Reproject,
 }
 
 impl Method {
     /// All of them.
-    pub const ALL: [Self; 5] =
-        [Self::Full, Self::Adaptive, Self::Checkerboard, Self::Supersample, Self::Quincunx];
+    pub const ALL: [Self; 7] = [
+        Self::Full,
+        Self::Adaptive,
+        Self::Checkerboard,
+        Self::Supersample,
+        Self::Quincunx,
+        Self::Frameless,
+        Self::Reproject,
+    ];
 
     /// Its name on the command line.
     #[must_use]
@@ -37,7 +50,21 @@ impl Method {
             Self::Checkerboard => "checkerboard",
             Self::Supersample => "supersample",
             Self::Quincunx => "quincunx",
+            Self::Frameless => "frameless",
+            Self::Reproject => "reproject",
         }
+    }
+
+    /// A frame keeps something of the frames before it.
+    #[must_use]
+    pub fn keeps_frames(self) -> bool {
+        matches!(self, Self::Frameless | Self::Reproject)
+    }
+
+    /// It knows pixels of one sample alone.
+    #[must_use]
+    pub fn takes_one_sample(self) -> bool {
+        !matches!(self, Self::Full | Self::Adaptive)
     }
 }
 
@@ -167,6 +194,9 @@ pub struct Settings {
     pub depth: u32,
     /// Rays that would contribute less than this share of the pixel are not traced. 0 follows them all.
     pub min_weight: f32,
+    /// The share of the pixels that a frame traces anew which keeps the others, above 0 and at most 1: more costs time,
+    /// less leaves longer what is no longer so. No pixel is older than `1 / share` frames.
+    pub share: f32,
     /// Which pieces are linked.
     pub features: Linking,
     /// Extra samples after an adaptive frame too, where its pixels differ from their neighbours.
@@ -206,6 +236,7 @@ impl Default for Settings {
             mip: Mip::On,
             depth: 3,
             min_weight: 0.05,
+            share: 0.1,
             features: Linking::Auto,
             supersample: false,
             thresholds: Thresholds::default(),
@@ -243,13 +274,17 @@ impl Settings {
                 return Err(crate::Error::setting(name, format!("expected {range}, found {value}")));
             }
         }
+        if !(self.share > 0.0 && self.share <= 1.0) {
+            let expected = format!("expected a number above 0 and at most 1, found {}", self.share);
+            return Err(crate::Error::setting("--share", expected));
+        }
         let counts = [("--depth", self.depth, MAX_DEPTH), ("--sampling", self.sampling, MAX_SAMPLING)];
         for (name, value, most) in counts {
             if !(1..=most).contains(&value) {
                 return Err(crate::Error::setting(name, format!("expected 1 to {most}, found {value}")));
             }
         }
-        let single = matches!(self.method, Method::Checkerboard | Method::Supersample | Method::Quincunx);
+        let single = self.method.takes_one_sample();
         if self.sampling > 1 && (single || self.supersample) {
             let with =
                 if single { format!("--method {}", self.method.name()) } else { "--supersample".to_owned() };
@@ -322,6 +357,15 @@ impl Default for Robustness {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_share_is_above_0_and_at_most_1() {
+        for (share, fits) in
+            [(0.0, false), (-0.1, false), (f32::NAN, false), (1.001, false), (1e-9, true), (1.0, true)]
+        {
+            assert_eq!(Settings { share, ..Settings::default() }.validate().is_ok(), fits, "{share}");
+        }
+    }
 
     #[test]
     fn tolerances_are_those_of_every_second_sample() {

@@ -40,6 +40,12 @@ struct Frame {
     focus_last: u32,
     // How much the ends of a quincunx may differ.
     similar: f32,
+    // The ranks that are traced anew: the first and how many.
+    renewed_from: u32,
+    renewed: u32,
+    // Not 0 where the camera is that of the frame before.
+    still: u32,
+    padding: u32,
 }
 
 var<uniform> frame: Frame;

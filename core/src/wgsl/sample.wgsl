@@ -3,6 +3,8 @@
 struct Sample {
     attributes: Attributes,
     color: vec3f,
+    // Rays were followed beyond the first hit.
+    bounced: bool,
 }
 
 fn sample_trace(pixel: vec2u) -> Sample {
@@ -49,6 +51,7 @@ fn sample_follow(ray: Ray) -> Sample {
         if !bounce_next(&branch) {
             break;
         }
+        result.bounced = true;
     }
     result.attributes.gcol = gcol;
     result.color = gcol + local;

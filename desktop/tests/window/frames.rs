@@ -58,3 +58,16 @@ fn other_settings() {
     is_rendered_again("builtin:cornell", "set method checkerboard");
     is_rendered_again("builtin:cornell", "set method full");
 }
+
+/// What is kept from before the camera came to rest is renewed until nothing of it is left.
+#[test]
+fn frames_that_are_kept() {
+    for method in ["frameless", "reproject"] {
+        let command =
+            is_rendered_again("builtin:cornell", &format!("set method {method}\nset share 0.2\n{ORBIT}"));
+        assert!(
+            command.contains(&format!("--method={method}")) && command.contains("--share=0.2"),
+            "{command}"
+        );
+    }
+}

@@ -2,6 +2,7 @@
 
 mod frames;
 mod rays;
+mod reprojection;
 mod wrong;
 
 use std::sync::OnceLock;

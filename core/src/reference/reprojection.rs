@@ -1,0 +1,121 @@
+//! Reprojection (the lecture): which pixels show again what the frame before showed, and what they show.
+
+use glam::{DVec2, DVec3};
+
+use super::{Frame, Rounding};
+
+/// Side of a tile of ranks.
+const TILE: u32 = 16;
+
+/// A pixel is suspected between pixels that are nearer than this share of its depth.
+const NEARER: f64 = 0.96875;
+
+/// A pixel is traced where its error may be larger, in roots of radiance.
+const ERROR: f64 = 0.0625;
+
+/// Points count as no closer to each other than this, in pixels.
+const LEAST_WAY: f64 = 0.25;
+
+/// What the frame before left of a pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct Kept {
+    /// What it shows, `None` if that is not to be seen from elsewhere.
+    pub point: Option<DVec3>,
+    /// Linear radiance.
+    pub radiance: DVec3,
+}
+
+/// A kept point where it is seen now.
+#[derive(Clone, Copy, Debug)]
+struct Landed {
+    at: DVec2,
+    depth: f64,
+    radiance: DVec3,
+}
+
+impl Landed {
+    /// Depth as far as it counts, to a part in 2^11; then how far from the centre of the pixel.
+    fn order(&self) -> (u32, f64) {
+        ((self.depth as f32).to_bits() >> 12, (self.at.fract() - 0.5).length_squared())
+    }
+}
+
+impl Frame<'_> {
+    /// Whether a frame that renews `count` ranks from the `first` on traces this pixel: Bayer's recursion, whose quarters are
+    /// 0 2 / 3 1, finest first.
+    #[must_use]
+    pub fn renews([x, y]: [u32; 2], first: u32, count: u32) -> bool {
+        let [mut side, mut rank] = [TILE / 2, 0];
+        let [mut x, mut y] = [x % TILE, y % TILE];
+        while side > 0 {
+            rank += side * side * [[0, 2], [3, 1]][(y % 2) as usize][(x % 2) as usize];
+            [x, y, side] = [x / 2, y / 2, side / 2];
+        }
+        (rank + TILE * TILE - first) % (TILE * TILE) < count
+    }
+
+    /// What each pixel shows of the frame before, row by row; `None` where it is to be traced.
+    #[must_use]
+    pub fn reprojected(&self, before: &[Kept]) -> Vec<Option<DVec3>> {
+        let landed = self.landed(before);
+        let [width, height] = self.size;
+        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
+        pixels.map(|pixel| self.reused(&landed, pixel)).collect()
+    }
+
+    /// The nearest kept point in each pixel.
+    fn landed(&self, before: &[Kept]) -> Vec<Option<Landed>> {
+        let mut landed: Vec<Option<Landed>> = vec![None; before.len()];
+        for kept in before {
+            let Some(point) = kept.point else { continue };
+            let at = self.place(point, &mut Rounding::none());
+            let Some([x, y]) = self.pixel_at(at) else { continue };
+            let depth = (point - self.camera.origin.as_dvec3()).dot(self.camera.forward.as_dvec3());
+            let new = Landed { at, depth, radiance: kept.radiance };
+            let there = &mut landed[(y * self.size[0] + x) as usize];
+            if there.is_none_or(|old| new.order() < old.order()) {
+                *there = Some(new);
+            }
+        }
+        landed
+    }
+
+    fn reused(&self, landed: &[Option<Landed>], [x, y]: [u32; 2]) -> Option<DVec3> {
+        let at = |dx: i64, dy: i64| {
+            let (x, y) = (i64::from(x) + dx, i64::from(y) + dy);
+            let inside =
+                (0..i64::from(self.size[0])).contains(&x) && (0..i64::from(self.size[1])).contains(&y);
+            inside.then(|| landed[(y * i64::from(self.size[0]) + x) as usize]).flatten()
+        };
+        let own = at(0, 0)?;
+        let nearer = |dx, dy| at(dx, dy).is_some_and(|other| other.depth < NEARER * own.depth);
+        if [(1, 0), (0, 1), (1, 1), (1, -1)].iter().any(|&(dx, dy)| nearer(dx, dy) && nearer(-dx, -dy)) {
+            return None;
+        }
+        let centre = DVec2::new(f64::from(x), f64::from(y)) + 0.5;
+        let aside = own.at - centre;
+        let [right, down] = [aside.x, aside.y].map(|aside| if aside > 0.0 { -1 } else { 1 });
+        let across = [(right, 0), (0, down), (right, down)].into_iter().filter_map(|(dx, dy)| at(dx, dy));
+        let mut sum = weight(aside) * own.radiance;
+        let mut weights = weight(aside);
+        for other in across {
+            let beyond = other.at - centre;
+            let contrast = (root(other.radiance) - root(own.radiance)).abs().max_element();
+            if contrast * aside.length() / (beyond - aside).length().max(LEAST_WAY) > ERROR {
+                return None;
+            }
+            sum += weight(beyond) * other.radiance;
+            weights += weight(beyond);
+        }
+        Some(sum / weights)
+    }
+}
+
+/// What a point so far from the centre of a pixel counts in it.
+fn weight(aside: DVec2) -> f64 {
+    (1.0 - aside.x.abs()).max(0.0) * (1.0 - aside.y.abs()).max(0.0)
+}
+
+fn root(radiance: DVec3) -> DVec3 {
+    radiance.max(DVec3::ZERO).map(f64::sqrt)
+}
