@@ -14,5 +14,6 @@ mod gpu {
     mod scenes;
     mod sequences;
     mod stress;
+    mod supersample;
     mod traversal;
 }

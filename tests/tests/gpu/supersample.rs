@@ -1,0 +1,253 @@
+//! Selective and adaptive supersampling, and quincunx: what they must be equal to, and what they must see.
+
+use glam::{Vec3, vec3};
+use glimpse::{
+    Focus, Inactive, Inspection, Jitter, Method, Scene, Settings, THRESHOLD_NAMES, Thresholds, Tolerances,
+};
+use glimpse_tests::{
+    Frame, Stage,
+    builder::{Builder, front_camera, matte, mirror},
+};
+
+const SIZE: [u32; 2] = [123, 77];
+
+fn supersample(thresholds: Thresholds) -> Settings {
+    Settings { method: Method::Supersample, thresholds, ..Settings::default() }
+}
+
+fn assert_same(found: &Frame, expected: &Frame, what: &str) {
+    assert_eq!(found.display.as_raw(), expected.display.as_raw(), "{what}, as shown");
+    let bits = |frame: &Frame| frame.linear.as_raw().iter().map(|c| c.to_bits()).collect::<Vec<_>>();
+    assert_eq!(bits(found), bits(expected), "{what}, linear");
+}
+
+#[test]
+fn all_quarters_active_is_sixteen_samples_a_pixel() {
+    for name in ["room", "cornell"] {
+        let stage = Stage::builtin(name);
+        for jitter in [Jitter::On, Jitter::Off] {
+            let fixed = Settings { method: Method::Full, sampling: 4, jitter, ..Settings::default() };
+            let ours = Settings { jitter, ..supersample(Thresholds::uniform(0.0)) };
+            assert_same(
+                &stage.frame(SIZE, &ours),
+                &stage.frame(SIZE, &fixed),
+                &format!("{name}, {jitter:?}"),
+            );
+        }
+    }
+}
+
+#[test]
+fn no_quarter_active_is_one_sample_a_pixel() {
+    let stage = Stage::builtin("room");
+    let never = supersample(Thresholds::uniform(1.0));
+    let full = Settings { method: Method::Full, ..Settings::default() };
+    assert_same(&stage.frame(SIZE, &never), &stage.frame(SIZE, &full), "supersample");
+    assert_eq!(stage.inspect(SIZE, &never).counts.samples.extra, 0);
+    let adaptive = Settings::default();
+    let never = Settings { supersample: true, thresholds: Thresholds::uniform(1.0), ..adaptive };
+    assert_same(&stage.frame(SIZE, &never), &stage.frame(SIZE, &adaptive), "adaptive with supersampling");
+}
+
+/// A tolerance of 0 traces every sample: what is left is the test and the extra samples.
+#[test]
+fn supersampling_of_a_traced_adaptive_frame_is_supersampling() {
+    let stage = Stage::builtin("room");
+    let tolerances = Tolerances { pos: 0.0, ..Tolerances::default() };
+    let combined = Settings { supersample: true, tolerances, ..Settings::default() };
+    let alone = supersample(Thresholds::default());
+    assert_same(&stage.frame(SIZE, &combined), &stage.frame(SIZE, &alone), "combined");
+    let [combined, alone] = [combined, alone].map(|settings| stage.inspect(SIZE, &settings));
+    let edges = |i: &Inspection| i.pixels.iter().map(|p| (p.active, p.differing)).collect::<Vec<_>>();
+    assert_eq!(edges(&combined), edges(&alone));
+    assert!(alone.counts.samples.extra > 1000, "{:?}", alone.counts.samples);
+}
+
+/// Weights sum to one: where all samples are 1, no pixel is anything else.
+#[test]
+fn the_furnace_stays_what_it_is() {
+    let stage = Stage::builtin("furnace");
+    let inactive = Inactive::Bilinear;
+    for settings in [
+        supersample(Thresholds::default()),
+        supersample(Thresholds::uniform(0.0)),
+        Settings { inactive, ..supersample(Thresholds { poid: 0.0, ..Thresholds::uniform(1.0) }) },
+        Settings { supersample: true, ..Settings::default() },
+        Settings { method: Method::Quincunx, ..Settings::default() },
+        Settings { method: Method::Quincunx, similar: 0.0, ..Settings::default() },
+    ] {
+        let image = stage.frame([101, 63], &settings).linear;
+        let worst = image.as_raw().iter().map(|c| (c - 1.0).abs()).fold(0.0, f32::max);
+        assert!(worst <= 1e-5, "{settings:?}: off by {worst:e}");
+    }
+}
+
+/// Counted samples are those of the active quarters, and half of them where half are.
+#[test]
+fn four_samples_for_each_active_quarter() {
+    let stage = Stage::builtin("room");
+    let inspection = stage.inspect(SIZE, &supersample(Thresholds::default()));
+    let active: u32 = inspection.pixels.iter().map(|p| p.active.count_ones()).sum();
+    let samples = inspection.counts.samples;
+    assert_eq!(samples.extra, 4 * u64::from(active));
+    assert_eq!(samples.base, samples.total);
+    let by_number: Vec<_> =
+        (0..5).map(|n| inspection.pixels.iter().filter(|p| p.active.count_ones() == n).count()).collect();
+    assert!(by_number.iter().all(|count| *count > 20), "every number of quarters is there: {by_number:?}");
+}
+
+#[test]
+fn the_seed_moves_extra_samples_and_nothing_else_does() {
+    let stage = Stage::builtin("room");
+    let frame = |seed| stage.frame(SIZE, &Settings { seed, ..supersample(Thresholds::default()) });
+    let first = frame(1);
+    assert_same(&frame(1), &first, "the same seed");
+    assert_ne!(frame(2).linear.as_raw(), first.linear.as_raw(), "another seed");
+}
+
+/// What one attribute alone sees: a wall of one colour that nothing but it tells the halves of.
+fn wall(attribute: &str, builder: &mut Builder, [z, facing]: [f32; 2]) {
+    let grey = || matte(Vec3::splat(0.5));
+    let side = |object, builder: &mut Builder, corner: Vec3, u: Vec3| {
+        let v = vec3(0.0, 16.0, 0.0);
+        // The normal points the way that the wall faces.
+        if facing > 0.0 { builder.quad(object, corner, u, v) } else { builder.quad(object, corner, v, u) }
+    };
+    let corner = vec3(-8.0, -8.0, z);
+    let wide = vec3(16.0, 0.0, 0.0);
+    match attribute {
+        "oid" => {
+            let [left, right] = [builder.object(grey()), builder.object(grey())];
+            side(left, builder, corner, wide / 2.0);
+            side(right, builder, corner + wide / 2.0, wide / 2.0);
+        }
+        "sn" => {
+            let object = builder.object(grey());
+            let back = vec3(0.0, 0.0, -5.0 * facing);
+            side(object, builder, corner + back, wide / 2.0 - back);
+            side(object, builder, corner + wide / 2.0, wide / 2.0 + back);
+        }
+        "sc" => {
+            let object = builder.object(grey());
+            side(object, builder, corner, wide);
+            // The right half is in the shadow of something above the view, and so is nothing but the wall.
+            let blocker = builder.object(grey());
+            let near = z - 1.0;
+            builder.quad(blocker, vec3(0.0, 20.0, near), vec3(30.0, 0.0, 0.0), vec3(0.0, 0.0, 2.0));
+            builder.point_light(vec3(0.0, 1000.0, z + 2.0 * facing), Vec3::ONE);
+        }
+        "te" => {
+            let texture = builder.ramp_texture();
+            let object =
+                builder.object(glimpse::scene::Material { base_color_texture: Some(texture), ..grey() });
+            side(object, builder, corner, wide);
+        }
+        _ => unreachable!("{attribute}"),
+    }
+}
+
+/// The wall, seen straight on or in a mirror that fills the view.
+fn scene(attribute: &str) -> Scene {
+    let mut builder = Builder::new();
+    builder.environment(Vec3::ONE, Vec3::ONE);
+    let (of_primary, what) = attribute.split_at(1);
+    if of_primary == "p" {
+        wall(what, &mut builder, [0.0, 1.0]);
+    } else {
+        let object = builder.object(mirror(Vec3::ONE));
+        builder.quad(object, vec3(-4.0, -4.0, 0.0), vec3(8.0, 0.0, 0.0), vec3(0.0, 8.0, 0.0));
+        wall(what, &mut builder, [4.0, -1.0]);
+    }
+    builder.seen_by(front_camera())
+}
+
+fn union(inspection: &Inspection) -> u32 {
+    inspection.pixels.iter().fold(0, |bits, pixel| bits | pixel.differing) & !1
+}
+
+/// Of two walls that look alike the attribute alone tells where one ends; without it nothing gets extra samples.
+#[test]
+fn each_attribute_sees_what_no_other_does() {
+    for (index, attribute) in THRESHOLD_NAMES.into_iter().enumerate().skip(1) {
+        let stage = Stage::new(scene(attribute));
+        let only = |value| {
+            let mut thresholds = Thresholds::uniform(1.0);
+            let slots = [
+                &mut thresholds.col,
+                &mut thresholds.poid,
+                &mut thresholds.psn,
+                &mut thresholds.psc,
+                &mut thresholds.pte,
+                &mut thresholds.soid,
+                &mut thresholds.ssn,
+                &mut thresholds.ssc,
+                &mut thresholds.ste,
+            ];
+            *slots.into_iter().nth(index).expect("nine") = value;
+            stage.inspect(SIZE, &supersample(thresholds))
+        };
+        let strict = only(0.0);
+        assert_eq!(union(&strict), 1 << index, "{attribute}: {:#b}", union(&strict));
+        let seen = strict.pixels.iter().filter(|p| p.differing >> index & 1 == 1).count();
+        let active = strict.pixels.iter().filter(|p| p.active != 0).count();
+        assert!(seen > 70 && active == seen, "{attribute}: {active} active of {seen}");
+        assert_eq!(only(1.0).counts.samples.extra, 0, "{attribute}, never");
+    }
+}
+
+#[test]
+fn what_is_out_of_focus_does_not_differ() {
+    let stage = Stage::new(scene("poid"));
+    let edges = Thresholds { poid: 0.0, ..Thresholds::uniform(1.0) };
+    let extra = |focus| {
+        let settings = Settings { focus, ..supersample(edges) };
+        stage.inspect(SIZE, &settings).counts.samples.extra
+    };
+    let everything = extra(None);
+    assert!(everything > 0);
+    assert_eq!(extra(Some(Focus { first: 1, last: 1 })), everything, "one of the two objects");
+    assert_eq!(extra(Some(Focus { first: 2, last: 7 })), 0, "neither");
+}
+
+/// Bilinear centres soften what nearest ones leave as it is, and leave active quarters alone.
+#[test]
+fn inactive_quarters_are_bilinear_where_it_is_asked_for() {
+    let stage = Stage::builtin("room");
+    let frame =
+        |inactive, tau| stage.frame(SIZE, &Settings { inactive, ..supersample(Thresholds::uniform(tau)) });
+    assert_same(&frame(Inactive::Bilinear, 0.0), &frame(Inactive::Nearest, 0.0), "all active");
+    let (soft, sharp) = (frame(Inactive::Bilinear, 1.0).linear, frame(Inactive::Nearest, 1.0).linear);
+    let roughness = |image: &glimpse::LinearImage| -> f64 {
+        let steps = image.as_raw().windows(4).map(|w| f64::from(w[3].min(1.0) - w[0].min(1.0)).abs());
+        steps.sum()
+    };
+    assert!(roughness(&soft) < 0.9 * roughness(&sharp), "{} {}", roughness(&soft), roughness(&sharp));
+}
+
+/// The end of the recursion: every quad of both levels is divided, and every sample is traced once.
+#[test]
+fn a_quincunx_that_is_divided_everywhere_traces_each_sample_once() {
+    let stage = Stage::builtin("room");
+    let [width, height] = SIZE.map(u64::from);
+    let settings = Settings { method: Method::Quincunx, similar: 0.0, ..Settings::default() };
+    let samples = stage.inspect(SIZE, &settings).counts.samples;
+    let lattice = (4 * width + 1) * (4 * height + 1);
+    assert_eq!(samples.base + samples.extra, lattice + 16 * width * height);
+    let never = Settings { similar: 1.0, ..settings };
+    let samples = stage.inspect(SIZE, &never).counts.samples;
+    assert_eq!(samples.base + samples.extra, width * height + (width + 1) * (height + 1));
+}
+
+/// More of what is shown is nearer to what many samples show.
+#[test]
+fn a_quincunx_comes_nearer_to_many_samples_the_more_it_divides() {
+    let stage = Stage::builtin("room");
+    let frame = |settings: Settings| stage.frame(SIZE, &settings).display;
+    let many = frame(Settings { method: Method::Full, sampling: 12, ..Settings::default() });
+    let error = |similar| {
+        let picture = frame(Settings { method: Method::Quincunx, similar, ..Settings::default() });
+        glimpse::metrics::compare(&picture, &many).expect("of one size").rmse
+    };
+    let [never, default, often] = [1.0, Settings::default().similar, 0.02].map(error);
+    assert!(never > 1.5 * default && default > often, "{never} {default} {often}");
+}
