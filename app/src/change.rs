@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use glimpse::{Method, Mip, Postcorrect, Settings, Show};
+use glimpse::{Method, Mip, Postcorrect, Preset, Settings, Show};
 
 use crate::{Choices, FrameRate, Overlay, SCALES};
 
@@ -48,6 +48,12 @@ pub enum Setting {
     Gcol(f32),
     /// `min-weight`
     MinWeight(f32),
+    /// `supersample`
+    Supersample(bool),
+    /// `preset`
+    Preset(Preset),
+    /// `similar`
+    Similar(f32),
     /// `share`
     Share(f32),
 }
@@ -68,6 +74,9 @@ impl Setting {
             Self::Gcol(value) => tolerances.gcol = value,
             Self::MinWeight(value) => settings.min_weight = value,
             Self::Share(value) => settings.share = value,
+            Self::Supersample(supersample) => settings.supersample = supersample,
+            Self::Preset(preset) => settings.thresholds = preset.thresholds(),
+            Self::Similar(value) => settings.similar = value,
         }
     }
 }
@@ -141,6 +150,9 @@ fn setting(name: &str, value: &str) -> Result<Setting, String> {
         "t-tex" => Setting::Tex(number(value)?),
         "t-gcol" => Setting::Gcol(number(value)?),
         "min-weight" => Setting::MinWeight(number(value)?),
+        "supersample" => Setting::Supersample(one_of(value, &[("off", false), ("on", true)])?),
+        "preset" => Setting::Preset(one_of(value, &Preset::ALL.map(|preset| (preset.name(), preset)))?),
+        "similar" => Setting::Similar(number(value)?),
         "share" => Setting::Share(number(value)?),
         _ => return Err(format!("expected the name of a choice, found `{name}`")),
     })
@@ -175,7 +187,7 @@ mod tests {
             ("block 3", "2, 4 or 8"),
             ("depth 0", "1 to 64"),
             ("t-norm x", "expected a number, found `x`"),
-            ("method maybe", "expected full, adaptive, checkerboard, frameless, reproject, found `maybe`"),
+            ("method maybe", "expected full, adaptive, checkerboard, supersample, quincunx, frameless, reproject, found `maybe`"),
             ("share 0", "above 0 and at most 1"),
             ("split 1.5", "expected a number from 0 to 1, found `1.5`"),
             ("mip maybe", "expected off, on, found `maybe`"),

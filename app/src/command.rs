@@ -38,9 +38,33 @@ fn options(settings: &Settings) -> Vec<String> {
     ];
     words
         .into_iter()
+        .chain(samples(settings, &usual))
         .filter(|(differs, ..)| *differs)
         .map(|(_, name, value)| format!("--{name}={value}"))
         .collect()
+}
+
+/// Those about where samples go.
+fn samples(settings: &Settings, usual: &Settings) -> Vec<(bool, &'static str, String)> {
+    const TAU: [&str; 9] =
+        ["tau-col", "tau-poid", "tau-psn", "tau-psc", "tau-pte", "tau-soid", "tau-ssn", "tau-ssc", "tau-ste"];
+    let focus = settings.focus.map_or_else(String::new, |focus| format!("{}-{}", focus.first, focus.last));
+    let mut words = vec![
+        (settings.supersample != usual.supersample, "supersample", settings.supersample.to_string()),
+        (settings.focus.is_some(), "focus", focus),
+        (settings.inactive != usual.inactive, "inactive", settings.inactive.name().to_owned()),
+        (settings.jitter != usual.jitter, "jitter", settings.jitter.name().to_owned()),
+        (settings.similar != usual.similar, "similar", settings.similar.to_string()),
+        (settings.seed != usual.seed, "seed", settings.seed.to_string()),
+    ];
+    if let Some(preset) = settings.thresholds.preset() {
+        words.push((settings.thresholds != usual.thresholds, "preset", preset.name().to_owned()));
+    } else {
+        words.extend(
+            TAU.into_iter().zip(settings.thresholds.values()).map(|(tau, x)| (true, tau, x.to_string())),
+        );
+    }
+    words
 }
 
 /// As a shell takes it for one word.
@@ -58,6 +82,16 @@ mod tests {
     use glimpse::{Camera, Method, Tolerances};
 
     use super::*;
+
+    #[test]
+    fn thresholds_are_said_by_name_where_they_have_one() {
+        let with = |thresholds| Settings { supersample: true, thresholds, ..Settings::default() };
+        let named = options(&with(glimpse::Preset::Edges.thresholds()));
+        assert_eq!(named, ["--supersample=true", "--preset=edges"]);
+        let unnamed = options(&with(glimpse::Thresholds::uniform(0.25)));
+        assert_eq!(unnamed.len(), 10);
+        assert_eq!(unnamed[9], "--tau-ste=0.25");
+    }
 
     #[test]
     fn what_is_usual_is_not_said() {

@@ -12,6 +12,9 @@ impl Choices {
         match (self.settings.method, self.show) {
             (Method::Checkerboard, _) if several => Some("A checkerboard has one sample a pixel."),
             (method, _) if several && method.keeps_frames() => Some("Pixels that are kept have one sample."),
+            (method, _) if several && (method.takes_one_sample() || self.settings.supersample) => {
+                Some("Extra samples are added to one sample a pixel.")
+            }
             (_, show) if several && show != Show::Final => {
                 Some("What is shown instead of the frame is about pixels of one sample.")
             }
@@ -47,6 +50,19 @@ impl Choices {
     #[must_use]
     pub fn tolerances_rest(&self) -> Option<&'static str> {
         (self.settings.method != Method::Adaptive).then_some("The adaptive method alone interpolates.")
+    }
+
+    /// Why no extra samples can be added to the frame; `None` if they can.
+    #[must_use]
+    pub fn supersample_rests(&self) -> Option<&'static str> {
+        (self.settings.method != Method::Adaptive)
+            .then_some("Extra samples are added to the adaptive method.")
+    }
+
+    /// Why thresholds change nothing; `None` if they do.
+    #[must_use]
+    pub fn thresholds_rest(&self) -> Option<&'static str> {
+        (!self.settings.supersamples()).then_some("Thresholds are about extra samples: method supersample.")
     }
 
     /// Why the scale changes nothing; `None` if it does.

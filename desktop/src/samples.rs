@@ -9,7 +9,8 @@ use glimpse::{Focus, Inactive, Jitter, Preset, Settings, Thresholds};
 #[derive(Clone, Debug, PartialEq, Args)]
 pub struct SampleOptions {
     /// Extra samples after the adaptive frame, where its pixels differ from their neighbours
-    #[arg(long)]
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true", default_value_t = false,
+        action = clap::ArgAction::Set)]
     pub supersample: bool,
     /// Thresholds of the contrast that extra samples need
     #[arg(long, value_enum, default_value = "balanced", ignore_case = true)]

@@ -1,7 +1,7 @@
 //! The choices between a few values: one table for the buttons and for the keys.
 
 use egui::{Button, Ui, vec2};
-use glimpse::{Method, Mip, Postcorrect};
+use glimpse::{Method, Mip, Postcorrect, Preset};
 
 use super::actions::Action;
 use super::{keys, style};
@@ -74,13 +74,44 @@ fn named<T: Copy>(values: &[(T, &str)]) -> Vec<(T, String)> {
 pub const METHOD: Options<Method> = Options {
     name: "method",
     values: || {
-        let order =
-            [Method::Adaptive, Method::Full, Method::Checkerboard, Method::Frameless, Method::Reproject];
+        let order = [
+            Method::Adaptive,
+            Method::Full,
+            Method::Supersample,
+            Method::Quincunx,
+            Method::Frameless,
+            Method::Reproject,
+            Method::Checkerboard,
+        ];
         named(&order.map(|method| (method, method.name())))
     },
     action: Some(Action::Method),
     get: |choices| choices.settings.method,
-    set: |choices, method| choices.settings.method = method,
+    set: |choices, method| {
+        choices.settings.method = method;
+        // No other is added to.
+        choices.settings.supersample &= method == Method::Adaptive;
+    },
+};
+
+pub const SUPERSAMPLE: Options<bool> = Options {
+    name: "extra samples",
+    values: || named(&[(false, "off"), (true, "on")]),
+    action: None,
+    get: |choices| choices.settings.supersample,
+    set: |choices, supersample| choices.settings.supersample = supersample,
+};
+
+pub const PRESET: Options<Option<Preset>> = Options {
+    name: "thresholds",
+    values: || named(&Preset::ALL.map(|preset| (Some(preset), preset.name()))),
+    action: None,
+    get: |choices| choices.settings.thresholds.preset(),
+    set: |choices, preset| {
+        if let Some(preset) = preset {
+            choices.settings.thresholds = preset.thresholds();
+        }
+    },
 };
 
 pub const BLOCK: Options<u32> = Options {

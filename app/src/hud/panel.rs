@@ -116,6 +116,10 @@ fn method(ui: &mut Ui, hud: &mut Hud<'_>) {
     let rests = hud.choices.tolerances_rest();
     options::BLOCK.buttons(ui, hud.choices, rests);
     options::POSTCORRECT.buttons(ui, hud.choices, rests);
+    let rests = hud.choices.supersample_rests();
+    options::SUPERSAMPLE.buttons(ui, hud.choices, rests);
+    let rests = hud.choices.thresholds_rest();
+    options::PRESET.buttons(ui, hud.choices, rests);
     options::SAMPLING.buttons(ui, hud.choices, None);
     options::MIP.buttons(ui, hud.choices, None);
     for knob in &knobs::DEPTHS {

@@ -63,6 +63,12 @@ impl Thresholds {
         [t.col, t.poid, t.psn, t.psc, t.pte, t.soid, t.ssn, t.ssc, t.ste]
     }
 
+    /// The name that they go by, if they have one.
+    #[must_use]
+    pub fn preset(&self) -> Option<Preset> {
+        Preset::ALL.into_iter().find(|preset| preset.thresholds() == *self)
+    }
+
     pub(super) fn validate(&self) -> Result<()> {
         for (name, value) in THRESHOLD_NAMES.into_iter().zip(self.values()) {
             if !(0.0..=1.0).contains(&value) {
@@ -138,6 +144,29 @@ pub enum Inactive {
     Nearest,
     /// The four centres around them, bilinearly (Jin 2009, section 6): softer textures, softer everything.
     Bilinear,
+}
+
+impl Inactive {
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Nearest => "nearest",
+            Self::Bilinear => "bilinear",
+        }
+    }
+}
+
+impl Jitter {
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::On => "on",
+            Self::Off => "off",
+        }
+    }
 }
 
 /// Where in its cell a sample lies.
