@@ -187,7 +187,10 @@ mod tests {
             ("block 3", "2, 4 or 8"),
             ("depth 0", "1 to 64"),
             ("t-norm x", "expected a number, found `x`"),
-            ("method maybe", "expected full, adaptive, checkerboard, supersample, quincunx, frameless, reproject, found `maybe`"),
+            (
+                "method maybe",
+                "expected full, adaptive, checkerboard, supersample, quincunx, frameless, reproject, found `maybe`",
+            ),
             ("share 0", "above 0 and at most 1"),
             ("split 1.5", "expected a number from 0 to 1, found `1.5`"),
             ("mip maybe", "expected off, on, found `maybe`"),

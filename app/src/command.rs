@@ -54,6 +54,7 @@ fn samples(settings: &Settings, usual: &Settings) -> Vec<(bool, &'static str, St
         (settings.focus.is_some(), "focus", focus),
         (settings.inactive != usual.inactive, "inactive", settings.inactive.name().to_owned()),
         (settings.jitter != usual.jitter, "jitter", settings.jitter.name().to_owned()),
+        (settings.filter != usual.filter, "filter", settings.filter.name().to_owned()),
         (settings.similar != usual.similar, "similar", settings.similar.to_string()),
         (settings.seed != usual.seed, "seed", settings.seed.to_string()),
     ];

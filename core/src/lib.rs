@@ -65,8 +65,8 @@ pub use pose::{Lens, Pose};
 pub use renderer::Renderer;
 pub use scene::{Features, Scene};
 pub use settings::{
-    Focus, Inactive, Jitter, Linking, MAX_DEPTH, MAX_RAYS, MAX_SAMPLING, Method, Mip, Postcorrect, Preset,
-    Robustness, Settings, THRESHOLD_NAMES, Thresholds, Tolerances,
+    Filter, Focus, Inactive, Jitter, Linking, MAX_DEPTH, MAX_RAYS, MAX_SAMPLING, Method, Mip, Postcorrect,
+    Preset, Robustness, Settings, THRESHOLD_NAMES, Thresholds, Tolerances,
 };
 pub use show::Show;
 pub use stats::{

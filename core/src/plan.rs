@@ -6,7 +6,7 @@
 //! shadows, one or two bounces). [`SAMPLES_PER_SUBMISSION`] of them take 0.1 s there: a fifth of the strictest limit.
 
 use crate::{
-    Method, Postcorrect,
+    Filter, Method, Postcorrect,
     passes::{Stage, TRACE_GROUP},
 };
 
@@ -123,6 +123,8 @@ pub struct Shape {
     pub postcorrect: Postcorrect,
     /// Extra samples are added.
     pub supersamples: bool,
+    /// How a pixel follows from several samples.
+    pub filter: Filter,
     /// Points of thin things.
     pub landmarks: u32,
 }
@@ -134,6 +136,10 @@ impl Plan {
         for band in bands(shape.grid[1], shape.band) {
             plan.stored_rows = plan.stored_rows.max(band.end - band.first);
             match method {
+                Method::Full if shape.filter == Filter::Tent && shape.sampling > 1 => {
+                    plan.filtered(shape, &band);
+                    continue;
+                }
                 Method::Full => plan.push(tiles(Stage::Full, shape.grid[0], band.rows(1, band.own))),
                 Method::Checkerboard => {
                     let (width, rows) = (shape.grid[0], band.rows(1, band.own));
@@ -151,7 +157,7 @@ impl Plan {
                 }
                 Method::Quincunx => plan.quincunx(shape.grid[0], &band),
                 Method::Supersample => {
-                    let (rows, stored) = band.alone(shape.grid[1]);
+                    let (rows, stored) = band.alone(shape.grid[1], 1);
                     plan.stored_rows = plan.stored_rows.max(stored.count());
                     plan.push(tiles(Stage::Presample, shape.grid[0], stored));
                     plan.supersample(shape, rows);
@@ -219,6 +225,16 @@ impl Plan {
         self.push(tiles(Stage::SubpixelTest, shape.grid[0], rows));
         self.push(once(Stage::CompactActive, rows));
         self.push(chunks(Stage::ExtraSamples, longest, rows));
+    }
+
+    /// Pixels that samples of their neighbours count for, too.
+    fn filtered(&mut self, shape: &Shape, band: &Band) {
+        let ([width, height], sampling) = (shape.grid, shape.sampling);
+        let (rows, stored) = band.alone(height, sampling);
+        self.stored_rows = self.stored_rows.max(stored.count());
+        self.push(tiles(Stage::Full, width, stored));
+        let pixels = Rows { row: rows.row / sampling, end: rows.end / sampling, ..rows };
+        self.push(tiles(Stage::Resolve, width / sampling, pixels));
     }
 
     /// The lecture's recursion, two levels of it, each of which finds what to trace and traces it.

@@ -112,6 +112,7 @@ impl Targets {
             band,
             postcorrect: settings.postcorrect,
             supersamples,
+            filter: settings.filter,
             landmarks: scene.landmark_count(),
         };
         let plan = Plan::new(settings.method, &shape);

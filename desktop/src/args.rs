@@ -344,6 +344,7 @@ impl FrameOptions {
             focus: samples.focus.as_deref().and_then(focus_by_index),
             inactive: samples.inactive.into(),
             jitter: samples.jitter.into(),
+            filter: samples.filter.into(),
             similar: samples.similar,
             seed: samples.seed,
         };

@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
-use glimpse::{Focus, Inactive, Jitter, Preset, Settings, Thresholds};
+use glimpse::{Filter, Focus, Inactive, Jitter, Preset, Settings, Thresholds};
 
 /// What decides where samples go.
 #[derive(Clone, Debug, PartialEq, Args)]
@@ -26,6 +26,9 @@ pub struct SampleOptions {
     /// Samples lie anywhere in their cells
     #[arg(long, value_enum, default_value = "auto", ignore_case = true)]
     pub jitter: JitterName,
+    /// How a pixel follows from the samples of a grid
+    #[arg(long, value_enum, default_value = "box", ignore_case = true)]
+    pub filter: FilterName,
     /// How much the ends of a quincunx may differ before there are samples between them, 0 to 1
     #[arg(long, value_name = "X", default_value_t = Settings::default().similar, allow_negative_numbers = true)]
     pub similar: f32,
@@ -75,6 +78,7 @@ impl Default for SampleOptions {
             focus: None,
             inactive: InactiveName::Nearest,
             jitter: JitterName::Auto,
+            filter: FilterName::Box,
             similar: Settings::default().similar,
             seed: 0,
         }
@@ -164,6 +168,24 @@ impl From<JitterName> for Jitter {
             JitterName::Auto => Self::Auto,
             JitterName::On => Self::On,
             JitterName::Off => Self::Off,
+        }
+    }
+}
+
+/// `--filter`
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FilterName {
+    /// The mean of its own samples
+    Box,
+    /// The neighbours' samples too, the less the farther off
+    Tent,
+}
+
+impl From<FilterName> for Filter {
+    fn from(name: FilterName) -> Self {
+        match name {
+            FilterName::Box => Self::Box,
+            FilterName::Tent => Self::Tent,
         }
     }
 }

@@ -39,6 +39,7 @@ mod constants;
 mod demand;
 mod linked;
 mod operations;
+mod sources;
 #[cfg(test)]
 mod tests;
 mod variant;

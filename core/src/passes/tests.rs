@@ -4,7 +4,7 @@ use wgpu::naga::{AddressSpace, proc::Layouter};
 
 use super::{Output, Stage, Variant};
 use crate::{
-    Features, Inactive, Jitter, Linking, Mip, Postcorrect, Robustness, frame, gpu,
+    Features, Filter, Inactive, Jitter, Linking, Mip, Postcorrect, Robustness, frame, gpu,
     gpu::{mirror::differences, shader::link},
     gpu_scene, probe,
 };
@@ -47,6 +47,7 @@ fn variants() -> impl Iterator<Item = Variant> {
         supersamples: bits & 1 != 0,
         secondary: bits & 1 != 0 && bits & 96 != 0,
         inactive: if bits & 4 != 0 { Inactive::Bilinear } else { Inactive::Nearest },
+        filter: if bits & 2 != 0 { Filter::Tent } else { Filter::Box },
         jitter: if bits & 8 != 0 { Jitter::On } else { Jitter::Auto },
         postcorrect: if bits & 8 != 0 { Postcorrect::Objects } else { Postcorrect::On },
         mip: if bits & 4 != 0 { Mip::Off } else { Mip::On },

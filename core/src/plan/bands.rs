@@ -50,13 +50,13 @@ pub fn bands(height: u32, rows: u32) -> impl Iterator<Item = Band> {
 }
 
 impl Band {
-    /// Its own rows in a frame of that height, and all rows that are stored when bands share none: with a row above and a
-    /// row below, which their neighbours are in.
-    pub fn alone(&self, height: u32) -> (Rows, Rows) {
+    /// Its own rows in a frame of that height, and all rows that are stored when bands share none: with so many rows above and
+    /// below, which their neighbours are in.
+    pub fn alone(&self, height: u32, apron: u32) -> (Rows, Rows) {
         let [first, end] = self.own;
-        let turn = first.saturating_sub(1);
+        let turn = first.saturating_sub(apron);
         let rows = |row, end| Rows { stride: 1, row, end, turn };
-        (rows(first, end), rows(turn, (end + 1).min(height)))
+        (rows(first, end), rows(turn, (end + apron).min(height)))
     }
 
     /// Every `stride`-th of these rows.

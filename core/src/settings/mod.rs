@@ -4,7 +4,7 @@ use serde::Serialize;
 
 mod supersampling;
 
-pub use supersampling::{Focus, Inactive, Jitter, Preset, THRESHOLD_NAMES, Thresholds};
+pub use supersampling::{Filter, Focus, Inactive, Jitter, Preset, THRESHOLD_NAMES, Thresholds};
 
 /// How a frame is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
@@ -209,6 +209,8 @@ pub struct Settings {
     pub inactive: Inactive,
     /// Where samples lie.
     pub jitter: Jitter,
+    /// How a pixel follows from several samples.
+    pub filter: Filter,
     /// How much the ends of a quincunx may differ, 0 to 1, before there are samples between them; as [`Thresholds`].
     pub similar: f32,
     /// Of whatever is random; the same seed gives the same samples.
@@ -243,6 +245,7 @@ impl Default for Settings {
             focus: None,
             inactive: Inactive::Nearest,
             jitter: Jitter::Auto,
+            filter: Filter::Box,
             similar: 0.1,
             seed: 0,
         }
@@ -324,6 +327,12 @@ impl Settings {
             return wrong(
                 "--jitter",
                 format!("auto or off with --method {method}, whose samples have fixed places"),
+            );
+        }
+        if self.filter == Filter::Tent && self.method != Method::Full {
+            return wrong(
+                "--filter",
+                format!("box with --method {method}, which has no even grid of samples"),
             );
         }
         if let Some(Focus { first, last }) = self.focus.filter(|focus| focus.first > focus.last) {

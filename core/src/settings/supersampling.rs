@@ -169,6 +169,27 @@ impl Jitter {
     }
 }
 
+/// How a pixel follows from samples (lecture, "Supersampling").
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Filter {
+    /// The mean of its own.
+    Box,
+    /// Those of the neighbours too, the less the farther off: smoother edges, softer textures.
+    Tent,
+}
+
+impl Filter {
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Box => "box",
+            Self::Tent => "tent",
+        }
+    }
+}
+
 /// Where in its cell a sample lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]

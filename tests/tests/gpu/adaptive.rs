@@ -177,10 +177,17 @@ fn averaged(large: &LinearImage, sampling: u32) -> Vec<u32> {
     let [width, height] = [large.width(), large.height()].map(|side| side / sampling);
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [sampling * x, sampling * y]));
     let average = |[x, y]: [u32; 2]| {
+        // Even grids are summed in fours.
+        let side = if sampling % 2 == 0 { 2 } else { sampling };
+        let parts = sampling / side;
         let mut sum = [0.0_f32; 3];
-        for sample in (0..sampling * sampling).map(|i| [x + i % sampling, y + i / sampling]) {
-            let radiance = large.get_pixel(sample[0], sample[1]).0;
-            sum = std::array::from_fn(|i| sum[i] + radiance[i]);
+        for [x, y] in (0..parts * parts).map(|i| [x + side * (i % parts), y + side * (i / parts)]) {
+            let mut part = [0.0_f32; 3];
+            for [x, y] in (0..side * side).map(|i| [x + i % side, y + i / side]) {
+                let radiance = large.get_pixel(x, y).0;
+                part = std::array::from_fn(|i| part[i] + radiance[i]);
+            }
+            sum = std::array::from_fn(|i| sum[i] + part[i]);
         }
         sum.map(|channel| (channel / (sampling * sampling) as f32).to_bits())
     };

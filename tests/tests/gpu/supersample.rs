@@ -2,7 +2,8 @@
 
 use glam::{Vec3, vec3};
 use glimpse::{
-    Focus, Inactive, Inspection, Jitter, Method, Scene, Settings, THRESHOLD_NAMES, Thresholds, Tolerances,
+    Filter, Focus, Inactive, Inspection, Jitter, Method, Scene, Settings, THRESHOLD_NAMES, Thresholds,
+    Tolerances,
 };
 use glimpse_tests::{
     Frame, Stage,
@@ -250,4 +251,35 @@ fn a_quincunx_comes_nearer_to_many_samples_the_more_it_divides() {
     };
     let [never, default, often] = [1.0, Settings::default().similar, 0.02].map(error);
     assert!(never > 1.5 * default && default > often, "{never} {default} {often}");
+}
+
+/// The tent by its formula, over a frame that has a pixel for each sample, in bands of rows and in one.
+#[test]
+fn a_tent_is_the_weighted_mean_of_the_samples_around() {
+    let stage = Stage::builtin("room");
+    let [width, height] = [41, 37];
+    for sampling in [2, 3] {
+        let full = Settings { method: Method::Full, ..Settings::default() };
+        let samples = stage.frame([width * sampling, height * sampling], &full).linear;
+        let tent = Settings { sampling, filter: Filter::Tent, ..full };
+        let found = stage.frame([width, height], &tent).linear;
+        let n = f64::from(sampling);
+        for (x, y, pixel) in found.enumerate_pixels() {
+            let (mut sum, mut weights) = ([0.0; 3], 0.0);
+            for (i, j, sample) in samples.enumerate_pixels() {
+                let away = |sample: u32, pixel: u32| (f64::from(sample) + 0.5) / n - f64::from(pixel) - 0.5;
+                let near = |d: f64| (1.0 - d.abs()).max(0.0);
+                let weight = near(away(i, x)) * near(away(j, y));
+                weights += weight;
+                (0..3).for_each(|c| sum[c] += weight * f64::from(sample.0[c]));
+            }
+            for c in 0..3 {
+                let (found, expected) = (f64::from(pixel.0[c]), sum[c] / weights);
+                assert!(
+                    (found - expected).abs() <= 1e-5 * expected.max(0.1),
+                    "{sampling} ({x}, {y}): {found} {expected}"
+                );
+            }
+        }
+    }
 }

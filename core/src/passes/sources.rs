@@ -1,0 +1,309 @@
+//! What a kernel is made of: the only place that chooses WGSL files.
+
+use super::{Output, Stage, Variant, wgsl};
+use crate::{Filter, Inactive, Jitter, Linking, Mip, gpu::shader::Source};
+
+impl Output {
+    fn sources(self) -> Vec<Source> {
+        match self {
+            Self::Display => vec![wgsl!("wgsl/output_display.wgsl")],
+            Self::Linear => vec![wgsl!("wgsl/output_linear.wgsl")],
+            Self::Samples => vec![wgsl!("wgsl/samples.wgsl"), wgsl!("wgsl/output_samples.wgsl")],
+            Self::Nowhere => vec![wgsl!("wgsl/output_nowhere.wgsl")],
+        }
+    }
+}
+
+impl Variant {
+    /// The sources of a stage's kernel, in order.
+    #[must_use]
+    pub fn sources(&self, stage: Stage) -> Vec<Source> {
+        match stage {
+            Stage::CompactA1 | Stage::CompactA2 | Stage::CompactRenew => {
+                self.compact_sources(stage, wgsl!("wgsl/list_step.wgsl"))
+            }
+            Stage::CompactSeed => self.compact_sources(stage, wgsl!("wgsl/list_all.wgsl")),
+            Stage::CompactPostcorrect => self.compact_sources(stage, wgsl!("wgsl/list_round.wgsl")),
+            Stage::CompactActive => self.compact_sources(stage, wgsl!("wgsl/list_active.wgsl")),
+            Stage::SimilarityA1 | Stage::SimilarityA2 => self.shading_sources(
+                wgsl!("wgsl/attributes_planes.wgsl"),
+                [
+                    wgsl!("wgsl/list.wgsl"),
+                    wgsl!("wgsl/list_append.wgsl"),
+                    wgsl!("wgsl/similarity.wgsl"),
+                    wgsl!("passes/similarity_step.wgsl"),
+                    self.order(),
+                    stage.entry(),
+                ],
+            ),
+            Stage::CompactQuincunxA | Stage::CompactQuincunxB => {
+                self.compact_sources(stage, wgsl!("wgsl/list_step.wgsl"))
+            }
+            Stage::QuincunxBase => self.quincunx_tracing_sources([self.order(), stage.entry()]),
+            Stage::QuincunxTraceA | Stage::QuincunxTraceB => self.quincunx_tracing_sources([
+                wgsl!("wgsl/list.wgsl"),
+                wgsl!("wgsl/quincunx_list.wgsl"),
+                stage.entry(),
+            ]),
+            Stage::QuincunxSplitA | Stage::QuincunxSplitB | Stage::QuincunxResolve => {
+                self.quincunx_pixel_sources(stage)
+            }
+            Stage::SubpixelTest => self.test_sources(),
+            Stage::ExtraSamples => self.extra_sources(),
+            Stage::Full | Stage::Base | Stage::Presample => {
+                self.tracing_sources([self.order(), stage.entry()])
+            }
+            Stage::Checkerboard => {
+                let samples = Self { output: Output::Samples, ..*self };
+                samples.tracing_sources([self.order(), stage.entry()])
+            }
+            Stage::Resolve | Stage::Fill => {
+                let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
+                sources.push(wgsl!("wgsl/samples.wgsl"));
+                sources.push(match self.filter {
+                    Filter::Box => wgsl!("wgsl/filter_box.wgsl"),
+                    Filter::Tent => wgsl!("wgsl/filter_tent.wgsl"),
+                });
+                sources.extend(self.output.sources());
+                sources.push(stage.entry());
+                sources
+            }
+            Stage::TraceA1 | Stage::TraceA2 => self.tracing_sources([wgsl!("wgsl/list.wgsl"), stage.entry()]),
+            Stage::PostcorrectSeed | Stage::PostcorrectLandmarks => {
+                let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_claims.wgsl"));
+                sources.extend(postcorrect_sources(stage));
+                sources
+            }
+            Stage::Postcorrect => self.tracing_sources_from(
+                wgsl!("wgsl/attributes_claims.wgsl"),
+                self.hit(),
+                postcorrect_sources(stage),
+            ),
+            Stage::PostcorrectScan => {
+                self.tracing_sources_from(wgsl!("wgsl/attributes_claims.wgsl"), self.hit(), [stage.entry()])
+            }
+            Stage::Frameless => {
+                self.tracing_sources([wgsl!("wgsl/renewal.wgsl"), self.order(), stage.entry()])
+            }
+            Stage::ReprojectDepth | Stage::ReprojectSource => vec![
+                self.constants(),
+                wgsl!("wgsl/frame.wgsl"),
+                self.jitter(),
+                wgsl!("wgsl/history_before.wgsl"),
+                wgsl!("wgsl/reproject.wgsl"),
+                stage.entry(),
+            ],
+            Stage::Reuse => {
+                let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
+                sources.extend(self.output.sources());
+                sources.extend([
+                    wgsl!("wgsl/list.wgsl"),
+                    wgsl!("wgsl/list_append.wgsl"),
+                    wgsl!("wgsl/renewal.wgsl"),
+                    wgsl!("wgsl/history_before.wgsl"),
+                    wgsl!("wgsl/history.wgsl"),
+                    stage.entry(),
+                ]);
+                sources
+            }
+            Stage::Renew => {
+                self.tracing_sources([wgsl!("wgsl/list.wgsl"), wgsl!("wgsl/history.wgsl"), stage.entry()])
+            }
+        }
+    }
+
+    fn compact_sources(&self, stage: Stage, range: Source) -> Vec<Source> {
+        vec![self.constants(), wgsl!("wgsl/list.wgsl"), range, stage.entry()]
+    }
+
+    /// Which workgroup treats which tile.
+    fn order(&self) -> Source {
+        if self.on_cpu { wgsl!("wgsl/order_dealt.wgsl") } else { wgsl!("wgsl/order_plain.wgsl") }
+    }
+
+    /// What finds out where extra samples go.
+    fn test_sources(&self) -> Vec<Source> {
+        let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
+        sources.extend([
+            wgsl!("wgsl/list.wgsl"),
+            wgsl!("wgsl/list_append.wgsl"),
+            wgsl!("wgsl/active.wgsl"),
+            wgsl!("wgsl/edges.wgsl"),
+            wgsl!("wgsl/contrast.wgsl"),
+            wgsl!("wgsl/quarters.wgsl"),
+            self.inactive(),
+            self.order(),
+            Stage::SubpixelTest.entry(),
+        ]);
+        sources.extend(self.output.sources());
+        sources
+    }
+
+    fn extra_sources(&self) -> Vec<Source> {
+        let jitter = if self.jitter == Jitter::Off { Jitter::Off } else { Jitter::On };
+        let extra = Self { jitter, secondary: false, ..*self };
+        extra.tracing_sources([
+            wgsl!("wgsl/list.wgsl"),
+            wgsl!("wgsl/active.wgsl"),
+            self.inactive(),
+            Stage::ExtraSamples.entry(),
+        ])
+    }
+
+    fn quincunx_tracing_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
+        let nowhere = Self { output: Output::Nowhere, ..*self };
+        let shared =
+            [wgsl!("wgsl/contrast.wgsl"), wgsl!("wgsl/quincunx.wgsl"), wgsl!("wgsl/quincunx_ray.wgsl")];
+        nowhere.tracing_sources(shared.into_iter().chain(entry))
+    }
+
+    fn quincunx_pixel_sources(&self, stage: Stage) -> Vec<Source> {
+        let mut sources = vec![
+            self.constants(),
+            wgsl!("wgsl/frame.wgsl"),
+            self.jitter(),
+            wgsl!("wgsl/octahedral.wgsl"),
+            wgsl!("wgsl/attributes.wgsl"),
+            if self.inspect { wgsl!("wgsl/inspect_counters.wgsl") } else { wgsl!("wgsl/inspect_none.wgsl") },
+            wgsl!("wgsl/contrast.wgsl"),
+            wgsl!("wgsl/quincunx.wgsl"),
+        ];
+        if stage == Stage::QuincunxResolve {
+            sources.extend(self.output.sources());
+        } else {
+            sources.extend([
+                wgsl!("wgsl/list.wgsl"),
+                wgsl!("wgsl/list_append.wgsl"),
+                wgsl!("wgsl/quincunx_list.wgsl"),
+                wgsl!("wgsl/quincunx_split.wgsl"),
+            ]);
+        }
+        sources.push(stage.entry());
+        sources
+    }
+
+    fn jitter(&self) -> Source {
+        if self.jitter == Jitter::On {
+            wgsl!("wgsl/jitter_stratified.wgsl")
+        } else {
+            wgsl!("wgsl/jitter_none.wgsl")
+        }
+    }
+
+    fn inactive(&self) -> Source {
+        match self.inactive {
+            Inactive::Nearest => wgsl!("wgsl/inactive_nearest.wgsl"),
+            Inactive::Bilinear => wgsl!("wgsl/inactive_bilinear.wgsl"),
+        }
+    }
+
+    /// The sources of a kernel that traces rays and ends in these.
+    pub(crate) fn tracing_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
+        self.tracing_sources_with(self.hit(), entry)
+    }
+
+    fn hit(&self) -> Source {
+        match (self.features.alpha_mask, self.features.shadow_filter) {
+            (true, _) => wgsl!("wgsl/hit_alpha.wgsl"),
+            (false, true) => wgsl!("wgsl/hit_shadow.wgsl"),
+            (false, false) => wgsl!("wgsl/hit_all.wgsl"),
+        }
+    }
+
+    /// As [`Variant::tracing_sources`], with another say in which hits count.
+    pub(crate) fn tracing_sources_with(
+        &self,
+        hit: Source,
+        entry: impl IntoIterator<Item = Source>,
+    ) -> Vec<Source> {
+        self.tracing_sources_from(wgsl!("wgsl/attributes_planes.wgsl"), hit, entry)
+    }
+
+    fn tracing_sources_from(
+        &self,
+        attributes: Source,
+        hit: Source,
+        entry: impl IntoIterator<Item = Source>,
+    ) -> Vec<Source> {
+        let f = &self.features;
+        let pick = |present: bool, with: Source, without: Source| if present { with } else { without };
+        let mut sources = self.shading_sources(
+            attributes,
+            [
+                pick(
+                    self.robustness.watertight,
+                    wgsl!("wgsl/edge_exact.wgsl"),
+                    wgsl!("wgsl/edge_rounded.wgsl"),
+                ),
+                wgsl!("wgsl/triangle.wgsl"),
+                wgsl!("wgsl/bvh.wgsl"),
+                pick(f.spheres, wgsl!("wgsl/sphere_analytic.wgsl"), wgsl!("wgsl/sphere_none.wgsl")),
+                pick(
+                    self.linking == Linking::All || self.has_texcoords || self.has_colors,
+                    wgsl!("wgsl/vertex_attributes.wgsl"),
+                    wgsl!("wgsl/vertex_none.wgsl"),
+                ),
+                hit,
+                pick(self.averages_textures(), wgsl!("wgsl/cone.wgsl"), wgsl!("wgsl/cone_none.wgsl")),
+                wgsl!("wgsl/surface.wgsl"),
+                pick(self.secondary, wgsl!("wgsl/secondary_kept.wgsl"), wgsl!("wgsl/secondary_none.wgsl")),
+                pick(f.lights, wgsl!("wgsl/shadow_rays.wgsl"), wgsl!("wgsl/shadow_none.wgsl")),
+                match (f.reflection, f.refraction) {
+                    (_, true) => wgsl!("wgsl/bounce_glass.wgsl"),
+                    (true, false) => wgsl!("wgsl/bounce_mirror.wgsl"),
+                    (false, false) => wgsl!("wgsl/bounce_none.wgsl"),
+                },
+                wgsl!("wgsl/sample.wgsl"),
+            ],
+        );
+        sources.extend(entry);
+        sources
+    }
+
+    /// What a kernel needs that knows pixels and their attributes.
+    fn pixel_sources(&self, attributes: Source) -> Vec<Source> {
+        vec![
+            self.constants(),
+            wgsl!("wgsl/frame.wgsl"),
+            self.jitter(),
+            wgsl!("wgsl/octahedral.wgsl"),
+            wgsl!("wgsl/attributes.wgsl"),
+            attributes,
+            if self.inspect { wgsl!("wgsl/inspect_counters.wgsl") } else { wgsl!("wgsl/inspect_none.wgsl") },
+        ]
+    }
+
+    fn shading_sources<const N: usize>(&self, attributes: Source, rest: [Source; N]) -> Vec<Source> {
+        let f = &self.features;
+        let mut sources = self.pixel_sources(attributes);
+        sources.push(wgsl!("wgsl/object.wgsl"));
+        sources.extend(match (f.textures, self.mip) {
+            (false, _) => vec![wgsl!("wgsl/texture_none.wgsl")],
+            (true, Mip::Off) => vec![wgsl!("wgsl/texture_atlas.wgsl"), wgsl!("wgsl/texture_plain.wgsl")],
+            (true, Mip::On) => vec![wgsl!("wgsl/texture_atlas.wgsl"), wgsl!("wgsl/texture_mip.wgsl")],
+        });
+        sources.extend([
+            wgsl!("wgsl/fresnel.wgsl"),
+            if f.glossy { wgsl!("wgsl/material.wgsl") } else { wgsl!("wgsl/material_matte.wgsl") },
+            if f.lights { wgsl!("wgsl/lights_punctual.wgsl") } else { wgsl!("wgsl/lights_none.wgsl") },
+        ]);
+        if self.supersamples {
+            sources.extend([wgsl!("wgsl/edges.wgsl"), wgsl!("wgsl/edges_keep.wgsl")]);
+        } else {
+            sources.push(wgsl!("wgsl/edges_none.wgsl"));
+        }
+        let pixels = self.sampling == 1 || self.output == Output::Nowhere;
+        sources.extend(if pixels { self.output } else { Output::Samples }.sources());
+        sources.extend(rest);
+        sources
+    }
+}
+
+fn postcorrect_sources(stage: Stage) -> [Source; 4] {
+    [
+        wgsl!("wgsl/list.wgsl"),
+        wgsl!("wgsl/list_append.wgsl"),
+        wgsl!("passes/postcorrect_step.wgsl"),
+        stage.entry(),
+    ]
+}
