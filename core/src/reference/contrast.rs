@@ -5,11 +5,11 @@ use glam::DVec3;
 /// Of red, green and blue.
 const SCALE: [f64; 3] = [1.36, 1.02, 2.04];
 
-/// Red's, green's and blue's contrast, of colours about as they are shown.
+/// Red's, green's and blue's contrast, of colours about as they are shown; in the dark, the difference alone.
 pub(super) fn contrasts(colors: impl Iterator<Item = DVec3>) -> [f64; 3] {
     let shown = colors.map(|color| color.clamp(DVec3::ZERO, DVec3::ONE).map(f64::sqrt));
     let (low, high) = shown.fold((DVec3::INFINITY, DVec3::ZERO), |(low, high), c| (low.min(c), high.max(c)));
-    [0, 1, 2].map(|i| if high[i] > 0.0 { (high[i] - low[i]) / (high[i] + low[i]) } else { 0.0 })
+    [0, 1, 2].map(|i| (high[i] - low[i]) / (high[i] + low[i]).max(1.0))
 }
 
 /// Does any of them reach the threshold?
