@@ -47,6 +47,7 @@ impl Cause {
 }
 
 /// Displacements of one cause, drawn at random; or none.
+#[derive(Clone)]
 pub struct Rounding {
     random: Random,
     cause: Option<Cause>,

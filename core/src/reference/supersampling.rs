@@ -86,8 +86,9 @@ impl Frame<'_> {
                 let cells = [[0, 0], [1, 0], [0, 1], [1, 1]]
                     .map(|[x, y]| [4 * pixel[0] + 2 * right + x, 4 * pixel[1] + 2 * down + y]);
                 let jitters = self.settings.jitter != Jitter::Off;
-                return cells.iter().map(|c| self.sample_in(*c, 4, jitters, rounding).color).sum::<DVec3>()
-                    / 4.0;
+                // Samples that lie side by side are off alike.
+                let color = |c: &[u32; 2]| self.sample_in(*c, 4, jitters, &mut rounding.clone()).color;
+                return cells.iter().map(color).sum::<DVec3>() / 4.0;
             }
             match self.settings.inactive {
                 Inactive::Nearest => own,

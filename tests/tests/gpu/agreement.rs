@@ -12,6 +12,8 @@ use glimpse_tests::{Stage, gallery, note};
 
 /// Of pixels and rays these shares may be sensitive to rounding, and ties.
 const SHARES: [f64; 2] = [0.05, 0.005];
+/// Which quads of a pixel are divided hangs on a dozen samples and more, at corners where edges are drawn to lie.
+const QUINCUNX_SHARES: [f64; 2] = [0.05, 0.02];
 /// Random rays a scene.
 const RAYS: usize = 100_000;
 /// Two units in the last place.
@@ -89,7 +91,7 @@ fn agree_in_adaptive_frames(name: &str, pair: &Pair) {
     supersample.tested().check(&format!("{name}, supersample, test"), SHARES);
     supersample.supersampled_colors().check(&format!("{name}, supersample, radiance"), SHARES);
     let quincunx = pair.frames(Method::Quincunx);
-    quincunx.divided().check(&format!("{name}, quincunx, quads"), SHARES);
+    quincunx.divided().check(&format!("{name}, quincunx, quads"), QUINCUNX_SHARES);
     quincunx.quincunx_colors().check(&format!("{name}, quincunx, radiance"), SHARES);
     let other = adaptive.other_origins();
     note(&format!("{name}, adaptive: {other} pixels come to be in another way in f64 alone"));
