@@ -48,7 +48,7 @@ fn run(text: &str, objects: &[Object]) -> glimpse::Result<Focus> {
     let found: Vec<_> = all().filter(|(_, o)| !text.is_empty() && o.name.contains(text)).collect();
     let (Some((first, _)), Some((last, _))) = (found.first(), found.last()) else {
         let names = named(&all().collect::<Vec<_>>());
-        return Err(wrong(format!("a part of an object's name, found none in {names}")));
+        return Err(wrong(format!("a part of an object's name; the scene has {names}")));
     };
     if last - first + 1 != found.len() {
         return Err(wrong(format!("objects that follow each other, found {}", named(&found))));
@@ -98,9 +98,9 @@ mod tests {
         for (text, expected) in [
             ("7", "indices below the scene's number of objects, which is 7"),
             ("2-9", "indices below"),
-            ("sofa", "found none in 0 (floor), 1 (chair/seat), 2 (chair/back), 3 (table), 4 (lamp)"),
-            ("Chair", "found none in 0 (floor)"),
-            ("", "found none in"),
+            ("sofa", "the scene has 0 (floor), 1 (chair/seat), 2 (chair/back), 3 (table), 4 (lamp)"),
+            ("Chair", "the scene has 0 (floor)"),
+            ("", "the scene has 0"),
             ("table", "objects that follow each other, found 3 (table), 6 (table/leg)"),
         ] {
             let error = wish(text).in_scene(&objects()).unwrap_err().to_string();
