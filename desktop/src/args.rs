@@ -15,7 +15,7 @@ mod vary;
 
 pub use pose::PoseOptions;
 pub use samples::{SampleOptions, focus_by_index};
-pub use vary::Variation;
+pub use vary::{Variation, Varied};
 
 /// The largest side of a frame.
 pub const MAX_SIDE: u32 = 16384;
@@ -180,7 +180,7 @@ pub struct ReportOptions {
     /// The folder for report.html, report.csv, the plots, and what was measured, from which an interrupted run goes on
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,
-    /// Frame size of the plots and of the tables 4 and missing, in pixels
+    /// Frame size of the plots and of the tables 4, missing, jin2 and jin7, in pixels
     #[arg(long, value_name = "WxH", default_value = "960x540")]
     pub size: Size,
     /// A camera of each scene, by index or name [default: the first]
@@ -195,7 +195,7 @@ pub struct ReportOptions {
     /// Warm frames of each setting
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: u32,
-    /// The tables to measure for each scene: those of Kim 2016, missing objects, predictions for phones
+    /// The tables to measure for each scene: those of Kim 2016, missing objects, predictions for phones, those of Jin 2009
     #[arg(
         long,
         value_enum,
@@ -238,6 +238,12 @@ pub enum TableName {
     /// Predicted times of phones, 2560x1440
     #[value(name = "phones")]
     Phones,
+    /// Fixed samples against extra samples where neighbours differ (Jin 2009, Table 2)
+    #[value(name = "jin2")]
+    Supersampling,
+    /// One threshold for extra samples against several (Jin 2009, Figure 7)
+    #[value(name = "jin7")]
+    Thresholds,
 }
 
 /// `glimpse stress`

@@ -38,6 +38,13 @@ fn what_is_varied_is_parsed_as_the_option_itself() {
     let every = "bench a.glb --vary postcorrect=off,on,Auto --vary features=auto,all --vary sampling=1,2";
     let options = bench(every).unwrap();
     assert_eq!(options.frame.combinations(&options.vary).unwrap().len(), 12);
+    let flags = |line: &str| -> Vec<bool> {
+        let options = bench(line).unwrap();
+        let combinations = options.frame.combinations(&options.vary).unwrap();
+        combinations.iter().map(|(frame, _)| frame.samples.supersample).collect()
+    };
+    assert_eq!(flags("bench --supersample a.glb --vary seed=1,2"), [true; 2], "what is typed stays");
+    assert_eq!(flags("bench a.glb --vary supersample=false,true"), [false, true]);
 }
 
 #[test]
@@ -159,7 +166,8 @@ fn wrong_usage_exits_with_two_and_says_what_was_expected() {
         ("render a.glb -o b.png --frames 0", "0"),
         ("render a.glb -o b.png --depth=-1", "--depth"),
         ("render a.glb -o b.png --t-pos wide", "--t-pos"),
-        ("render a.glb -o b.png --seed 1", "--seed"),
+        ("render a.glb -o b.png --seed x", "--seed"),
+        ("render a.glb -o b.png --supersample=often", "--supersample"),
         ("render a.glb -o b.png --samples 2", "--sampling"),
         ("bench", "SCENE"),
         ("bench a --methods full,slow", "slow"),

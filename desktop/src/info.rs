@@ -254,8 +254,8 @@ mod tests {
         for expected in [
             "scene     ball.glb: 0 triangles, 1 sphere, 1 object, 1 light, 0 textures",
             "linked    glossy, spheres, reflection, lights",
-            "texture_atlas, vertex_attributes), 4 of ",
-            "bindings (atlas_color, atlas_data, landmarks, vertices), 24 of 40 bytes of attributes every two samples",
+            "texture_atlas, texture_mip, vertex_attributes), 4 of ",
+            "bindings (atlas_color, atlas_data, landmarks, vertices), 28 of 44 bytes of attributes every two samples",
             "bounds    (0, 1, 2) to (2, 3, 4), sides (2, 2, 2)",
             "camera    0 (front) at",
             "light     directional along (0, -1, 0), intensity (1, 0.5, 0.25)",
@@ -273,7 +273,7 @@ mod tests {
         assert_eq!(json["cameras"][0]["name"], "front");
         assert_eq!(json["light_list"][0]["kind"], "directional");
         assert!(json["left_out"].as_array().unwrap().contains(&"textures".into()));
-        assert_eq!(json["saved"]["attribute_bytes"], 24);
+        assert_eq!(json["saved"]["attribute_bytes"], 28);
         assert!(Info::of("", Scene::default()).unwrap().text().contains("bounds    empty"));
     }
 }

@@ -5,6 +5,7 @@ mod bench;
 mod compare;
 mod devices;
 mod files;
+mod focus;
 mod info;
 mod measure;
 mod output;

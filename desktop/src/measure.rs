@@ -9,6 +9,7 @@ use glimpse::{
 };
 
 use crate::args::FrameOptions;
+use crate::focus::Wish;
 use crate::pan::{Pan, Panned};
 use crate::progress::Progress;
 use crate::scene_file;
@@ -26,6 +27,8 @@ pub struct Stage<'g> {
     pub camera_name: String,
     /// What the scene holds.
     pub statistics: SceneStatistics,
+    /// What is measured there.
+    pub methods: Vec<Settings>,
     /// What the import had to leave out.
     pub warnings: Vec<String>,
     /// Milliseconds for reading.
@@ -40,16 +43,19 @@ impl<'g> Stage<'g> {
         gpu: &'g Gpu,
         name: &str,
         options: &FrameOptions,
+        wishes: &[Wish],
         progress: &Progress,
     ) -> anyhow::Result<Self> {
         progress.doing(&format!("loading {name}"));
         let (scene, load_ms) = timed(|| scene_file::load(name))?;
         let (camera, camera_name) = chosen_camera(&scene, options).with_context(|| name.to_owned())?;
+        let methods = wishes.iter().map(|wish| wish.in_scene(&scene.objects)).collect::<glimpse::Result<_>>();
+        let methods = methods.with_context(|| name.to_owned())?;
         let statistics = SceneStatistics::of(name, &scene, options.features.into());
         let warnings = scene.warnings.clone();
         progress.doing("building the acceleration structure");
         let (scene, build_ms) = timed(|| GpuScene::upload(gpu, scene).with_context(|| name.to_owned()))?;
-        Ok(Self { gpu, scene, camera, camera_name, statistics, warnings, load_ms, build_ms })
+        Ok(Self { gpu, scene, camera, camera_name, statistics, methods, warnings, load_ms, build_ms })
     }
 }
 
@@ -84,12 +90,10 @@ impl Run {
     }
 }
 
-/// What is to be measured.
-pub struct Plan<'s> {
+/// How methods are measured.
+pub struct Plan {
     /// Width and height.
     pub size: [u32; 2],
-    /// One run each.
-    pub methods: &'s [Settings],
     /// Warm frames of each.
     pub frames: u32,
     /// Linear radiance too.
@@ -98,18 +102,18 @@ pub struct Plan<'s> {
     pub pan: Option<Pan>,
 }
 
-impl Plan<'_> {
-    /// Steps of the progress bar that [`Plan::measure`] takes.
-    pub fn steps(&self) -> u64 {
-        self.methods.len() as u64 * (2 + u64::from(self.frames))
+impl Plan {
+    /// Steps of the progress bar that [`Plan::measure`] takes for so many methods.
+    pub fn steps(&self, methods: usize) -> u64 {
+        methods as u64 * (2 + u64::from(self.frames))
     }
 
-    /// Measures every method, in their order.
+    /// Measures every method of the stage, in their order.
     pub fn measure(&self, stage: &Stage<'_>, progress: &Progress) -> anyhow::Result<Vec<Run>> {
         let name = &stage.statistics.file;
         let mut camera = stage.camera;
-        let mut renderers = Vec::with_capacity(self.methods.len());
-        for settings in self.methods {
+        let mut renderers = Vec::with_capacity(stage.methods.len());
+        for settings in &stage.methods {
             progress.doing(&format!("{name}: compiling"));
             renderers.push(timed(|| {
                 let mut renderer = Renderer::new(stage.gpu, &stage.scene, self.size, settings)?;
@@ -118,8 +122,8 @@ impl Plan<'_> {
             })?);
             progress.step();
         }
-        let mut frames = vec![Vec::with_capacity(self.frames as usize); self.methods.len()];
-        let mut panned = vec![self.pan.as_ref().map(Panned::new); self.methods.len()];
+        let mut frames = vec![Vec::with_capacity(self.frames as usize); renderers.len()];
+        let mut panned = vec![self.pan.as_ref().map(Panned::new); renderers.len()];
         for frame in 1..=self.frames {
             progress.doing(&format!("{name}: frame {frame}"));
             if let Some(pan) = &self.pan {
@@ -133,7 +137,7 @@ impl Plan<'_> {
                 pan.compare(&mut renderers, &camera, &mut panned)?;
             }
         }
-        let mut runs = Vec::with_capacity(self.methods.len());
+        let mut runs = Vec::with_capacity(renderers.len());
         for (((mut renderer, compile_ms), frames), panned) in renderers.into_iter().zip(frames).zip(panned) {
             progress.doing(&format!("{name}: counting"));
             let settings = *renderer.settings();

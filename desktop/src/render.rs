@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use glimpse::{Gpu, Method, Settings, Show, show, to_exr, to_png};
 
 use crate::args::{FrameOptions, MethodName, PictureFile, RenderOptions, Size};
+use crate::focus::Wish;
 use crate::measure::{Plan, Run, Stage};
 use crate::output;
 use crate::progress::Progress;
@@ -31,22 +32,21 @@ pub fn without_display(scene: &str, adapter: Option<&str>) -> anyhow::Result<()>
 
 /// `glimpse render`
 pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()> {
-    let settings = options.frame.settings(options.method)?;
-    check_show(options, &settings)?;
+    let wish = Wish::of(&options.frame, options.method)?;
+    check_show(options, &wish.settings)?;
     scene_file::check(&options.scene)?;
     let outputs = std::iter::once(&options.output.path).chain(&options.stats);
     files::check(outputs.map(PathBuf::as_path), Path::new(&options.scene))?;
 
-    let mut methods = vec![settings];
-    if options.reference && settings.method != Method::Full {
-        methods.push(options.frame.settings(MethodName::Full)?);
+    let mut wishes = vec![wish];
+    if options.reference && options.method != MethodName::Full {
+        wishes.push(Wish::of(&options.frame, MethodName::Full)?);
     }
     let Size(size) = options.frame.size;
-    let plan =
-        Plan { size, methods: &methods, frames: options.frames, linear: options.output.linear, pan: None };
-    let progress = Progress::new(plan.steps());
+    let plan = Plan { size, frames: options.frames, linear: options.output.linear, pan: None };
+    let progress = Progress::new(plan.steps(wishes.len()));
     let gpu = Gpu::headless(adapter)?;
-    let stage = Stage::set(&gpu, &options.scene, &options.frame, &progress)?;
+    let stage = Stage::set(&gpu, &options.scene, &options.frame, &wishes, &progress)?;
     let runs = plan.measure(&stage, &progress)?;
 
     progress.doing("writing");

@@ -2,15 +2,15 @@
 
 use std::str::FromStr;
 
-use clap::{Args, ValueEnum};
+use clap::{ArgAction, Args, ValueEnum};
 use glimpse::{Filter, Focus, Inactive, Jitter, Preset, Settings, Thresholds};
 
 /// What decides where samples go.
 #[derive(Clone, Debug, PartialEq, Args)]
 pub struct SampleOptions {
     /// Extra samples after the adaptive frame, where its pixels differ from their neighbours
-    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true", default_value_t = false,
-        action = clap::ArgAction::Set)]
+    #[arg(long, value_name = "BOOL", action = ArgAction::Set, num_args = 0..=1, require_equals = true,
+        default_value_t = false, default_missing_value = "true", hide_default_value = true)]
     pub supersample: bool,
     /// Thresholds of the contrast that extra samples need
     #[arg(long, value_enum, default_value = "balanced", ignore_case = true)]

@@ -63,8 +63,10 @@ impl Bench<'_> {
     /// What is kept of a job.
     pub fn recall(&self, scene: &Prepared, job: Job) -> anyhow::Result<Known> {
         let identities = job.identities(&self.program, &self.adapter, scene)?;
-        let converged =
-            job.is_ladder().then(|| job.converged(&self.program, scene, &self.base)).transpose()?;
+        let converged = job
+            .is_against_converged()
+            .then(|| job.converged(&self.program, scene, &self.base))
+            .transpose()?;
         let picture = |identity: &str| self.store.picture(identity, job.shown).is_some();
         let recalled = identities.iter().zip(&job.rungs).enumerate().map(|(index, (identity, rung))| {
             let complete = |r: &Record| job.accepts(index, r) && (!rung.keeps_picture || picture(identity));
@@ -94,9 +96,12 @@ impl Bench<'_> {
         progress.doing(&format!("{}: loading", scene.name));
         let subject = subjects.get(job.variant)?;
         if let Some((rung, identity)) = converged.filter(|_| !has_converged) {
-            progress.doing(&format!("{}: 256 samples a pixel", scene.name));
-            let picture = self.warm(subject, scene, &job, &rung)?.display_image()?;
-            self.store.keep_picture(&identity, &picture)?;
+            // Another job of this frame may have made it meanwhile.
+            if self.store.picture(&identity, job.shown).is_none() {
+                progress.doing(&format!("{}: 256 samples a pixel", scene.name));
+                let picture = self.warm(subject, scene, &job, &rung)?.display_image()?;
+                self.store.keep_picture(&identity, &picture)?;
+            }
             progress.steps(rung.samples());
         }
         let against = |index: usize| match &converged_identity {

@@ -1,8 +1,12 @@
 //! What is measured: settings of one view of one scene that share the weather.
 
+#[cfg(test)]
+mod tests;
+
 use glimpse::{Camera, Method, Settings};
 
 use super::identity::Identity;
+use super::jin::{figure7, table2};
 use super::ladder::{self, Family, Rung};
 use super::missing;
 use super::prediction;
@@ -27,7 +31,8 @@ pub struct Job {
     pub turn: f32,
     /// The frame.
     pub shown: [u32; 2],
-    /// In the ladder against the converged frame, in a table each but the first against the first.
+    /// Measured against the converged frame in the ladder and in Jin 2009's tables, in the others each but the first against
+    /// the first.
     pub rungs: Vec<Rung>,
 }
 
@@ -59,7 +64,9 @@ impl Job {
             shown,
             rungs: pair(&Settings { sampling, ..*base }, shown),
         };
-        let square = [TABLE_SIDE; 2];
+        let as_is =
+            |shown, rungs| Self { tables: vec![table], variant: Variant::AsIs, turn: 0.0, shown, rungs };
+        let (square, size) = ([TABLE_SIDE; 2], options.size.0);
         match table {
             TableName::None => Vec::new(),
             TableName::Kernels => vec![pair(Variant::AsIs, 0.0, square, 1)],
@@ -68,20 +75,15 @@ impl Job {
             }
             TableName::Views => VIEWS.map(|turn| pair(Variant::AsIs, turn, square, 1)).to_vec(),
             TableName::Hairball if !scene.name.to_lowercase().contains("hairball") => Vec::new(),
-            TableName::Hairball => SAMPLINGS.map(|n| pair(Variant::AsIs, 0.0, options.size.0, n)).to_vec(),
+            TableName::Hairball => SAMPLINGS.map(|n| pair(Variant::AsIs, 0.0, size, n)).to_vec(),
             TableName::Resolutions => {
                 let sizes = options.table5_sizes.iter();
                 sizes.flat_map(|side| SAMPLINGS.map(|n| pair(Variant::AsIs, 0.0, [*side; 2], n))).collect()
             }
-            TableName::Missing => {
-                let size = options.size.0;
-                let rungs = missing::rungs(base, size);
-                vec![Self { tables: vec![table], variant: Variant::AsIs, turn: 0.0, shown: size, rungs }]
-            }
-            TableName::Phones => {
-                let (shown, rungs) = (prediction::SIZE, prediction::rungs(base));
-                vec![Self { tables: vec![table], variant: Variant::AsIs, turn: 0.0, shown, rungs }]
-            }
+            TableName::Missing => vec![as_is(size, missing::rungs(base, size))],
+            TableName::Phones => vec![as_is(prediction::SIZE, prediction::rungs(base))],
+            TableName::Supersampling => vec![as_is(size, table2::rungs(base, size))],
+            TableName::Thresholds => vec![as_is(size, figure7::rungs(base, size))],
         }
     }
 
@@ -90,19 +92,28 @@ impl Job {
         what(self) == what(other) && self.rungs == other.rungs
     }
 
-    /// The ladder, which is measured against the converged frame.
+    /// The settings that the plots show.
     pub fn is_ladder(&self) -> bool {
         self.tables.is_empty()
     }
 
+    /// Errors are measured against the converged frame.
+    pub fn is_against_converged(&self) -> bool {
+        self.is_ladder() || self.shows(TableName::Supersampling) || self.shows(TableName::Thresholds)
+    }
+
+    fn shows(&self, table: TableName) -> bool {
+        self.tables.contains(&table)
+    }
+
     /// The rungs are searched for the objects that the first one shows.
     pub fn counts_missing(&self) -> bool {
-        self.tables.contains(&TableName::Missing)
+        self.shows(TableName::Missing)
     }
 
     /// What the rungs ask of a device is counted.
     pub fn counts_work(&self) -> bool {
-        self.tables.contains(&TableName::Phones)
+        self.shows(TableName::Phones)
     }
 
     /// Whether a record has all that is shown of a rung.
@@ -121,6 +132,9 @@ impl Job {
         let of = |(index, rung): (usize, &Rung)| {
             let against = match index {
                 _ if self.is_ladder() => "converged",
+                // What several parts show is measured in each, interleaved with what it is compared with there.
+                _ if self.shows(TableName::Supersampling) => "converged, of table 2",
+                _ if self.shows(TableName::Thresholds) => "converged, of figure 7",
                 _ if self.counts_missing() => "full and its objects",
                 0 => "nothing",
                 _ => "full",
@@ -186,95 +200,18 @@ fn pair(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
 }
 
 impl Rung {
-    /// Samples that take the time of one frame: the other methods trace half of them, or what costs as much.
+    /// Samples that take the time of one frame: those that add some trace twice as many as there are, others half of them,
+    /// or what costs as much.
     pub fn samples(&self) -> u64 {
         let [width, height] = self.rendered.map(u64::from);
         let samples = width * height * u64::from(self.settings.sampling).pow(2);
-        if self.settings.method == Method::Full { samples } else { samples.div_ceil(2) }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use clap::Parser;
-    use glimpse::Missing;
-
-    use super::*;
-    use crate::args::{Arguments, Command};
-    use crate::report::record::tests::example;
-
-    fn jobs(line: &str, scene: &str) -> Vec<Job> {
-        let line = format!("glimpse report {scene} -o out {line}");
-        let command = Arguments::try_parse_from(line.split_whitespace()).unwrap().command;
-        let Some(Command::Report(options)) = command else { panic!("{line}") };
-        let mut prepared = Prepared::new("builtin:minray", None).unwrap();
-        prepared.name = scene.to_owned();
-        Job::all(&options, &Settings::default(), &prepared)
-    }
-
-    #[test]
-    fn what_two_tables_show_is_one_job() {
-        let jobs = jobs("--tables 5,3a,3c,5", "a.glb");
-        assert_eq!(jobs.len(), 1 + 2 * 3 + 4);
-        let shared: Vec<_> = jobs.iter().filter(|job| job.tables.len() > 1).collect();
-        assert!(jobs[0].is_ladder() && shared.iter().any(|job| job.tables.contains(&TableName::Kernels)));
-        let square = shared.iter().find(|job| job.tables.contains(&TableName::Views)).unwrap();
-        assert_eq!((square.shown, square.turn), ([1024, 1024], 0.0));
-    }
-
-    #[test]
-    fn tables_have_their_rows_and_no_others() {
-        assert_eq!(jobs("--tables none", "a.glb").len(), 1);
-        assert_eq!(jobs("--tables 4", "a.glb").len(), 1);
-        assert_eq!(jobs("--tables 4", "x/Hairball_2.glb").len(), 1 + 3);
-        assert_eq!(jobs("--tables 5 --table5-sizes 64,128,256", "a.glb").len(), 1 + 9);
-        let changed = jobs("--tables 3b,3a", "a.glb");
-        assert_eq!(changed.len(), 1 + 5 + 1);
-        assert!(changed[..2].iter().all(|job| job.variant == Variant::AsIs), "uploads are few");
-    }
-
-    #[test]
-    fn missing_objects_are_one_job_of_the_reports_size() {
-        let jobs = jobs("--tables missing,5 --size 64x32 --table5-sizes 64", "a.glb");
-        let counting: Vec<_> = jobs.iter().filter(|job| job.counts_missing()).collect();
-        assert_eq!((jobs.len(), counting.len()), (1 + 1 + 3, 1));
-        assert_eq!((counting[0].shown, counting[0].rungs.len()), ([64, 32], 1 + 2 * 3));
-        assert!(!counting[0].is_ladder() && counting[0].variant == Variant::AsIs);
-    }
-
-    #[test]
-    fn records_that_count_no_missing_objects_are_no_use_where_those_are_shown() {
-        let without = example("r", 10.0, Some(40.0));
-        let with = Record { missing: Some(Missing::default()), ..without.clone() };
-        let jobs = jobs("--tables missing,3a", "a.glb");
-        let [ladder, counting, kernels] = jobs.as_slice() else { panic!("{jobs:?}") };
-        assert!(counting.accepts(0, &without), "full tracing is what objects are counted against");
-        assert!(counting.accepts(1, &with) && !counting.accepts(1, &without));
-        assert!(ladder.accepts(1, &without) && kernels.accepts(1, &without));
-    }
-
-    #[test]
-    fn predictions_are_one_job_of_their_own_size_whose_work_is_counted() {
-        let jobs = jobs("--tables phones --size 64x32", "a.glb");
-        let [ladder, counting] = jobs.as_slice() else { panic!("{jobs:?}") };
-        assert!(counting.counts_work() && !ladder.counts_work());
-        assert_eq!((counting.shown, counting.rungs.len()), (prediction::SIZE, 4));
-        let without = example("r", 10.0, Some(40.0));
-        assert!(
-            ladder.accepts(1, &without) && !counting.accepts(1, &without) && !counting.accepts(0, &without)
-        );
-    }
-
-    #[test]
-    fn every_setting_has_an_identity_of_its_own() {
-        let scene = Prepared::new("builtin:minray", None).unwrap();
-        let mut all: Vec<_> = jobs("--tables 3a,3b,3c,4,5,missing,phones", "hairball.glb")
-            .iter()
-            .flat_map(|job| job.identities("p", "a", &scene).unwrap())
-            .collect();
-        let count = all.len();
-        all.sort();
-        all.dedup();
-        assert_eq!(all.len(), count);
+        match self.settings.method {
+            Method::Full => samples,
+            Method::Supersample | Method::Quincunx => 2 * samples,
+            Method::Adaptive if self.settings.supersample => 2 * samples,
+            Method::Adaptive | Method::Checkerboard | Method::Frameless | Method::Reproject => {
+                samples.div_ceil(2)
+            }
+        }
     }
 }

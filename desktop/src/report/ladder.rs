@@ -1,6 +1,6 @@
 //! The settings whose error is plotted against their time.
 
-use glimpse::{MAX_SAMPLING, Method, Postcorrect, Settings, Tolerances};
+use glimpse::{MAX_SAMPLING, Method, Postcorrect, Preset, Settings, Tolerances};
 
 /// One setting to measure.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,11 +34,17 @@ pub enum Family {
     Uncorrected,
     /// Its samples a pixel.
     Grids,
+    /// The thresholds of extra samples.
+    Supersample,
+    /// Those of extra samples after the adaptive method.
+    Combined,
+    /// How much the ends of a quincunx may differ.
+    Quincunx,
 }
 
 impl Family {
     /// In the order of the legend.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 10] = [
         Self::Reduced,
         Self::Checkerboard,
         Self::Fixed,
@@ -46,6 +52,9 @@ impl Family {
         Self::Blocks,
         Self::Uncorrected,
         Self::Grids,
+        Self::Supersample,
+        Self::Combined,
+        Self::Quincunx,
     ];
 
     /// Its name in the legend.
@@ -58,6 +67,9 @@ impl Family {
             Self::Blocks => "adaptive, larger blocks",
             Self::Uncorrected => "adaptive, no postcorrection",
             Self::Grids => "adaptive, sampling grids",
+            Self::Supersample => "supersample, thresholds",
+            Self::Combined => "adaptive, extra samples",
+            Self::Quincunx => "quincunx",
         }
     }
 
@@ -73,9 +85,37 @@ const REDUCED: [f64; 3] = [0.35, 0.5, 0.71];
 /// The tolerances, over Kim 2016's.
 const FACTORS: [f32; 5] = [4.0, 2.0, 1.0, 0.5, 0.25];
 
+/// Where extra samples go, few to many.
+const PRESETS: [Preset; 3] = [Preset::Edges, Preset::Balanced, Preset::Textures];
+
+/// How much the ends of a quincunx may differ, few samples to many.
+const SIMILAR: [f32; 3] = [0.2, 0.1, 0.05];
+
 /// The frame that errors are measured against: 256 samples a pixel.
 pub fn converged(base: &Settings) -> Settings {
     Settings { method: Method::Full, sampling: MAX_SAMPLING, ..*base }
+}
+
+/// Full ray tracing with 1, 4, 9 and 16 samples a pixel.
+pub fn fixed(base: &Settings) -> [(String, Family, Settings); 4] {
+    [1, 2, 3, 4].map(|sampling| {
+        let settings = Settings { method: Method::Full, sampling, ..*base };
+        (format!("fixed {}", sampling * sampling), Family::Fixed, settings)
+    })
+}
+
+/// Extra samples by preset: alone, and after that adaptive frame.
+pub fn extra_samples(adaptive: &Settings) -> Vec<(String, Family, Settings)> {
+    let of = |preset: Preset| {
+        let settings = Settings { thresholds: preset.thresholds(), ..*adaptive };
+        let alone = Settings { method: Method::Supersample, ..settings };
+        let combined = Settings { supersample: true, ..settings };
+        [
+            (format!("supersample {}", preset.name()), Family::Supersample, alone),
+            (format!("combined {}", preset.name()), Family::Combined, combined),
+        ]
+    };
+    PRESETS.into_iter().flat_map(of).collect()
 }
 
 /// The ladder of a frame of that size. Of `base`, recursion and features count.
@@ -96,10 +136,7 @@ pub fn rungs(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
     }
     let checkerboard = Settings { method: Method::Checkerboard, ..*base };
     rungs.push(rung("checkerboard".to_owned(), Family::Checkerboard, checkerboard));
-    for sampling in [1, 2, 4] {
-        let name = format!("fixed {}", sampling * sampling);
-        rungs.push(rung(name, Family::Fixed, Settings { sampling, ..full }));
-    }
+    rungs.extend(fixed(base).map(|(name, family, settings)| rung(name, family, settings)));
     for factor in FACTORS {
         let name = if factor == 1.0 { "adaptive".to_owned() } else { format!("tolerance x{factor}") };
         let tolerances = scaled(base.tolerances, factor);
@@ -116,6 +153,15 @@ pub fn rungs(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
         let blocks = if block == 2 { String::new() } else { format!(", block {block}") };
         let name = format!("grid {sampling}x{sampling}{blocks}");
         rungs.push(rung(name, Family::Grids, Settings { sampling, block, ..adaptive }));
+    }
+    rungs.extend(
+        extra_samples(&adaptive).into_iter().map(|(name, family, settings)| rung(name, family, settings)),
+    );
+    let sparse = Settings { supersample: true, block: 4, ..adaptive };
+    rungs.push(rung("combined, block 4".to_owned(), Family::Combined, sparse));
+    for similar in SIMILAR {
+        let settings = Settings { method: Method::Quincunx, similar, ..*base };
+        rungs.push(rung(format!("quincunx {similar}"), Family::Quincunx, settings));
     }
     for rung in &mut rungs {
         rung.keeps_picture = ["full 0.5x", "fixed 1", "adaptive", "block 4"].contains(&rung.name.as_str());
@@ -141,7 +187,7 @@ mod tests {
     #[test]
     fn every_rung_is_valid_and_has_its_own_name_and_settings() {
         let rungs = rungs(&Settings::default(), [960, 540]);
-        assert_eq!(rungs.len(), 21);
+        assert_eq!(rungs.len(), 32);
         for (i, a) in rungs.iter().enumerate() {
             a.settings.validate().unwrap();
             for b in &rungs[..i] {
@@ -155,7 +201,9 @@ mod tests {
         for family in Family::ALL {
             let of = || rungs.iter().filter(|r| r.family == family);
             assert!(of().count() > usize::from(family != Family::Checkerboard));
-            assert!(of().all(|r| (r.settings.method != Method::Adaptive) == family.is_baseline()));
+            let fixed = |r: &Rung| matches!(r.settings.method, Method::Full | Method::Checkerboard);
+            assert!(of().all(|r| fixed(r) == family.is_baseline()));
+            assert!(of().all(|r| r.settings.supersample == (family == Family::Combined)));
         }
     }
 

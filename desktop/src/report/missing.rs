@@ -4,6 +4,7 @@ use glimpse::{Method, Missing, Postcorrect, Settings};
 
 use super::SceneReport;
 use super::ladder::{Family, Rung};
+use super::paper;
 use super::record::Record;
 use super::tables::{self, Table};
 use crate::args::TableName;
@@ -61,6 +62,7 @@ pub fn table(scenes: &[SceneReport]) -> Table {
         ],
         ours: ours.collect(),
         paper: Vec::new(),
+        citation: paper::CITATION,
     }
 }
 

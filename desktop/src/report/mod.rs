@@ -3,6 +3,7 @@
 mod bench;
 mod complete;
 mod identity;
+mod jin;
 mod job;
 mod ladder;
 mod missing;

@@ -13,7 +13,7 @@ use super::pareto::Point;
 use labels::{Label, Labels};
 
 const WIDTH: f64 = 900.0;
-const HEIGHT: f64 = 560.0;
+const HEIGHT: f64 = 584.0;
 /// Left, top, right and bottom of the area of the plot.
 const AREA: [f64; 4] = [64.0, 40.0, 884.0, 470.0];
 
@@ -239,6 +239,9 @@ fn color(family: Family) -> &'static str {
         Family::Blocks => "#009e73",
         Family::Uncorrected => "#e69f00",
         Family::Grids => "#cc79a7",
+        Family::Supersample => "#56b4e9",
+        Family::Combined => "#d55e00",
+        Family::Quincunx => "#882255",
     }
 }
 

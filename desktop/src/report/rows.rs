@@ -1,6 +1,7 @@
 //! Everything measured, as rows: report.csv.
 
 use anyhow::Context;
+use glimpse::Method;
 use serde::{Deserialize, Serialize};
 
 use super::bench::Measured;
@@ -30,7 +31,7 @@ pub struct Row {
     pub rendered_height: u32,
     /// Samples along a side of a pixel.
     pub sampling: u32,
-    /// Side of the base block; 1 where every sample is traced.
+    /// Side of the base block; 1 where there is none.
     pub block: u32,
     /// As it is typed.
     pub postcorrect: String,
@@ -111,7 +112,7 @@ fn mark_fronts(rows: &mut [Row]) {
 
 fn row(scene: &str, measured: &Measured, index: usize) -> Row {
     let (job, rung, record) = (&measured.job, &measured.job.rungs[index], &measured.records[index]);
-    let baseline = rung.family.is_baseline();
+    let (baseline, adaptive) = (rung.family.is_baseline(), rung.settings.method == Method::Adaptive);
     let changed = match job.variant {
         Variant::Reflective(percent) => format!("up to {percent} % reflective pixels"),
         Variant::AsIs if job.turn != 0.0 => format!("turned by {} degrees", job.turn),
@@ -119,7 +120,7 @@ fn row(scene: &str, measured: &Measured, index: usize) -> Row {
     };
     let against = match record.error {
         None => "",
-        Some(_) if job.is_ladder() => "256 samples a pixel",
+        Some(_) if job.is_against_converged() => "256 samples a pixel",
         Some(_) => "full",
     };
     let (error, missing) = (record.error.as_ref(), record.missing.as_ref());
@@ -135,11 +136,11 @@ fn row(scene: &str, measured: &Measured, index: usize) -> Row {
         rendered_width: rung.rendered[0],
         rendered_height: rung.rendered[1],
         sampling: rung.settings.sampling,
-        block: if baseline { 1 } else { rung.settings.block },
-        postcorrect: if baseline {
-            String::new()
-        } else {
+        block: if adaptive { rung.settings.block } else { 1 },
+        postcorrect: if adaptive {
             format!("{:?}", rung.settings.postcorrect).to_lowercase()
+        } else {
+            String::new()
         },
         frames: record.frames.len(),
         median_ms: time.median,

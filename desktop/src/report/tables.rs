@@ -3,7 +3,7 @@
 use super::SceneReport;
 use super::bench::Measured;
 use super::record::Record;
-use super::{missing, paper};
+use super::{jin, missing, paper};
 use crate::args::TableName;
 use crate::output::grouped;
 
@@ -19,12 +19,15 @@ pub struct Table {
     pub ours: Vec<Vec<String>>,
     /// Printed in the paper; empty where it has no such figures.
     pub paper: Vec<Vec<String>>,
+    /// How the paper is cited.
+    pub citation: &'static str,
 }
 
 /// Every table that something was measured for.
 pub fn all(scenes: &[SceneReport]) -> Vec<Table> {
-    let of_paper = [resolutions, kernels, reflective, views, hairball];
-    let tables = of_paper.into_iter().chain([missing::table as fn(&_) -> _]).map(|table| table(scenes));
+    let of_kim: [fn(&_) -> _; 6] = [resolutions, kernels, reflective, views, hairball, missing::table];
+    let tables = of_kim.into_iter().chain([jin::table2::table as fn(&_) -> _, jin::figure7::table]);
+    let tables = tables.map(|table| table(scenes));
     tables.filter(|table| !table.ours.is_empty()).collect()
 }
 
@@ -54,6 +57,7 @@ fn resolutions(scenes: &[SceneReport]) -> Table {
         head: ["scene (triangles)", "size", "sampling"].into_iter().chain(PAIR_HEAD).collect(),
         ours: ours.collect(),
         paper: paper.collect(),
+        citation: paper::CITATION,
     }
 }
 
@@ -75,6 +79,7 @@ fn hairball(scenes: &[SceneReport]) -> Table {
         head: ["scene", "sampling"].into_iter().chain(PAIR_HEAD).collect(),
         ours: ours.collect(),
         paper: paper.collect(),
+        citation: paper::CITATION,
     }
 }
 
@@ -95,6 +100,7 @@ fn kernels(scenes: &[SceneReport]) -> Table {
         head: ["scene"].into_iter().chain(steps).chain(["ETC", "frame"]).collect(),
         ours: ours.collect(),
         paper: paper.collect(),
+        citation: paper::CITATION,
     }
 }
 
@@ -113,6 +119,7 @@ fn reflective(scenes: &[SceneReport]) -> Table {
         head: vec!["scene", "reflective pixels", "full ms", "adaptive ms", "speedup"],
         ours: ours.collect(),
         paper: paper::TABLE_3B.iter().map(|&(share, full, ours)| varied("Bathroom", share, full, ours)).collect(),
+        citation: paper::CITATION,
     }
 }
 
@@ -135,6 +142,7 @@ fn views(scenes: &[SceneReport]) -> Table {
         head: vec!["scene", "RT ratio", "full ms", "adaptive ms", "speedup"],
         ours,
         paper: paper::TABLE_3C.iter().map(|&(ratio, full, ours)| varied("Conference", ratio, full, ours)).collect(),
+        citation: paper::CITATION,
     }
 }
 

@@ -22,7 +22,7 @@ pub struct Figure {
 /// The converged frame, what the kept settings make of it, and how far they are from it.
 pub fn of(store: &Store, scene: &SceneReport) -> anyhow::Result<Vec<Figure>> {
     let mut figures = Vec::new();
-    for measured in &scene.measured {
+    for measured in scene.measured.iter().filter(|measured| measured.job.is_ladder()) {
         let Some(converged) = &measured.converged else { continue };
         let kept = |identity: &str| {
             let picture = store.picture(identity, measured.job.shown);

@@ -1,0 +1,112 @@
+//! `--focus`: which of a scene's objects are meant.
+
+use glimpse::scene::Object;
+use glimpse::{Error, Focus, Settings};
+
+use crate::args::{FrameOptions, MethodName, focus_by_index};
+
+/// So many objects are named where none fits.
+const NAMED: usize = 8;
+
+/// How a frame is to be made of a scene that is not known yet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wish {
+    /// Checked; the objects in focus only where they are typed by index.
+    pub settings: Settings,
+    /// The objects in focus as they were typed.
+    pub focus: Option<String>,
+}
+
+impl Wish {
+    /// What was typed, with one method.
+    ///
+    /// # Errors
+    /// As [`FrameOptions::settings`].
+    pub fn of(options: &FrameOptions, method: MethodName) -> glimpse::Result<Self> {
+        Ok(Self { settings: options.settings(method)?, focus: options.samples.focus.clone() })
+    }
+
+    /// The settings for a scene of these objects.
+    ///
+    /// # Errors
+    /// It has no such objects to focus on.
+    pub fn in_scene(&self, objects: &[Object]) -> glimpse::Result<Settings> {
+        let focus = self.focus.as_deref().map(|text| run(text, objects)).transpose()?;
+        Ok(Settings { focus, ..self.settings })
+    }
+}
+
+/// The objects of these indices, or all with this part of a name, which must follow each other.
+fn run(text: &str, objects: &[Object]) -> glimpse::Result<Focus> {
+    let wrong = |expected: String| Error::setting(format!("--focus {text}"), format!("expected {expected}"));
+    if let Some(focus) = focus_by_index(text) {
+        let known = (focus.last as usize) < objects.len();
+        let expected = || format!("indices below the scene's number of objects, which is {}", objects.len());
+        return if known { Ok(focus) } else { Err(wrong(expected())) };
+    }
+    let all = || objects.iter().enumerate();
+    let found: Vec<_> = all().filter(|(_, o)| !text.is_empty() && o.name.contains(text)).collect();
+    let (Some((first, _)), Some((last, _))) = (found.first(), found.last()) else {
+        let names = named(&all().collect::<Vec<_>>());
+        return Err(wrong(format!("a part of an object's name; the scene has {names}")));
+    };
+    if last - first + 1 != found.len() {
+        return Err(wrong(format!("objects that follow each other, found {}", named(&found))));
+    }
+    Ok(Focus { first: *first as u32, last: *last as u32 })
+}
+
+/// Indices and names of the first few.
+fn named(objects: &[(usize, &Object)]) -> String {
+    let mut names: Vec<_> =
+        objects.iter().take(NAMED).map(|(index, object)| format!("{index} ({})", object.name)).collect();
+    if objects.len() > names.len() {
+        names.push(format!("{} more", objects.len() - names.len()));
+    }
+    names.join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn objects() -> Vec<Object> {
+        let names = ["floor", "chair/seat", "chair/back", "table", "lamp", "lamp-2", "table/leg"];
+        names.map(|name| Object { name: name.to_owned(), material: 0 }).to_vec()
+    }
+
+    fn wish(focus: &str) -> Wish {
+        let mut options = FrameOptions::default();
+        options.samples.focus = Some(focus.to_owned());
+        Wish::of(&options, MethodName::Supersample).unwrap()
+    }
+
+    #[test]
+    fn objects_are_found_by_index_and_by_a_part_of_their_names() {
+        for (text, first, last) in
+            [("3", 3, 3), ("1-6", 1, 6), ("chair", 1, 2), ("back", 2, 2), ("lamp", 4, 5), ("lamp-2", 5, 5)]
+        {
+            let settings = wish(text).in_scene(&objects()).unwrap();
+            assert_eq!(settings.focus, Some(Focus { first, last }), "{text}");
+        }
+        let nothing = Wish::of(&FrameOptions::default(), MethodName::Adaptive).unwrap();
+        assert_eq!(nothing.in_scene(&objects()).unwrap(), Settings::default());
+    }
+
+    #[test]
+    fn what_is_not_there_is_named_with_what_is() {
+        for (text, expected) in [
+            ("7", "indices below the scene's number of objects, which is 7"),
+            ("2-9", "indices below"),
+            ("sofa", "the scene has 0 (floor), 1 (chair/seat), 2 (chair/back), 3 (table), 4 (lamp)"),
+            ("Chair", "the scene has 0 (floor)"),
+            ("", "the scene has 0"),
+            ("table", "objects that follow each other, found 3 (table), 6 (table/leg)"),
+        ] {
+            let error = wish(text).in_scene(&objects()).unwrap_err().to_string();
+            assert!(error.contains(&format!("--focus {text}")) && error.contains(expected), "{error}");
+        }
+        let error = wish("sofa").in_scene(&[objects(), objects()].concat()).unwrap_err().to_string();
+        assert!(error.ends_with("7 (floor), 6 more"), "{error}");
+    }
+}
