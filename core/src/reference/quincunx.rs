@@ -19,54 +19,52 @@ pub struct Quincunx {
     pub divided: u32,
 }
 
+/// The recursion through one pixel.
+struct Recursion<'a, 'r> {
+    frame: &'a Frame<'r>,
+    decided: Option<u32>,
+    divided: u32,
+}
+
 impl Frame<'_> {
     /// A pixel of a quincunx frame. `decided` says which quads are divided, where that is not the reference's to decide.
     #[must_use]
     pub fn quincunx(&self, pixel: [u32; 2], decided: Option<u32>, rounding: &mut Rounding) -> Quincunx {
-        let mut result = Quincunx { color: DVec3::ZERO, divided: 0 };
+        let mut recursion = Recursion { frame: self, decided, divided: 0 };
         let center = pixel.map(|i| 8 * i + 4);
+        let mut color = DVec3::ZERO;
         for quarter in 0..4 {
             let corner = [pixel[0] + quarter % 2, pixel[1] + quarter / 2].map(|i| 8 * i);
-            result.color +=
-                self.quad(center, corner, 0, quarter, decided, &mut result.divided, rounding) / 4.0;
+            color += recursion.quad([center, corner], 0, quarter, rounding) / 4.0;
         }
-        result
+        Quincunx { color, divided: recursion.divided }
     }
+}
 
+impl Recursion<'_, '_> {
     /// The mean of a quad from its inner to its outer corner; `path` counts the quads of its level.
-    #[allow(clippy::too_many_arguments)]
-    fn quad(
-        &self,
-        inner: Point,
-        outer: Point,
-        level: u32,
-        path: u32,
-        decided: Option<u32>,
-        divided: &mut u32,
-        rounding: &mut Rounding,
-    ) -> DVec3 {
+    fn quad(&mut self, [inner, outer]: [Point; 2], level: u32, path: u32, rounding: &mut Rounding) -> DVec3 {
         let ends = [inner, outer].map(|point| self.at(point, rounding));
         let bit = 1 << (4 * level + path);
-        let differs = level < 2
-            && decided
-                .map_or_else(|| differ(ends, self.settings.similar.into(), rounding), |bits| bits & bit != 0);
+        let similar = f64::from(self.frame.settings.similar);
+        let differs =
+            level < 2 && self.decided.map_or_else(|| differ(ends, similar, rounding), |bits| bits & bit != 0);
         if !differs {
             return (ends[0] + ends[1]) / 2.0;
         }
-        *divided |= bit;
+        self.divided |= bit;
         let middle = [0, 1].map(|i| u32::midpoint(inner[i], outer[i]));
         let corners = [inner, [outer[0], inner[1]], [inner[0], outer[1]], outer];
-        let mut sum = DVec3::ZERO;
-        for (part, corner) in (0..4).zip(corners) {
-            sum += self.quad(middle, corner, level + 1, 4 * path + part, decided, divided, rounding) / 4.0;
-        }
-        sum
+        let parts = (0..4).zip(corners);
+        parts
+            .map(|(part, corner)| self.quad([middle, corner], level + 1, 4 * path + part, rounding) / 4.0)
+            .sum()
     }
 
     fn at(&self, point: Point, rounding: &mut Rounding) -> DVec3 {
-        let (ray, length) =
-            self.ray_at(point.map(|i| f64::from(i) / 8.0), 0.5_f64.sqrt() / f64::from(1 << level(point)));
-        self.followed(&ray, length, rounding).color
+        let side = 0.5_f64.sqrt() / f64::from(1 << level(point));
+        let (ray, length) = self.frame.ray_at(point.map(|i| f64::from(i) / 8.0), side);
+        self.frame.followed(&ray, length, rounding).color
     }
 }
 

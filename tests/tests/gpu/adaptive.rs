@@ -178,7 +178,7 @@ fn averaged(large: &LinearImage, sampling: u32) -> Vec<u32> {
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [sampling * x, sampling * y]));
     let average = |[x, y]: [u32; 2]| {
         // Even grids are summed in fours.
-        let side = if sampling % 2 == 0 { 2 } else { sampling };
+        let side = if sampling.is_multiple_of(2) { 2 } else { sampling };
         let parts = sampling / side;
         let mut sum = [0.0_f32; 3];
         for [x, y] in (0..parts * parts).map(|i| [x + side * (i % parts), y + side * (i / parts)]) {

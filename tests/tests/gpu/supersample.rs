@@ -273,12 +273,10 @@ fn a_tent_is_the_weighted_mean_of_the_samples_around() {
                 weights += weight;
                 (0..3).for_each(|c| sum[c] += weight * f64::from(sample.0[c]));
             }
-            for c in 0..3 {
-                let (found, expected) = (f64::from(pixel.0[c]), sum[c] / weights);
-                assert!(
-                    (found - expected).abs() <= 1e-5 * expected.max(0.1),
-                    "{sampling} ({x}, {y}): {found} {expected}"
-                );
+            for (found, sum) in pixel.0.into_iter().zip(sum) {
+                let (found, expected) = (f64::from(found), sum / weights);
+                let error = (found - expected).abs();
+                assert!(error <= 1e-5 * expected.max(0.1), "{sampling} ({x}, {y}): {found} {expected}");
             }
         }
     }
