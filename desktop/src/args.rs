@@ -15,7 +15,7 @@ mod vary;
 
 pub use pose::PoseOptions;
 pub use samples::{SampleOptions, focus_by_index};
-pub use vary::{Variation, Varied};
+pub use vary::Variation;
 
 /// The largest side of a frame.
 pub const MAX_SIDE: u32 = 16384;
@@ -344,8 +344,7 @@ impl FrameOptions {
             min_weight: self.min_weight,
             share: self.share,
             features: self.features.into(),
-            // Of several methods, it concerns this one.
-            supersample: samples.supersample && method == Method::Adaptive,
+            supersample: samples.supersample,
             thresholds: samples.thresholds(),
             focus: samples.focus.as_deref().and_then(focus_by_index),
             inactive: samples.inactive.into(),
@@ -356,6 +355,12 @@ impl FrameOptions {
         };
         settings.validate()?;
         Ok(settings)
+    }
+
+    /// As [`FrameOptions::settings`] of one method of several, without what concerns the others alone.
+    pub fn settings_beside(&self, method: MethodName) -> glimpse::Result<Settings> {
+        let samples = self.samples.concerning(method.into());
+        Self { samples, ..self.clone() }.settings(method)
     }
 }
 

@@ -242,3 +242,20 @@ fn a_camera_of_ones_own_has_an_eye_and_a_target() {
         assert!(parse(&format!("render a.glb -o a.png {wrong}")).is_err(), "{wrong}");
     }
 }
+
+#[test]
+fn what_a_method_does_not_know_is_an_error_alone_and_left_out_beside_others() {
+    for (wrong, option) in [
+        ("render a.glb -o b.png --method full --supersample", "--supersample"),
+        ("render a.glb -o b.png --filter tent", "--filter"),
+        ("render a.glb -o b.png --method quincunx --jitter on", "--jitter"),
+    ] {
+        let options = render(wrong);
+        let error = options.frame.settings(options.method).unwrap_err().to_string();
+        assert!(error.contains(option), "{error}");
+        options.frame.settings_beside(options.method).unwrap();
+    }
+    let both = render("render a.glb -o b.png --supersample --filter tent");
+    assert!(both.frame.settings_beside(MethodName::Adaptive).unwrap().supersample);
+    assert_eq!(both.frame.settings_beside(MethodName::Full).unwrap().filter, Filter::Tent);
+}

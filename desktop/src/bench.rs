@@ -2,7 +2,7 @@
 
 use glimpse::{Gpu, Jitter, Method, Settings};
 
-use crate::args::{BenchOptions, FrameOptions, MethodName, Size, Varied};
+use crate::args::{BenchOptions, FrameOptions, MethodName, Size};
 use crate::focus::Wish;
 use crate::measure::{Plan, Run, Stage};
 use crate::output;
@@ -72,16 +72,16 @@ fn rows(options: &BenchOptions) -> glimpse::Result<Vec<Row>> {
 /// A method with those of the varied options that it heeds, and what these are.
 fn heeded(
     options: &FrameOptions,
-    (combination, varied): &(FrameOptions, Varied),
+    (combination, varied): &(FrameOptions, Vec<(String, String)>),
     method: MethodName,
 ) -> glimpse::Result<(Wish, String)> {
-    let settings = combination.settings(method)?;
+    let settings = combination.settings_beside(method)?;
     let (mut heeded, mut told) = (options.clone(), String::new());
     for (option, value) in varied.iter().filter(|(option, _)| heeds(&settings, option)) {
         heeded = heeded.with(option, value).map_err(not_varied)?;
         told += &format!(" {option}={value}");
     }
-    Ok((Wish::of(&heeded, method)?, told))
+    Ok((Wish::beside(&heeded, method)?, told))
 }
 
 fn not_varied(reason: String) -> glimpse::Error {

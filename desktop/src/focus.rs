@@ -26,6 +26,14 @@ impl Wish {
         Ok(Self { settings: options.settings(method)?, focus: options.samples.focus.clone() })
     }
 
+    /// As [`Wish::of`], for one method of several.
+    ///
+    /// # Errors
+    /// As [`FrameOptions::settings_beside`].
+    pub fn beside(options: &FrameOptions, method: MethodName) -> glimpse::Result<Self> {
+        Ok(Self { settings: options.settings_beside(method)?, focus: options.samples.focus.clone() })
+    }
+
     /// The settings for a scene of these objects.
     ///
     /// # Errors

@@ -40,7 +40,7 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
 
     let mut wishes = vec![wish];
     if options.reference && options.method != MethodName::Full {
-        wishes.push(Wish::of(&options.frame, MethodName::Full)?);
+        wishes.push(Wish::beside(&options.frame, MethodName::Full)?);
     }
     let Size(size) = options.frame.size;
     let plan = Plan { size, frames: options.frames, linear: options.output.linear, pan: None };

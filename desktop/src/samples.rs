@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use clap::{ArgAction, Args, ValueEnum};
-use glimpse::{Filter, Focus, Inactive, Jitter, Preset, Settings, Thresholds};
+use glimpse::{Filter, Focus, Inactive, Jitter, Method, Preset, Settings, Thresholds};
 
 /// What decides where samples go.
 #[derive(Clone, Debug, PartialEq, Args)]
@@ -86,6 +86,19 @@ impl Default for SampleOptions {
 }
 
 impl SampleOptions {
+    /// Those that one method of several can heed.
+    pub fn concerning(&self, method: Method) -> Self {
+        let mut samples = self.clone();
+        samples.supersample &= method == Method::Adaptive;
+        if method != Method::Full {
+            samples.filter = FilterName::Box;
+        }
+        if !matches!(method, Method::Full | Method::Supersample) && self.jitter == JitterName::On {
+            samples.jitter = JitterName::Auto;
+        }
+        samples
+    }
+
     /// The preset's thresholds, with those that were typed.
     pub fn thresholds(&self) -> Thresholds {
         let (t, preset) = (&self.tau, Preset::from(self.preset).thresholds());

@@ -97,7 +97,7 @@ fn other_tolerances_are_seen() {
         ("pos", Tolerances { pos: 1.5 * right.pos, ..right }),
         ("norm", Tolerances { norm: 0.97, ..right }),
         ("tex", Tolerances { tex: 0.4, ..right }),
-        ("gcol", Tolerances { gcol: 0.02, ..right }),
+        ("gcol", Tolerances { gcol: 0.002, ..right }),
     ] {
         objects(&decisions(tolerances).decisions(), 1, what);
     }

@@ -1,0 +1,50 @@
+//! Frames with several samples a pixel that are no even grids, or are more than averaged.
+
+use super::{Band, Part, Plan, Rows, Shape, chunks, once, tiles};
+use crate::passes::Stage;
+
+/// The most samples that a pixel gets besides its own.
+const EXTRA_SAMPLES: u32 = 16;
+
+impl Plan {
+    /// Jin 2009, 4.1.3 and 4.1.4, for pixels that are there.
+    pub(super) fn supersample(&mut self, shape: &Shape, rows: Rows) {
+        let longest = EXTRA_SAMPLES * shape.grid[0] * rows.count();
+        self.longest_list = self.longest_list.max(longest);
+        self.push(tiles(Stage::SubpixelTest, shape.grid[0], rows));
+        self.push(once(Stage::CompactActive, rows));
+        self.push(chunks(Stage::ExtraSamples, longest, rows));
+    }
+
+    /// Pixels that samples of their neighbours count for, too.
+    pub(super) fn filtered(&mut self, shape: &Shape, band: &Band) {
+        let ([width, height], sampling) = (shape.grid, shape.sampling);
+        let (rows, stored) = band.alone(height, sampling);
+        self.stored_rows = self.stored_rows.max(stored.count());
+        self.push(tiles(Stage::Full, width, stored));
+        let pixels = Rows { row: rows.row / sampling, end: rows.end / sampling, ..rows };
+        self.push(tiles(Stage::Resolve, width / sampling, pixels));
+    }
+
+    /// The lecture's recursion, two levels of it, each of which finds what to trace and traces it.
+    pub(super) fn quincunx(&mut self, width: u32, band: &Band) {
+        let [row, end] = band.own;
+        let rows = Rows { stride: 1, row, end, turn: row };
+        self.stored_rows = self.stored_rows.max(end - row);
+        let with_corners = Rows { end: end + 1, ..rows };
+        let base = tiles(Stage::QuincunxBase, 2 * (width + 1), with_corners);
+        self.push(base.into_iter().map(|part| Part { rows, ..part }).collect());
+        let pixels = (width + 1) * (end - row + 1);
+        for (split, compact, trace, side, samples) in [
+            (Stage::QuincunxSplitA, Stage::CompactQuincunxA, Stage::QuincunxTraceA, 2, 6),
+            (Stage::QuincunxSplitB, Stage::CompactQuincunxB, Stage::QuincunxTraceB, 4, 24),
+        ] {
+            let quads = tiles(split, side * width, Rows { end: row + side * (end - row), ..rows });
+            self.push(quads.into_iter().map(|part| Part { rows, ..part }).collect());
+            self.longest_list = self.longest_list.max(samples * pixels);
+            self.push(once(compact, rows));
+            self.push(chunks(trace, samples * pixels, rows));
+        }
+        self.push(tiles(Stage::QuincunxResolve, width, rows));
+    }
+}
