@@ -1,6 +1,6 @@
 //! The `glimpse render` command that makes a frame again.
 
-use glimpse::{Settings, Show};
+use glimpse::{Settings, Show, THRESHOLD_NAMES};
 
 use crate::Job;
 
@@ -38,6 +38,7 @@ fn options(settings: &Settings) -> Vec<String> {
     ];
     words
         .into_iter()
+        .map(owned)
         .chain(samples(settings, &usual))
         .filter(|(differs, ..)| *differs)
         .map(|(_, name, value)| format!("--{name}={value}"))
@@ -45,11 +46,9 @@ fn options(settings: &Settings) -> Vec<String> {
 }
 
 /// Those about where samples go.
-fn samples(settings: &Settings, usual: &Settings) -> Vec<(bool, &'static str, String)> {
-    const TAU: [&str; 9] =
-        ["tau-col", "tau-poid", "tau-psn", "tau-psc", "tau-pte", "tau-soid", "tau-ssn", "tau-ssc", "tau-ste"];
+fn samples(settings: &Settings, usual: &Settings) -> Vec<(bool, String, String)> {
     let focus = settings.focus.map_or_else(String::new, |focus| format!("{}-{}", focus.first, focus.last));
-    let mut words = vec![
+    let words = [
         (settings.supersample != usual.supersample, "supersample", settings.supersample.to_string()),
         (settings.focus.is_some(), "focus", focus),
         (settings.inactive != usual.inactive, "inactive", settings.inactive.name().to_owned()),
@@ -58,14 +57,19 @@ fn samples(settings: &Settings, usual: &Settings) -> Vec<(bool, &'static str, St
         (settings.similar != usual.similar, "similar", settings.similar.to_string()),
         (settings.seed != usual.seed, "seed", settings.seed.to_string()),
     ];
+    let mut words: Vec<_> = words.into_iter().map(owned).collect();
     if let Some(preset) = settings.thresholds.preset() {
-        words.push((settings.thresholds != usual.thresholds, "preset", preset.name().to_owned()));
+        let differs = settings.thresholds != usual.thresholds;
+        words.push((differs, "preset".to_owned(), preset.name().to_owned()));
     } else {
-        words.extend(
-            TAU.into_iter().zip(settings.thresholds.values()).map(|(tau, x)| (true, tau, x.to_string())),
-        );
+        let thresholds = THRESHOLD_NAMES.into_iter().zip(settings.thresholds.values());
+        words.extend(thresholds.map(|(name, value)| (true, format!("tau-{name}"), value.to_string())));
     }
     words
+}
+
+fn owned((differs, name, value): (bool, &str, String)) -> (bool, String, String) {
+    (differs, name.to_owned(), value)
 }
 
 /// As a shell takes it for one word.

@@ -19,9 +19,11 @@ impl Variant {
     #[must_use]
     pub fn sources(&self, stage: Stage) -> Vec<Source> {
         match stage {
-            Stage::CompactA1 | Stage::CompactA2 | Stage::CompactRenew => {
-                self.compact_sources(stage, wgsl!("wgsl/list_step.wgsl"))
-            }
+            Stage::CompactA1
+            | Stage::CompactA2
+            | Stage::CompactRenew
+            | Stage::CompactQuincunxA
+            | Stage::CompactQuincunxB => self.compact_sources(stage, wgsl!("wgsl/list_step.wgsl")),
             Stage::CompactSeed => self.compact_sources(stage, wgsl!("wgsl/list_all.wgsl")),
             Stage::CompactPostcorrect => self.compact_sources(stage, wgsl!("wgsl/list_round.wgsl")),
             Stage::CompactActive => self.compact_sources(stage, wgsl!("wgsl/list_active.wgsl")),
@@ -36,17 +38,25 @@ impl Variant {
                     stage.entry(),
                 ],
             ),
-            Stage::CompactQuincunxA | Stage::CompactQuincunxB => {
-                self.compact_sources(stage, wgsl!("wgsl/list_step.wgsl"))
-            }
             Stage::QuincunxBase => self.quincunx_tracing_sources([self.order(), stage.entry()]),
             Stage::QuincunxTraceA | Stage::QuincunxTraceB => self.quincunx_tracing_sources([
                 wgsl!("wgsl/list.wgsl"),
                 wgsl!("wgsl/quincunx_list.wgsl"),
                 stage.entry(),
             ]),
-            Stage::QuincunxSplitA | Stage::QuincunxSplitB | Stage::QuincunxResolve => {
-                self.quincunx_pixel_sources(stage)
+            Stage::QuincunxSplitA | Stage::QuincunxSplitB => self.quincunx_pixel_sources(
+                wgsl!("wgsl/quincunx_split.wgsl"),
+                [
+                    wgsl!("wgsl/list.wgsl"),
+                    wgsl!("wgsl/list_append.wgsl"),
+                    wgsl!("wgsl/quincunx_list.wgsl"),
+                    stage.entry(),
+                ],
+            ),
+            Stage::QuincunxResolve => {
+                let mut entry = self.output.sources();
+                entry.push(stage.entry());
+                self.quincunx_pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"), entry)
             }
             Stage::SubpixelTest => self.test_sources(),
             Stage::ExtraSamples => self.extra_sources(),
@@ -157,28 +167,14 @@ impl Variant {
         nowhere.tracing_sources(shared.into_iter().chain(entry))
     }
 
-    fn quincunx_pixel_sources(&self, stage: Stage) -> Vec<Source> {
-        let mut sources = vec![
-            self.constants(),
-            wgsl!("wgsl/frame.wgsl"),
-            self.jitter(),
-            wgsl!("wgsl/octahedral.wgsl"),
-            wgsl!("wgsl/attributes.wgsl"),
-            if self.inspect { wgsl!("wgsl/inspect_counters.wgsl") } else { wgsl!("wgsl/inspect_none.wgsl") },
-            wgsl!("wgsl/contrast.wgsl"),
-            wgsl!("wgsl/quincunx.wgsl"),
-        ];
-        if stage == Stage::QuincunxResolve {
-            sources.extend(self.output.sources());
-        } else {
-            sources.extend([
-                wgsl!("wgsl/list.wgsl"),
-                wgsl!("wgsl/list_append.wgsl"),
-                wgsl!("wgsl/quincunx_list.wgsl"),
-                wgsl!("wgsl/quincunx_split.wgsl"),
-            ]);
-        }
-        sources.push(stage.entry());
+    fn quincunx_pixel_sources(
+        &self,
+        attributes: Source,
+        entry: impl IntoIterator<Item = Source>,
+    ) -> Vec<Source> {
+        let mut sources = self.pixel_sources(attributes);
+        sources.extend([wgsl!("wgsl/contrast.wgsl"), wgsl!("wgsl/quincunx.wgsl")]);
+        sources.extend(entry);
         sources
     }
 

@@ -72,40 +72,36 @@ impl Variant {
     #[must_use]
     pub fn new(scene: &GpuScene, settings: &Settings) -> Self {
         Self {
-            features: scene.features(),
-            linking: Linking::Auto,
             has_texcoords: scene.has_texcoords,
             has_colors: scene.has_colors,
-            has_panes: scene.features().panes,
             on_cpu: scene.on_cpu,
-            inspect: false,
-            output: Output::Display,
-            sampling: settings.sampling,
-            postcorrect: settings.postcorrect,
-            interpolates: settings.method == Method::Adaptive,
-            supersamples: settings.supersamples(),
-            secondary: false,
-            inactive: settings.inactive,
-            jitter: settings.jitter,
-            filter: settings.filter,
-            mip: settings.mip,
             bvh_stack: scene.bvh_stack,
-            depth: settings.depth,
             lights: scene.light_count,
             objects: scene.object_count,
-            robustness: Robustness::default(),
+            ..Self::of_settings(scene.features(), settings)
         }
         .linked(settings.features)
     }
 
     /// Timed frames of a scene that is not on a device; its tree is not built and may be any.
     pub(super) fn of_scene(scene: &Scene, settings: &Settings) -> Self {
-        let features = Features::of(scene);
+        Self {
+            has_texcoords: !scene.texcoords.is_empty(),
+            has_colors: !scene.colors.is_empty(),
+            lights: scene.lights.len() as u32,
+            objects: scene.objects.len() as u32,
+            ..Self::of_settings(Features::of(scene), settings)
+        }
+        .linked(settings.features)
+    }
+
+    /// Timed frames of a scene with these features of which nothing else is known.
+    fn of_settings(features: Features, settings: &Settings) -> Self {
         Self {
             features,
             linking: Linking::Auto,
-            has_texcoords: !scene.texcoords.is_empty(),
-            has_colors: !scene.colors.is_empty(),
+            has_texcoords: false,
+            has_colors: false,
             has_panes: features.panes,
             on_cpu: false,
             inspect: false,
@@ -121,11 +117,10 @@ impl Variant {
             mip: settings.mip,
             bvh_stack: MAX_STACK,
             depth: settings.depth,
-            lights: scene.lights.len() as u32,
-            objects: scene.objects.len() as u32,
+            lights: 0,
+            objects: 0,
             robustness: Robustness::default(),
         }
-        .linked(settings.features)
     }
 
     fn linked(self, linking: Linking) -> Self {
