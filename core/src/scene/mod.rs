@@ -4,6 +4,7 @@
 //! Kim 2016, section 3.2. Instances are flattened: every triangle is stored where it stands.
 
 mod builtin;
+mod emitters;
 mod features;
 mod gltf;
 mod material;
@@ -16,6 +17,7 @@ use std::ops::Range;
 use glam::{Vec2, Vec3};
 
 pub use builtin::{BUILTIN_NAMES, builtin};
+pub use emitters::Emitters;
 pub use features::Features;
 pub use material::{Material, Weights};
 pub use octahedral::{

@@ -2,9 +2,13 @@
 
 use serde::Serialize;
 
+mod paths;
 mod supersampling;
 mod validate;
 
+pub use paths::{
+    Denoise, Direct, MAX_GAZE, MAX_LIGHT_SAMPLES, Paths, Reuse, Roulette, Sampler, Shining, Stopping,
+};
 pub use supersampling::{Filter, Focus, Inactive, Jitter, Preset, THRESHOLD_NAMES, Thresholds};
 
 /// How a frame is made.
@@ -216,6 +220,8 @@ pub struct Settings {
     pub similar: f32,
     /// Of whatever is random; the same seed gives the same samples.
     pub seed: u32,
+    /// What paths do.
+    pub paths: Paths,
 }
 
 /// The deepest recursion: what the ray stack of the refraction kernels is sized for.
@@ -249,6 +255,7 @@ impl Default for Settings {
             filter: Filter::Box,
             similar: 0.1,
             seed: 0,
+            paths: Paths::default(),
         }
     }
 }

@@ -48,6 +48,7 @@ impl Settings {
             ));
         }
         self.thresholds.validate()?;
+        self.paths.validate()?;
         self.validate_samples()?;
         if ![2, 4, 8].contains(&self.block) {
             return Err(Error::setting("--block", format!("expected 2, 4 or 8, found {}", self.block)));

@@ -1,0 +1,236 @@
+//! Wishes for path tracing and for its two eyes.
+
+use serde::Serialize;
+
+use crate::{Error, Result};
+
+/// How the light of emitters is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Direct {
+    /// By the path's own steps alone, as in Kim & Sung 2021: a path brings light where it happens to hit an emitter.
+    Walk,
+    /// By rays to points on emitters from every diffuse surface (next-event estimation), and where the path came by a
+    /// mirror or glass.
+    Light,
+    /// Both, each weighted by how likely it was to find that point (Veach 1995, balance heuristic).
+    Mis,
+}
+
+/// What shines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Shining {
+    /// Emissive surfaces and punctual lights.
+    All,
+    /// Emissive surfaces alone: for files whose punctual lights stand for those.
+    Emitters,
+    /// Punctual lights alone; emissive surfaces are as bright as ever to the eye, but light nothing.
+    Punctual,
+}
+
+/// Where the random numbers of a path come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Sampler {
+    /// A hash: independent numbers.
+    Random,
+    /// Owen-scrambled Sobol' pairs (Burley 2020): the samples of a pixel are spread evenly.
+    Sobol,
+}
+
+/// Whether long paths are ended at random, their survivors counting for more: no error in the mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Roulette {
+    /// From the third bounce on, by how much light the path can still bring.
+    On,
+    /// Paths go on up to the depth limit.
+    Off,
+}
+
+/// What an eye takes of the paths of the other (Kim & Sung 2021, "Stereo Rendering with Spatial Reprojection").
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Reuse {
+    /// Nothing.
+    Off,
+    /// As the paper has it: what lands counts as a sample of its own and goes on to the other eye with the pixel's mean
+    /// (Algorithm 3 and equation 6). Biased.
+    Paper,
+    /// A path that both eyes see is shared between them by how densely each samples the point. Unbiased.
+    Balanced,
+}
+
+/// What happens to paths away from the gaze (Kim & Sung 2021, equation 7).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Stopping {
+    /// They go on.
+    Off,
+    /// They stop with a probability that grows with the distance, and what they would have brought is missing: darker.
+    Paper,
+    /// They stop, and those that go on count for more: noisier away from the gaze, but right.
+    Compensated,
+}
+
+/// What is done about noise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Denoise {
+    /// Nothing.
+    Off,
+    /// The median of 3x3 pixels, where the path was stopped and met diffuse surfaces alone (Kim & Sung 2021).
+    Median,
+    /// An edge-avoiding wavelet transform (Dammertz 2010) guided by position, normal and albedo, where the first surface is
+    /// diffuse. Its reach shrinks with the number of samples.
+    Atrous,
+}
+
+macro_rules! names {
+    ($($kind:ident: $($variant:ident = $name:literal),+;)+) => {$(
+        impl $kind {
+            /// All of them.
+            pub const ALL: &[Self] = &[$(Self::$variant),+];
+
+            /// Its name on the command line.
+            #[must_use]
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name,)+
+                }
+            }
+        }
+    )+};
+}
+
+names! {
+    Direct: Walk = "walk", Light = "light", Mis = "mis";
+    Shining: All = "all", Emitters = "emitters", Punctual = "punctual";
+    Sampler: Random = "random", Sobol = "sobol";
+    Roulette: On = "on", Off = "off";
+    Reuse: Off = "off", Paper = "paper", Balanced = "balanced";
+    Stopping: Off = "off", Paper = "paper", Compensated = "compensated";
+    Denoise: Off = "off", Median = "median", Atrous = "atrous";
+}
+
+/// Everything that can be wished of paths.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Paths {
+    /// Samples a pixel after which a resting view is finished; a frame adds one.
+    pub samples: u32,
+    /// How the light of emitters is found.
+    pub direct: Direct,
+    /// Points on emitters for each diffuse surface that a path meets.
+    pub light_samples: u32,
+    /// What shines.
+    pub shining: Shining,
+    /// Where random numbers come from.
+    pub sampler: Sampler,
+    /// Whether long paths end at random.
+    pub roulette: Roulette,
+    /// Interpupillary distance in the scene's units, for two eyes.
+    pub eye_distance: f32,
+    /// Where both eyes' frusta meet, in the scene's units before them; infinite for parallel ones.
+    pub convergence: f32,
+    /// What an eye takes of the other's paths.
+    pub reuse: Reuse,
+    /// What happens to paths away from the gaze.
+    pub stopping: Stopping,
+    /// Where the eyes look, in widths and heights of the picture (of one eye) from its upper left corner.
+    pub gaze: [f32; 2],
+    /// The probability of stopping where the picture is farthest from the gaze, at each bounce.
+    pub p_max: f32,
+    /// Paths stop behind that many bounces and later.
+    pub stop_after: u32,
+    /// What is done about noise.
+    pub denoise: Denoise,
+}
+
+/// The most points on emitters for a surface.
+pub const MAX_LIGHT_SAMPLES: u32 = 64;
+
+impl Default for Paths {
+    fn default() -> Self {
+        Self {
+            samples: 1,
+            direct: Direct::Mis,
+            light_samples: 1,
+            shining: Shining::All,
+            sampler: Sampler::Sobol,
+            roulette: Roulette::On,
+            eye_distance: 0.064,
+            convergence: f32::INFINITY,
+            reuse: Reuse::Balanced,
+            stopping: Stopping::Off,
+            gaze: [0.5; 2],
+            p_max: 0.9,
+            stop_after: 1,
+            denoise: Denoise::Off,
+        }
+    }
+}
+
+impl Paths {
+    /// Checks every value.
+    pub(super) fn validate(&self) -> Result<()> {
+        let wrong = |name: &str, expected: &str, found: String| {
+            Err(Error::setting(name, format!("expected {expected}, found {found}")))
+        };
+        if self.samples == 0 {
+            return wrong("--samples", "at least 1", "0".to_owned());
+        }
+        if !(1..=MAX_LIGHT_SAMPLES).contains(&self.light_samples) {
+            let expected = format!("1 to {MAX_LIGHT_SAMPLES}");
+            return wrong("--light-samples", &expected, self.light_samples.to_string());
+        }
+        if !(0.0..f32::MAX).contains(&self.eye_distance) {
+            return wrong("--eye-distance", "a number of at least 0", self.eye_distance.to_string());
+        }
+        if self.convergence.is_nan() || self.convergence <= 0.0 {
+            return wrong("--convergence", "a number above 0, or inf", self.convergence.to_string());
+        }
+        if !self.gaze.iter().all(|g| g.abs() <= MAX_GAZE) {
+            let expected = format!("two numbers from -{MAX_GAZE} to {MAX_GAZE}");
+            return wrong("--gaze", &expected, format!("{},{}", self.gaze[0], self.gaze[1]));
+        }
+        // At 1 nothing would go on that could be compensated for.
+        if !(0.0..1.0).contains(&self.p_max) {
+            return wrong("--p-max", "a number of at least 0 and below 1", self.p_max.to_string());
+        }
+        Ok(())
+    }
+}
+
+/// How far outside the picture the eyes may look, in its widths and heights.
+pub const MAX_GAZE: f32 = 1000.0;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_cannot_be_is_told_by_name() {
+        let fine = Paths::default();
+        assert!(fine.validate().is_ok());
+        assert!(Paths { eye_distance: 0.0, gaze: [-3.0, 2.0], p_max: 0.0, ..fine }.validate().is_ok());
+        let wrong = [
+            ("--samples", Paths { samples: 0, ..fine }),
+            ("--light-samples", Paths { light_samples: 0, ..fine }),
+            ("--light-samples", Paths { light_samples: 65, ..fine }),
+            ("--eye-distance", Paths { eye_distance: -0.1, ..fine }),
+            ("--eye-distance", Paths { eye_distance: f32::NAN, ..fine }),
+            ("--eye-distance", Paths { eye_distance: f32::INFINITY, ..fine }),
+            ("--convergence", Paths { convergence: 0.0, ..fine }),
+            ("--convergence", Paths { convergence: f32::NAN, ..fine }),
+            ("--gaze", Paths { gaze: [0.5, f32::NAN], ..fine }),
+            ("--gaze", Paths { gaze: [1e4, 0.5], ..fine }),
+            ("--p-max", Paths { p_max: 1.0, ..fine }),
+            ("--p-max", Paths { p_max: f32::NAN, ..fine }),
+        ];
+        for (name, paths) in wrong {
+            let error = paths.validate().expect_err(name).to_string();
+            assert!(error.contains(name), "{name}: {error}");
+        }
+    }
+}
