@@ -16,7 +16,40 @@ pub(super) struct Branch {
     pub level: u32,
 }
 
+/// A ray that leaves a surface by a mirror or by refraction.
+#[derive(Clone, Copy)]
+pub(super) struct Leaving {
+    pub direction: DVec3,
+    /// Width and growth.
+    pub cone: (f64, f64),
+    /// Of the radiance that it finds.
+    pub share: DVec3,
+}
+
 impl Reference {
+    /// The reflected ray, and the refracted one where reflection is not total.
+    pub(super) fn specular(
+        &self,
+        s: &Surface,
+        m: &Material,
+        direction: DVec3,
+        rounding: &mut Rounding,
+    ) -> [Option<Leaving>; 2] {
+        let cosine = (-s.normal.dot(direction)).clamp(0.0, 1.0);
+        let cosine = rounding.number(Cause::Branch, cosine, 1.0).clamp(0.0, 1.0);
+        let mirrored = Leaving {
+            direction: (direction - 2.0 * s.normal.dot(direction) * s.normal).normalize_or_zero(),
+            cone: self.bent(s, 1.0, 2.0),
+            share: m.mirror(cosine, s.inside),
+        };
+        let through = refracted(s, m, direction, cosine).map(|(refracted, kept, turned)| Leaving {
+            direction: refracted.normalize_or_zero(),
+            cone: self.bent(s, kept, turned),
+            share: m.refraction(cosine, s.inside),
+        });
+        [Some(mirrored), through]
+    }
+
     /// What the rays that leave the surface bring to the sample, and what the heaviest of those that hit something hits.
     pub(super) fn bounced(
         &self,
@@ -26,19 +59,12 @@ impl Reference {
         limits: &Limits,
         rounding: &mut Rounding,
     ) -> (DVec3, Option<Attributes>) {
-        let direction = from.ray.direction;
-        let cosine = (-s.normal.dot(direction)).clamp(0.0, 1.0);
-        let cosine = rounding.number(Cause::Branch, cosine, 1.0).clamp(0.0, 1.0);
-        let mirrored = direction - 2.0 * s.normal.dot(direction) * s.normal;
-        let through = refracted(s, m, direction, cosine).map(|(refracted, kept, turned)| {
-            (refracted, self.bent(s, kept, turned), m.refraction(cosine, s.inside))
-        });
-        let rays = [Some((mirrored, self.bent(s, 1.0, 2.0), m.mirror(cosine, s.inside))), through];
+        let rays = self.specular(s, m, from.ray.direction, rounding);
         let mut sum = DVec3::ZERO;
         let mut heaviest = (0.0, None);
-        for (direction, cone, share) in rays.into_iter().flatten() {
-            let weight = from.weight * share;
-            let (color, hit) = self.followed(s, (direction, cone), weight, from.level, limits, rounding);
+        for leaving in rays.into_iter().flatten() {
+            let weight = from.weight * leaving.share;
+            let (color, hit) = self.followed(s, &leaving, weight, from.level, limits, rounding);
             sum += color;
             if hit.is_some() && weight.max_element() > heaviest.0 {
                 heaviest = (weight.max_element(), hit);
@@ -50,7 +76,7 @@ impl Reference {
     fn followed(
         &self,
         s: &Surface,
-        (direction, cone): (DVec3, (f64, f64)),
+        leaving: &Leaving,
         weight: DVec3,
         level: u32,
         limits: &Limits,
@@ -64,7 +90,7 @@ impl Reference {
         if level >= limits.depth || largest < limits.min_weight {
             return (weight * self.scene.environment.truncated.as_dvec3(), None);
         }
-        let ray = s.spawn(direction.normalize_or_zero(), cone, rounding);
+        let ray = s.spawn(leaving.direction, leaving.cone, rounding);
         let branch = Branch { ray, left: Some(s.primitive), weight, level: level + 1 };
         let seen = self.follow(&branch, limits, rounding);
         (seen.color, seen.attributes.object.map(|_| seen.attributes))

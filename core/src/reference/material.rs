@@ -13,8 +13,8 @@ const LEAST_COSINE: f64 = 0.05;
 /// A material at a point of a surface.
 #[derive(Clone, Copy, Debug)]
 pub struct Material {
-    base: DVec3,
-    emission: DVec3,
+    pub(super) base: DVec3,
+    pub(super) emission: DVec3,
     metallic: f64,
     roughness: f64,
     transmission: f64,
@@ -22,7 +22,7 @@ pub struct Material {
     pub ior: f64,
     /// A pane without thickness.
     pub thin: bool,
-    unlit: bool,
+    pub(super) unlit: bool,
     weights: Option<Weights>,
 }
 
@@ -68,18 +68,10 @@ impl Reference {
             return m.base;
         }
         let cosine = s.normal.dot(s.view).clamp(0.0, 1.0);
-        let (diffuse, ambient) = match m.weights {
-            Some(weights) => (m.base * f64::from(weights.diffuse), DVec3::ZERO),
-            None => (
-                m.base
-                    * (1.0 - m.metallic)
-                    * (1.0 - m.transmission)
-                    * (1.0 - m.fresnel(cosine, s.inside) * m.gloss()),
-                m.base * m.metallic * (1.0 - m.gloss()),
-            ),
-        };
-        let lights = self.lights_reflected(&mut s, diffuse);
-        m.emission + (diffuse + ambient) * self.scene.environment.ambient.as_dvec3() + lights
+        let (inside, ambient) = (s.inside, self.scene.environment.ambient.as_dvec3());
+        m.emission
+            + m.albedo(cosine, inside) * ambient
+            + self.lights_reflected(&mut s, m.diffuse(cosine, inside))
     }
 }
 
@@ -87,6 +79,29 @@ impl Material {
     /// The share of the specular lobe that is traced as a mirror.
     fn gloss(&self) -> f64 {
         (1.0 - 2.0 * self.roughness).max(0.0)
+    }
+
+    /// The share of the light that is scattered.
+    fn diffuse(&self, cosine: f64, inside: bool) -> DVec3 {
+        match self.weights {
+            Some(weights) => self.base * f64::from(weights.diffuse),
+            None => {
+                self.base
+                    * (1.0 - self.metallic)
+                    * (1.0 - self.transmission)
+                    * (1.0 - self.fresnel(cosine, inside) * self.gloss())
+            }
+        }
+    }
+
+    /// The share of light from everywhere that is scattered or reflected by rough metal: that of the ambient term.
+    #[must_use]
+    pub fn albedo(&self, cosine: f64, inside: bool) -> DVec3 {
+        let rough_metal = match self.weights {
+            Some(_) => DVec3::ZERO,
+            None => self.base * self.metallic * (1.0 - self.gloss()),
+        };
+        self.diffuse(cosine, inside) + rough_metal
     }
 
     /// The viewer's index of refraction over that of the other side.

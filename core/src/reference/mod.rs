@@ -11,11 +11,13 @@
 //! | [`Frame::postcorrection`] | `postcorrect_seed.wgsl`, `postcorrect_landmarks.wgsl`, `postcorrect.wgsl`, `postcorrect_scan.wgsl` |
 //! | [`Frame::ray_in`], [`Frame::presampled`], [`Frame::tested`], [`Frame::supersampled`] | `jitter_*.wgsl`, `presample.wgsl`, `quarters.wgsl`, `extra_samples.wgsl` |
 //! | [`Frame::quincunx`] | `quincunx_*.wgsl` |
+//! | [`Frame::path`], [`Numbers::pair`] | `path_*.wgsl` |
 //! | [`Frame::renews`], [`Frame::reprojected`] | `renewal.wgsl`, `reproject_depth.wgsl`, `reproject_source.wgsl`, `reuse.wgsl` |
 //!
 //! Shared with what it judges: the [`Scene`] in main memory (with its normals in octahedral words, for that is what the
 //! scene holds), the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), the Rust functions that pack and
-//! unpack octahedral words, which the shaders do not use, and the bytes of the mip levels. Nothing else is: no tree, no
+//! unpack octahedral words, which the shaders do not use, the bytes of the mip levels, and the [`Emitters`] that points
+//! are drawn from. Nothing else is: no tree, no
 //! buffer, no formula.
 //!
 //! Spawned rays start exactly on the surface and cannot meet the primitive that they leave; the shaders start them a
@@ -30,12 +32,16 @@ mod attributes;
 mod bounce;
 mod cone;
 mod contrast;
+mod emission;
 mod frame;
 mod intersection;
 mod jitter;
 mod judge;
 mod lights;
+mod lobes;
 mod material;
+mod numbers;
+mod path;
 mod postcorrection;
 mod quincunx;
 mod reprojection;
@@ -56,6 +62,8 @@ pub use intersection::{Crossing, Ray};
 pub use judge::Verdict;
 pub use lights::Arrival;
 pub use material::{Material, fresnel_dielectric};
+pub use numbers::Numbers;
+pub use path::PathSample;
 pub use quincunx::Quincunx;
 pub use reprojection::Kept;
 pub use rounding::{Cause, Rounding, SPAWN_ULPS, ULPS};
@@ -69,7 +77,7 @@ pub use traversal::{Hit, Tracer};
 use crate::{
     Features, Scene,
     mip::{self, Content},
-    scene::{Image8, Thinness},
+    scene::{Emitters, Image8, Thinness},
 };
 
 /// A scene that is asked in f64.
@@ -78,6 +86,7 @@ pub struct Reference {
     tracer: Tracer,
     features: Features,
     thinness: Thinness,
+    emitters: Emitters,
     /// Of each image, from level 1 on.
     levels: Vec<Vec<Image8>>,
     bounds: (DVec3, DVec3),
@@ -96,6 +105,7 @@ impl Reference {
             tracer: Tracer::new(scene),
             features: Features::of(scene),
             thinness: Thinness::of(scene),
+            emitters: Emitters::of(scene),
             levels: levels.collect(),
             bounds: (low.as_dvec3(), high.as_dvec3()),
             srgb: texture::srgb_table(),

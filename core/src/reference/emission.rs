@@ -1,0 +1,75 @@
+//! Light from emissive surfaces, found by rays to points on them (next-event estimation).
+
+use std::f64::consts::TAU;
+
+use glam::DVec3;
+
+use super::{Ray, Reference, Rounding, Surface};
+
+/// Rays to points on emitters end so far behind them, of the distance: rounding decides nothing.
+const REACH: f64 = 1.001;
+
+/// What arrives from a point on an emitter.
+#[derive(Clone, Copy)]
+pub(super) struct Emitted {
+    pub radiance: DVec3,
+    /// Of the angle to the shading normal.
+    pub cosine: f64,
+    /// How densely this direction is drawn, per unit of solid angle.
+    pub density: f64,
+}
+
+impl Reference {
+    /// What reaches a surface from the point that these numbers in [0, 1) draw: which emitter, and where on it.
+    pub(super) fn emitted(
+        &self,
+        s: &Surface,
+        which: f32,
+        place: [f64; 2],
+        rounding: &mut Rounding,
+    ) -> Option<Emitted> {
+        let primitive = self.emitters.primitives[self.emitters.draw(which)] as usize;
+        let (point, normal) = self.point_on(primitive, place);
+        let way = point - s.position;
+        let distance = way.length();
+        let direction = way / distance;
+        let cosine = s.normal.dot(direction);
+        let lit = cosine > 0.0 && s.face.dot(direction) > 0.0 && normal.dot(direction) != 0.0;
+        if !lit {
+            return None;
+        }
+        let ray = Ray { t_max: REACH * distance, ..s.spawn(direction, (0.0, 0.0), rounding) };
+        let crossing = self.first(&ray, Some(s.primitive), false, rounding)?;
+        let hit = self.surface(&ray, &crossing, rounding);
+        // A ray from outside meets the near side of a sphere; points on the other are hidden by it.
+        let hidden = primitive >= self.scene.positions.len() && hit.inside != (normal.dot(direction) > 0.0);
+        if crossing.primitive != primitive || hidden {
+            return None;
+        }
+        let m = self.material(hit.object, hit.texcoord, hit.footprint, hit.color);
+        let density = self.density(hit.object, normal.dot(direction), distance);
+        Some(Emitted { radiance: m.emission, cosine, density })
+    }
+
+    /// How densely the direction to a point on an emitter is drawn, per unit of solid angle: there the emitter is seen at
+    /// this cosine from so far away.
+    pub(super) fn density(&self, object: u32, cosine: f64, distance: f64) -> f64 {
+        let strength = self.material_of(object).emission.as_dvec3().element_sum();
+        strength / self.emitters.total * distance * distance / cosine.abs()
+    }
+
+    /// A point of a primitive and the unit normal there, uniform over its area.
+    fn point_on(&self, primitive: usize, [u, v]: [f64; 2]) -> (DVec3, DVec3) {
+        let Some(corners) = self.scene.positions.get(primitive) else {
+            let sphere = &self.scene.spheres[primitive - self.scene.positions.len()];
+            let (z, phi) = (1.0 - 2.0 * u, TAU * v);
+            let r = (1.0 - z * z).max(0.0).sqrt();
+            let normal = DVec3::new(r * phi.cos(), r * phi.sin(), z);
+            return (sphere.center.as_dvec3() + f64::from(sphere.radius) * normal, normal);
+        };
+        let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+        let r = u.sqrt();
+        let point = (1.0 - r) * a + r * (1.0 - v) * b + r * v * c;
+        (point, (b - a).cross(c - a).normalize_or_zero())
+    }
+}

@@ -1,0 +1,121 @@
+//! The ways on from a surface that a path chooses among, and its choice.
+
+use std::f64::consts::{PI, TAU};
+
+use glam::DVec3;
+
+use super::{Cause, Material, Reference, Rounding, Surface, bounce::Leaving};
+
+/// What a surface does with light, by the share of it.
+pub(super) struct Lobes {
+    /// Scattered as by a diffuse surface.
+    pub diffuse: DVec3,
+    /// The reflected ray, and the refracted one where there is one.
+    pub specular: [Option<Leaving>; 2],
+    /// The largest channels of all three.
+    largest: [f64; 3],
+}
+
+/// A lobe that was chosen.
+pub(super) struct Chosen {
+    /// The share of the light over the probability of the choice.
+    pub weight: DVec3,
+    /// None for a diffuse one.
+    pub leaving: Option<Leaving>,
+}
+
+impl Lobes {
+    /// Those of a surface that a ray of this direction meets.
+    pub fn of(
+        reference: &Reference,
+        s: &Surface,
+        m: &Material,
+        direction: DVec3,
+        rounding: &mut Rounding,
+    ) -> Self {
+        let diffuse = m.albedo((-s.normal.dot(direction)).clamp(0.0, 1.0), s.inside);
+        let specular = reference.specular(s, m, direction, rounding);
+        let [mirror, refraction] = specular.map(|leaving| leaving.map_or(0.0, |l| l.share.max_element()));
+        Self { diffuse, specular, largest: [diffuse.max_element(), mirror, refraction] }
+    }
+
+    /// The probability that the path goes on by the diffuse lobe; 0 where there is none.
+    pub fn chance_of_diffuse(&self) -> f64 {
+        let sum: f64 = self.largest.iter().sum();
+        if sum > 0.0 { self.largest[0] / sum } else { 0.0 }
+    }
+
+    /// The lobe that a number in [0, 1) chooses, each as often as its largest channel is of their sum; none where nothing
+    /// goes on.
+    pub fn choose(&self, number: f64, rounding: &mut Rounding) -> Option<Chosen> {
+        let [diffuse, mirror, refraction] = self.largest;
+        let sum = diffuse + mirror + refraction;
+        if sum <= 0.0 {
+            return None;
+        }
+        let number = rounding.number(Cause::Branch, number, 1.0).clamp(0.0, 1.0 - f64::EPSILON) * sum;
+        if number < diffuse {
+            return Some(Chosen { weight: self.diffuse * (sum / diffuse), leaving: None });
+        }
+        let reflected = number < diffuse + mirror;
+        let (leaving, largest) =
+            if reflected { (self.specular[0], mirror) } else { (self.specular[1], refraction) };
+        leaving.map(|leaving| Chosen { weight: leaving.share * (sum / largest), leaving: Some(leaving) })
+    }
+}
+
+/// A direction about a unit normal, as dense as its cosine over pi, and that density.
+pub(super) fn cosine_weighted(n: DVec3, [u, v]: [f64; 2]) -> (DVec3, f64) {
+    let (r, phi) = (u.sqrt(), TAU * v);
+    let cosine = (1.0 - u).max(0.0).sqrt();
+    let [x, y] = tangents(n);
+    (r * phi.cos() * x + r * phi.sin() * y + cosine * n, cosine / PI)
+}
+
+/// Building an Orthonormal Basis, Revisited (Duff et al. 2017): the other two axes beside a unit normal.
+fn tangents(n: DVec3) -> [DVec3; 2] {
+    // The zeros of both signs are one number here: f32 may arrive at the other.
+    let sign = if n.z >= 0.0 { 1.0 } else { -1.0 };
+    let a = -1.0 / (sign + n.z);
+    let b = n.x * n.y * a;
+    [DVec3::new(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x), DVec3::new(b, sign + n.y * n.y * a, -n.y)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stress::Random;
+
+    #[test]
+    fn tangents_are_a_right_handed_basis() {
+        let mut random = Random(4);
+        let axes = DVec3::AXES.into_iter().flat_map(|axis| [axis, -axis]);
+        for n in axes.chain((0..1000).map(|_| random.direction())) {
+            let [x, y] = tangents(n);
+            assert!((x.cross(y) - n).length() < 1e-12, "{n}");
+            assert!((x.length() - 1.0).abs() < 1e-12 && (y.length() - 1.0).abs() < 1e-12, "{n}");
+        }
+    }
+
+    #[test]
+    fn directions_are_as_dense_as_their_cosine() {
+        let n = DVec3::new(2.0, -3.0, -6.0) / 7.0;
+        let mut random = Random(11);
+        let count = 20_000;
+        // The mean of cosine^k under this density is 2 / (k + 2); that of what is beside the normal is 0.
+        let (mut mean, mut square, mut beside) = (0.0, 0.0, DVec3::ZERO);
+        for _ in 0..count {
+            let (direction, density) = cosine_weighted(n, [random.unit(), random.unit()]);
+            let cosine = direction.dot(n);
+            assert!((direction.length() - 1.0).abs() < 1e-12 && (density - cosine / PI).abs() < 1e-12);
+            mean += cosine / f64::from(count);
+            square += cosine * cosine / f64::from(count);
+            beside += (direction - cosine * n) / f64::from(count);
+        }
+        // Four standard errors: variances are 1/18, 1/12, and 1/4 along each axis.
+        let error = |variance: f64| 4.0 * (variance / f64::from(count)).sqrt();
+        assert!((mean - 2.0 / 3.0).abs() < error(1.0 / 18.0), "{mean}");
+        assert!((square - 0.5).abs() < error(1.0 / 12.0), "{square}");
+        assert!(beside.abs().max_element() < error(0.25), "{beside}");
+    }
+}

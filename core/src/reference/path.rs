@@ -1,0 +1,239 @@
+//! One sample of a path tracer (Kajiya 1986): a path from the eye that goes on by one lobe of each surface, with light
+//! found by the path itself, by rays to emitters, or by both (Veach, Guibas 1995).
+//!
+//! It converges to the rendering equation of the materials as `scene/material.rs` has them, up to what the depth limit
+//! leaves out, except that light which a bent shading normal would bring from below the face is lost, and that punctual
+//! lights have no image in rough surfaces.
+
+use std::f64::consts::PI;
+
+use glam::DVec3;
+
+use super::{
+    Cause, Frame, Numbers, Ray, Rounding, Surface,
+    lobes::{Lobes, cosine_weighted},
+};
+use crate::{Direct, Roulette, Shining, Stopping};
+
+/// Vertices from which on paths end at random.
+const ROULETTE_LEVEL: u32 = 3;
+
+/// The numbers of a path: the place in the pixel is pair 0, and a vertex has as many of its own as [`DIMENSIONS`].
+const PLACE_IN_PIXEL: u32 = 0;
+const DIMENSIONS: u32 = 4;
+/// Which lobe; whether roulette ends the path.
+const LOBE: u32 = 0;
+/// The diffuse direction.
+const DIRECTION: u32 = 1;
+/// Which emitter; whether the path stops away from the gaze.
+const EMITTER: u32 = 2;
+/// Where on it.
+const POINT: u32 = 3;
+/// From one point on emitters to the next.
+const LIGHT_SAMPLE: u32 = 1024;
+
+/// What a path found.
+#[derive(Clone, Copy, Debug)]
+pub struct PathSample {
+    /// Linear.
+    pub radiance: DVec3,
+    /// It was stopped because it is away from the gaze.
+    pub stopped: bool,
+    /// It left every surface by the diffuse lobe.
+    pub diffuse_only: bool,
+}
+
+/// A path on its way.
+struct Path<'a> {
+    frame: &'a Frame<'a>,
+    numbers: Numbers,
+    /// The probability of stopping at a vertex.
+    stop: f64,
+    ray: Ray,
+    /// The primitive that it starts on.
+    left: Option<usize>,
+    /// What the radiance that arrives along the ray counts for.
+    throughput: DVec3,
+    /// 1 for the ray from the eye.
+    level: u32,
+    /// How densely the ray was drawn about a diffuse surface, per unit of solid angle.
+    density: Option<f64>,
+    found: PathSample,
+}
+
+impl Frame<'_> {
+    /// A sample of a pixel, counted from 0. Right of this picture begins that of the right eye: there `pixel` is so too,
+    /// and the frame's camera is that eye's.
+    #[must_use]
+    pub fn path(&self, pixel: [u32; 2], sample: u32, rounding: &mut Rounding) -> PathSample {
+        let numbers = Numbers::of(&self.settings, pixel, sample);
+        let place = numbers.pair(PLACE_IN_PIXEL);
+        let pixel = [pixel[0] % self.size[0], pixel[1]];
+        let (ray, _) = self.ray_at([0, 1].map(|i| f64::from(pixel[i]) + place[i]), 1.0);
+        let mut path = Path {
+            frame: self,
+            numbers,
+            stop: self.stop(pixel),
+            ray,
+            left: None,
+            throughput: DVec3::ONE,
+            level: 1,
+            density: None,
+            found: PathSample { radiance: DVec3::ZERO, stopped: false, diffuse_only: true },
+        };
+        while path.step(rounding).is_some() {}
+        path.found
+    }
+
+    /// The probability of stopping in a pixel (Kim & Sung 2021, equation 7).
+    fn stop(&self, pixel: [u32; 2]) -> f64 {
+        let size = self.size.map(f64::from);
+        let gaze = [0, 1].map(|i| f64::from(self.settings.paths.gaze[i]) * size[i]);
+        let away = |[x, y]: [f64; 2]| (x - gaze[0]).hypot(y - gaze[1]);
+        let corners = [[0.0, 0.0], [size[0], 0.0], [0.0, size[1]], size];
+        let farthest = corners.map(away).into_iter().fold(0.0, f64::max);
+        f64::from(self.settings.paths.p_max) * away(pixel.map(|i| f64::from(i) + 0.5)) / farthest
+    }
+}
+
+impl Path<'_> {
+    /// Follows the ray to the next surface and leaves it again; none where the path ends.
+    fn step(&mut self, rounding: &mut Rounding) -> Option<()> {
+        let reference = self.frame.reference;
+        let Some(crossing) = reference.first(&self.ray, self.left, false, rounding) else {
+            self.found.radiance += self.throughput * reference.scene.environment.background.as_dvec3();
+            return None;
+        };
+        let s = reference.surface(&self.ray, &crossing, rounding);
+        let m = reference.material(s.object, s.texcoord, s.footprint, s.color);
+        if m.unlit {
+            self.found.radiance += self.throughput * m.base;
+            return None;
+        }
+        if m.emission != DVec3::ZERO {
+            self.found.radiance += self.throughput * m.emission * self.weight(&s, crossing.t);
+        }
+        if self.level == self.frame.settings.depth {
+            return None;
+        }
+        let lobes = Lobes::of(reference, &s, &m, self.ray.direction, rounding);
+        if lobes.diffuse != DVec3::ZERO {
+            let irradiance = self.punctual(&s, rounding) + self.emitters(&s, &lobes, rounding);
+            self.found.radiance += self.throughput * lobes.diffuse / PI * irradiance;
+        }
+        self.foveate(rounding)?;
+        self.leave(&s, &lobes, rounding)
+    }
+
+    /// What the emission counts for that the path met at this distance from its last vertex: rays to emitters bring the
+    /// rest.
+    fn weight(&self, s: &Surface, distance: f64) -> f64 {
+        let paths = &self.frame.settings.paths;
+        match (self.density, paths.direct, paths.shining) {
+            (None, ..) | (_, Direct::Walk, _) | (_, _, Shining::Punctual) => 1.0,
+            (_, Direct::Light, _) => 0.0,
+            (Some(density), Direct::Mis, _) => {
+                let cosine = s.face.dot(self.ray.direction);
+                let drawn = self.frame.reference.density(s.object, cosine, distance);
+                density / (density + f64::from(paths.light_samples) * drawn)
+            }
+        }
+    }
+
+    /// Irradiance by punctual lights.
+    fn punctual(&self, s: &Surface, rounding: &mut Rounding) -> DVec3 {
+        if self.frame.settings.paths.shining == Shining::Emitters {
+            return DVec3::ZERO;
+        }
+        let reference = self.frame.reference;
+        let shadow = reference.shadow_bits(s, rounding);
+        let lights = (0..reference.scene.lights.len()).filter(|i| shadow >> i & 1 == 0);
+        lights
+            .map(|i| {
+                let arrival = reference.arrival(i, s.position);
+                arrival.irradiance * s.normal.dot(arrival.direction).max(0.0)
+            })
+            .sum()
+    }
+
+    /// An estimate of the irradiance by emitters, less what the path will bring by meeting them itself.
+    fn emitters(&self, s: &Surface, lobes: &Lobes, rounding: &mut Rounding) -> DVec3 {
+        let reference = self.frame.reference;
+        let paths = &self.frame.settings.paths;
+        let dark = reference.emitters.primitives.is_empty() || paths.shining == Shining::Punctual;
+        if dark || paths.direct == Direct::Walk {
+            return DVec3::ZERO;
+        }
+        let count = paths.light_samples;
+        let mut sum = DVec3::ZERO;
+        for i in 0..count {
+            let [number, _] = self.pair(EMITTER + LIGHT_SAMPLE * i);
+            let which = (i as f32 + number as f32) / count as f32;
+            let Some(light) = reference.emitted(s, which, self.pair(POINT + LIGHT_SAMPLE * i), rounding)
+            else {
+                continue;
+            };
+            let drawn = light.density * f64::from(count);
+            let met = match paths.direct {
+                Direct::Mis => light.cosine / PI * lobes.chance_of_diffuse(),
+                _ => 0.0,
+            };
+            sum += light.radiance * light.cosine / (drawn + met);
+        }
+        sum
+    }
+
+    /// Stops the path by its pixel's distance from the gaze, behind the first bounces.
+    fn foveate(&mut self, rounding: &mut Rounding) -> Option<()> {
+        let paths = &self.frame.settings.paths;
+        if paths.stopping == Stopping::Off || self.level <= paths.stop_after.saturating_add(1) {
+            return Some(());
+        }
+        let [_, number] = self.pair(EMITTER);
+        if rounding.number(Cause::Branch, number, 1.0) < self.stop {
+            self.found.stopped = true;
+            return None;
+        }
+        if paths.stopping == Stopping::Compensated {
+            self.throughput /= 1.0 - self.stop;
+        }
+        Some(())
+    }
+
+    /// Goes on by one of the surface's lobes, unless roulette ends the path.
+    fn leave(&mut self, s: &Surface, lobes: &Lobes, rounding: &mut Rounding) -> Option<()> {
+        let [lobe, survival] = self.pair(LOBE);
+        let chosen = lobes.choose(lobe, rounding)?;
+        self.throughput *= chosen.weight;
+        if self.frame.settings.paths.roulette == Roulette::On && self.level >= ROULETTE_LEVEL {
+            let survivors = self.throughput.max_element().min(1.0);
+            if rounding.number(Cause::Branch, survival, 1.0).max(0.0) >= survivors {
+                return None;
+            }
+            self.throughput /= survivors;
+        }
+        let (direction, cone) = match chosen.leaving {
+            Some(leaving) => {
+                (self.density, self.found.diffuse_only) = (None, false);
+                (leaving.direction, leaving.cone)
+            }
+            None => {
+                let (direction, density) = cosine_weighted(s.normal, self.pair(DIRECTION));
+                if s.face.dot(direction) <= 0.0 {
+                    return None;
+                }
+                self.density = Some(density * lobes.chance_of_diffuse());
+                (direction, (0.0, 0.0))
+            }
+        };
+        self.ray = s.spawn(direction, cone, rounding);
+        self.left = Some(s.primitive);
+        self.level += 1;
+        Some(())
+    }
+
+    /// Two numbers in [0, 1) of this vertex.
+    fn pair(&self, dimension: u32) -> [f64; 2] {
+        self.numbers.pair(DIMENSIONS * self.level + dimension)
+    }
+}
