@@ -66,7 +66,7 @@ pub use renderer::Renderer;
 pub use scene::{Features, Scene};
 pub use settings::{
     Filter, Focus, Inactive, Jitter, Linking, MAX_DEPTH, MAX_RAYS, MAX_SAMPLING, Method, Mip, Postcorrect,
-    Preset, Robustness, Settings, THRESHOLD_NAMES, Thresholds, Tolerances,
+    Preset, Refine, Robustness, Settings, THRESHOLD_NAMES, Thresholds, Tolerances,
 };
 pub use show::Show;
 pub use stats::{

@@ -19,6 +19,7 @@ fn shapes() -> impl Iterator<Item = Shape> {
         [(2, 1, u32::MAX), (2, 1, 16), (4, 1, 48), (8, 1, 16), (8, 2, 1024), (2, 4, 64), (4, 3, 48)].map(
             |(block, sampling, band)| Shape {
                 supersamples: false,
+                refines: false,
                 filter: Filter::Box,
                 grid: grid_of(grid, sampling),
                 sampling,
@@ -186,6 +187,7 @@ fn small_frames_are_one_submission_of_one_dispatch_a_stage() {
     ] {
         let shape = Shape {
             supersamples: false,
+            refines: false,
             filter: Filter::Box,
             grid: [450, 450],
             sampling: 1,
