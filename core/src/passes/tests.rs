@@ -45,6 +45,7 @@ fn variants() -> impl Iterator<Item = Variant> {
         sampling: 1,
         interpolates: true,
         supersamples: bits & 1 != 0,
+        refines: bits & 5 == 5,
         secondary: bits & 1 != 0 && bits & 96 != 0,
         inactive: if bits & 4 != 0 { Inactive::Bilinear } else { Inactive::Nearest },
         filter: if bits & 2 != 0 { Filter::Tent } else { Filter::Box },
