@@ -46,9 +46,14 @@ fn plans() -> impl Iterator<Item = (Shape, Plan)> {
     shapes().flat_map(move |s| {
         let of_one_sample = [Method::Checkerboard, Method::Frameless, Method::Reproject]
             .map(|method| (whole(&s), Plan::new(method, &whole(&s))));
+        let supersampled = [false, true].map(|refines| {
+            let shape = Shape { sampling: 1, band: s.band.min(1024), supersamples: true, refines, ..s };
+            (shape, Plan::new(Method::Supersample, &shape))
+        });
         [(s, Plan::new(Method::Full, &s)), (s, Plan::new(Method::Adaptive, &s))]
             .into_iter()
             .chain(of_one_sample)
+            .chain(supersampled)
     })
 }
 
