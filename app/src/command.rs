@@ -51,6 +51,7 @@ fn samples(settings: &Settings, usual: &Settings) -> Vec<(bool, String, String)>
     let words = [
         (settings.supersample != usual.supersample, "supersample", settings.supersample.to_string()),
         (settings.focus.is_some(), "focus", focus),
+        (settings.refine != usual.refine, "refine", settings.refine.name().to_owned()),
         (settings.inactive != usual.inactive, "inactive", settings.inactive.name().to_owned()),
         (settings.jitter != usual.jitter, "jitter", settings.jitter.name().to_owned()),
         (settings.filter != usual.filter, "filter", settings.filter.name().to_owned()),

@@ -23,7 +23,7 @@ gpu_struct! {
         step: [i32; 2], walk: u32, seed: u32,
         tau_primary: [f32; 4], tau_secondary: [f32; 4],
         tau_col: f32, focus_first: u32, focus_last: u32, similar: f32,
-        renewed_from: u32, renewed: u32, still: u32, padding: u32,
+        renewed_from: u32, renewed: u32, still: u32, tau_least: f32,
     }
 }
 
@@ -77,7 +77,7 @@ impl Frame {
             renewed_from: 0,
             renewed: 0,
             still: 0,
-            padding: 0,
+            tau_least: t.values().into_iter().fold(1.0, f32::min),
         }
     }
 }
@@ -214,7 +214,11 @@ impl Passes {
         if first
             && matches!(
                 part.stage,
-                Stage::Base | Stage::SubpixelTest | Stage::QuincunxBase | Stage::ReprojectDepth
+                Stage::Base
+                    | Stage::SubpixelTest
+                    | Stage::RefineTest
+                    | Stage::QuincunxBase
+                    | Stage::ReprojectDepth
             )
         {
             // The queue is empty.

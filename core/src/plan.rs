@@ -18,6 +18,7 @@ mod tests;
 
 pub use bands::band_rows;
 use bands::{Band, bands};
+pub use samples::REFINE_ROUNDS;
 
 /// The most samples that one submission traces. More means fewer gaps between submissions and longer ones.
 ///
@@ -121,6 +122,8 @@ pub struct Shape {
     pub postcorrect: Postcorrect,
     /// Extra samples are added.
     pub supersamples: bool,
+    /// They go to whole pixels, step by step.
+    pub refines: bool,
     /// How a pixel follows from several samples.
     pub filter: Filter,
     /// Points of thin things.
@@ -283,7 +286,7 @@ fn tiles(stage: Stage, columns: u32, rows: Rows) -> Vec<Part> {
         Stage::Full | Stage::Base | Stage::Checkerboard | Stage::Presample | Stage::QuincunxBase => {
             (TRACED_TILE, 1)
         }
-        Stage::SubpixelTest => (TRACED_TILE, INTERPOLATED_PER_TRACED),
+        Stage::SubpixelTest | Stage::RefineTest => (TRACED_TILE, INTERPOLATED_PER_TRACED),
         _ => (INTERPOLATED_TILE, INTERPOLATED_PER_TRACED),
     };
     let [across, down] = [columns, rows.count()].map(|n| n.div_ceil(side));

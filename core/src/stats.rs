@@ -152,7 +152,9 @@ pub struct PixelRecord {
     /// Bit i is set where quarter i gets extra samples, or is divided: 0 upper left, 1 upper right, 2 lower left, 3 lower right.
     pub active: u32,
     /// Bit i is set where attribute i of [`crate::THRESHOLD_NAMES`] differs from that of a neighbour; bit 0, where the
-    /// contrast exceeds the threshold of the colour. Of a quincunx: which quarters of the pixel's quarters are divided.
+    /// contrast exceeds the threshold of the colour. Of a quincunx: which quarters of the pixel's quarters are divided. From
+    /// bit 16 on, 1 + the round in which a pixel is refined ([`crate::Refine::On`]), of whose `active` a bit is set for each
+    /// four samples, from the first bit on.
     pub differing: u32,
     /// OID of the first hit; `None` where nothing is hit.
     pub object: Option<u32>,
@@ -160,6 +162,20 @@ pub struct PixelRecord {
     pub depth: f32,
     /// Unit shading normal of the first hit that faces the viewer, zero where nothing is hit.
     pub normal: [f32; 3],
+}
+
+impl PixelRecord {
+    /// The round in which the pixel is refined, 0 the first ([`crate::Refine::On`]).
+    #[must_use]
+    pub fn round(&self) -> Option<u32> {
+        (self.differing >> 16).checked_sub(1)
+    }
+
+    /// Samples besides its own, of a refined pixel.
+    #[must_use]
+    pub fn refined(&self) -> u32 {
+        4 * self.active.trailing_ones() * u32::from(self.round().is_some())
+    }
 }
 
 /// A frame rendered by counting kernels: the same picture, with everything known about it.

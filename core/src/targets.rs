@@ -37,6 +37,9 @@ const HISTORY_BYTES: u64 = 24;
 /// Bytes of what landed in a pixel: a key and where it came from.
 const LANDED_BYTES: u64 = 8;
 
+/// Words of the list for a pixel that is refined: four entries, and what is known of its samples.
+const REFINE_WORDS: u64 = 4 + 9;
+
 /// No buffer of a band is larger: half of what WebGPU lets a storage binding be.
 const BAND_BYTES: u64 = 64 << 20;
 
@@ -91,6 +94,7 @@ impl Targets {
         let sample_bytes = SAMPLE_BYTES * stored;
         // A sample is listed once at most, or its quarters are.
         let listed = match settings.method {
+            _ if settings.refines() => REFINE_WORDS,
             _ if supersamples => 4,
             Method::Quincunx => QUINCUNX_SAMPLES,
             Method::Adaptive | Method::Reproject => 1,
@@ -112,6 +116,7 @@ impl Targets {
             band,
             postcorrect: settings.postcorrect,
             supersamples,
+            refines: settings.refines(),
             filter: settings.filter,
             landmarks: scene.landmark_count(),
         };

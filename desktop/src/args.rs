@@ -347,6 +347,7 @@ impl FrameOptions {
             supersample: samples.supersample,
             thresholds: samples.thresholds(),
             focus: samples.focus.as_deref().and_then(focus_by_index),
+            refine: samples.refine.into(),
             inactive: samples.inactive.into(),
             jitter: samples.jitter.into(),
             filter: samples.filter.into(),

@@ -2,7 +2,7 @@
 
 use clap::CommandFactory;
 use clap::error::ErrorKind;
-use glimpse::{Filter, Focus, Inactive, Jitter, Preset, Thresholds};
+use glimpse::{Filter, Focus, Inactive, Jitter, Preset, Refine, Thresholds};
 
 use super::*;
 
@@ -85,7 +85,7 @@ fn every_option_of_render_arrives() {
         "render builtin:room -o x.EXR --size 640X480 --camera top --method full --t-pos 0.1 --t-norm -0.5 \
          --t-tex 0.2 --t-gcol 0.3 --depth 5 --min-weight 0 --features all --show check:tex --frames 7 \
          --reference --stats s.json --sampling 4 --block 8 --postcorrect scans --mip OFF \
-         --preset textures --tau-col 0.25 --tau-ste 1 --focus 3-5 --inactive bilinear --jitter on --filter tent --similar 0.3 --seed 9 --share 0.5",
+         --preset textures --tau-col 0.25 --tau-ste 1 --focus 3-5 --refine on --inactive bilinear --jitter on --filter tent --similar 0.3 --seed 9 --share 0.5",
     );
     let settings = options.frame.settings(options.method).unwrap();
     let tolerances = Tolerances { pos: 0.1, norm: -0.5, tex: 0.2, gcol: 0.3 };
@@ -105,6 +105,7 @@ fn every_option_of_render_arrives() {
             supersample: false,
             thresholds: Thresholds { col: 0.25, ste: 1.0, ..Preset::Textures.thresholds() },
             focus: Some(Focus { first: 3, last: 5 }),
+            refine: Refine::On,
             inactive: Inactive::Bilinear,
             jitter: Jitter::On,
             filter: Filter::Tent,

@@ -94,7 +94,7 @@ fn heeds(settings: &Settings, option: &str) -> bool {
         "block" | "postcorrect" | "t-pos" | "t-norm" | "t-tex" | "t-gcol" | "supersample" => {
             settings.method == Method::Adaptive
         }
-        "preset" | "focus" | "inactive" => settings.supersamples(),
+        "preset" | "focus" | "refine" | "inactive" => settings.supersamples(),
         "seed" => match settings.jitter {
             Jitter::Auto => settings.supersamples(),
             Jitter::On => true,

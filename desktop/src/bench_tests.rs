@@ -76,6 +76,7 @@ fn methods_stand_once_for_what_they_do_not_heed() {
         ("tau-ste=0.1,0.2", &["supersample"]),
         ("preset=edges,textures", &["supersample"]),
         ("focus=chair,lamp", &["supersample"]),
+        ("refine=off,on", &["supersample"]),
         ("inactive=nearest,bilinear", &["supersample"]),
         ("seed=1,2", &["supersample"]),
         ("similar=0.1,0.2", &["quincunx"]),

@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use clap::{ArgAction, Args, ValueEnum};
-use glimpse::{Filter, Focus, Inactive, Jitter, Method, Preset, Settings, Thresholds};
+use glimpse::{Filter, Focus, Inactive, Jitter, Method, Preset, Refine, Settings, Thresholds};
 
 /// What decides where samples go.
 #[derive(Clone, Debug, PartialEq, Args)]
@@ -20,6 +20,9 @@ pub struct SampleOptions {
     /// Extra samples for the differences of these objects: a part of their names, an index, or FIRST-LAST
     #[arg(long, value_name = "OBJECT")]
     pub focus: Option<String>,
+    /// Extra samples for whole pixels, 4 to 16 of them as they differ, and along what they find
+    #[arg(long, value_enum, default_value = "auto", ignore_case = true)]
+    pub refine: RefineName,
     /// What stands for the rest of a pixel that gets extra samples
     #[arg(long, value_enum, default_value = "nearest", ignore_case = true)]
     pub inactive: InactiveName,
@@ -76,6 +79,7 @@ impl Default for SampleOptions {
             preset: PresetName::Balanced,
             tau: TauOptions::default(),
             focus: None,
+            refine: RefineName::Auto,
             inactive: InactiveName::Nearest,
             jitter: JitterName::Auto,
             filter: FilterName::Box,
@@ -133,6 +137,8 @@ pub enum PresetName {
     Edges,
     /// Colours alone, whatever their cause
     Color,
+    /// Edges and shadows wherever they show, textures where they are strong: for --refine on
+    Refined,
 }
 
 impl From<PresetName> for Preset {
@@ -142,6 +148,28 @@ impl From<PresetName> for Preset {
             PresetName::Textures => Self::Textures,
             PresetName::Edges => Self::Edges,
             PresetName::Color => Self::Color,
+            PresetName::Refined => Self::Refined,
+        }
+    }
+}
+
+/// `--refine`
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum RefineName {
+    /// On with --supersample, off with --method supersample
+    Auto,
+    /// Whole pixels, step by step
+    On,
+    /// Quarters of pixels (Jin 2009)
+    Off,
+}
+
+impl From<RefineName> for Refine {
+    fn from(name: RefineName) -> Self {
+        match name {
+            RefineName::Auto => Self::Auto,
+            RefineName::On => Self::On,
+            RefineName::Off => Self::Off,
         }
     }
 }

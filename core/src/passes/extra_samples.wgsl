@@ -31,7 +31,6 @@ fn extra_pixel(master: u32, index: u32, local: u32) -> vec3f {
     let pixel = active_pixel(master);
     let center = edges_color(pixel);
     var mask = 0u;
-    var sum = vec3f(0.0);
     // Differences from the centre: where all samples are the same their mean is, too.
     var difference = vec3f(0.0);
     for (var i = 0u; i < 4u; i += 1u) {
@@ -48,11 +47,29 @@ fn extra_pixel(master: u32, index: u32, local: u32) -> vec3f {
         let b = extra_colors[at + 1u];
         let c = extra_colors[at + 2u];
         let d = extra_colors[at + 3u];
-        sum += a + b + c + d;
         difference += (a - center) + (b - center) + (c - center) + (d - center);
     }
     if mask == 15u {
-        return sum / 16.0;
+        return extra_sum(local) / 16.0;
     }
     return center + difference / 16.0 + inactive_correction(pixel, mask);
+}
+
+// All sixteen samples, in their order.
+fn extra_sum(local: u32) -> vec3f {
+    var sum = vec3f(0.0);
+    for (var i = 0u; i < 16u; i += 4u) {
+        let a = extra_colors[local + extra_place(i)];
+        let b = extra_colors[local + extra_place(i + 1u)];
+        let c = extra_colors[local + extra_place(i + 2u)];
+        let d = extra_colors[local + extra_place(i + 3u)];
+        sum += a + b + c + d;
+    }
+    return sum;
+}
+
+// Where the i-th of sixteen samples is: they lie quarter by quarter.
+fn extra_place(i: u32) -> u32 {
+    let cell = order_cell(i);
+    return 4u * (cell.x / 2u + 2u * (cell.y / 2u)) + cell.x % 2u + 2u * (cell.y % 2u);
 }

@@ -49,6 +49,7 @@ impl Linked {
             band: SIZE[1],
             postcorrect,
             supersamples: false,
+            refines: false,
             filter: settings.filter,
             landmarks: thinness.landmarks().len().max(usize::from(everything)) as u32,
         };

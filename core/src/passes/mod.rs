@@ -21,6 +21,9 @@
 //! | subpixel_test | Jin 2009, 4.3.2 | `passes/subpixel_test.wgsl` |
 //! | compact_active | Jin 2009, 4.3.2 | `passes/compact.wgsl` |
 //! | extra_samples | Jin 2009, 4.3.3 | `passes/extra_samples.wgsl` |
+//! | refine_test | ours, after Jin 2009, 4.3.2 | `passes/refine_test.wgsl` |
+//! | compact_refine | ours | `passes/compact.wgsl` |
+//! | refine | ours, after Jin 2009, 4.3.3, and Kim 2016, 4 | `passes/refine.wgsl` |
 //! | quincunx_base | lecture, "Adaptive supersampling (1)" | `passes/quincunx_base.wgsl` |
 //! | quincunx_split_a, quincunx_split_b | the same, (2) | `passes/quincunx_split_a.wgsl`, `passes/quincunx_split_b.wgsl` |
 //! | compact_quincunx_a, compact_quincunx_b | ours | `passes/compact.wgsl` |
@@ -112,6 +115,12 @@ pub enum Stage {
     CompactActive,
     /// Their samples.
     ExtraSamples,
+    /// Which pixels are refined.
+    RefineTest,
+    /// Those of the next round.
+    CompactRefine,
+    /// Their samples.
+    Refine,
     /// Centres and corners of all pixels.
     QuincunxBase,
     /// Which quarters of pixels are divided.
@@ -144,7 +153,7 @@ pub enum Stage {
 
 impl Stage {
     /// Every stage.
-    pub const ALL: [Self; 35] = [
+    pub const ALL: [Self; 38] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -166,6 +175,9 @@ impl Stage {
         Self::SubpixelTest,
         Self::CompactActive,
         Self::ExtraSamples,
+        Self::RefineTest,
+        Self::CompactRefine,
+        Self::Refine,
         Self::QuincunxBase,
         Self::QuincunxSplitA,
         Self::CompactQuincunxA,
@@ -207,6 +219,9 @@ impl Stage {
             Self::SubpixelTest => "subpixel_test",
             Self::CompactActive => "compact_active",
             Self::ExtraSamples => "extra_samples",
+            Self::RefineTest => "refine_test",
+            Self::CompactRefine => "compact_refine",
+            Self::Refine => "refine",
             Self::QuincunxBase => "quincunx_base",
             Self::QuincunxSplitA => "quincunx_split_a",
             Self::CompactQuincunxA => "compact_quincunx_a",
@@ -234,12 +249,15 @@ impl Stage {
             | Self::CompactSeed
             | Self::CompactPostcorrect
             | Self::CompactActive
+            | Self::CompactRefine
             | Self::CompactQuincunxA
             | Self::CompactQuincunxB
             | Self::CompactRenew => wgsl!("passes/compact.wgsl"),
             Self::Presample => wgsl!("passes/presample.wgsl"),
             Self::SubpixelTest => wgsl!("passes/subpixel_test.wgsl"),
             Self::ExtraSamples => wgsl!("passes/extra_samples.wgsl"),
+            Self::RefineTest => wgsl!("passes/refine_test.wgsl"),
+            Self::Refine => wgsl!("passes/refine.wgsl"),
             Self::QuincunxBase => wgsl!("passes/quincunx_base.wgsl"),
             Self::QuincunxSplitA => wgsl!("passes/quincunx_split_a.wgsl"),
             Self::QuincunxSplitB => wgsl!("passes/quincunx_split_b.wgsl"),

@@ -27,6 +27,7 @@ impl Variant {
             Stage::CompactSeed => self.compact_sources(stage, wgsl!("wgsl/list_all.wgsl")),
             Stage::CompactPostcorrect => self.compact_sources(stage, wgsl!("wgsl/list_round.wgsl")),
             Stage::CompactActive => self.compact_sources(stage, wgsl!("wgsl/list_active.wgsl")),
+            Stage::CompactRefine => self.compact_sources(stage, wgsl!("wgsl/list_refine.wgsl")),
             Stage::SimilarityA1 | Stage::SimilarityA2 => self.shading_sources(
                 wgsl!("wgsl/attributes_planes.wgsl"),
                 [
@@ -58,8 +59,13 @@ impl Variant {
                 entry.push(stage.entry());
                 self.quincunx_pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"), entry)
             }
-            Stage::SubpixelTest => self.test_sources(),
+            Stage::SubpixelTest => self.test_sources(
+                stage,
+                [wgsl!("wgsl/list.wgsl"), wgsl!("wgsl/list_append.wgsl"), wgsl!("wgsl/active.wgsl")],
+            ),
+            Stage::RefineTest => self.test_sources(stage, [wgsl!("wgsl/refine_list.wgsl")]),
             Stage::ExtraSamples => self.extra_sources(),
+            Stage::Refine => self.refine_sources(),
             Stage::Full | Stage::Base | Stage::Presample => {
                 self.tracing_sources([self.order(), stage.entry()])
             }
@@ -69,7 +75,7 @@ impl Variant {
             }
             Stage::Resolve | Stage::Fill => {
                 let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
-                sources.push(wgsl!("wgsl/samples.wgsl"));
+                sources.extend([wgsl!("wgsl/samples.wgsl"), wgsl!("wgsl/order_net.wgsl")]);
                 sources.push(match self.filter {
                     Filter::Box => wgsl!("wgsl/filter_box.wgsl"),
                     Filter::Tent => wgsl!("wgsl/filter_tent.wgsl"),
@@ -132,29 +138,43 @@ impl Variant {
     }
 
     /// What finds out where extra samples go.
-    fn test_sources(&self) -> Vec<Source> {
+    fn test_sources(&self, stage: Stage, list: impl IntoIterator<Item = Source>) -> Vec<Source> {
         let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
+        sources.extend(list);
         sources.extend([
-            wgsl!("wgsl/list.wgsl"),
-            wgsl!("wgsl/list_append.wgsl"),
-            wgsl!("wgsl/active.wgsl"),
             wgsl!("wgsl/edges.wgsl"),
             wgsl!("wgsl/contrast.wgsl"),
             wgsl!("wgsl/quarters.wgsl"),
             self.inactive(),
             self.order(),
-            Stage::SubpixelTest.entry(),
+            stage.entry(),
         ]);
         sources.extend(self.output.sources());
         sources
     }
 
-    fn extra_sources(&self) -> Vec<Source> {
+    /// As a kernel of extra samples sees it, which lie anywhere in their cells unless that is off.
+    fn extra(&self) -> Self {
         let jitter = if self.jitter == Jitter::Off { Jitter::Off } else { Jitter::On };
-        let extra = Self { jitter, secondary: false, ..*self };
-        extra.tracing_sources([
+        Self { jitter, secondary: false, ..*self }
+    }
+
+    fn refine_sources(&self) -> Vec<Source> {
+        let entry = [
+            wgsl!("wgsl/refine_list.wgsl"),
+            wgsl!("wgsl/order_net.wgsl"),
+            wgsl!("wgsl/contrast.wgsl"),
+            wgsl!("wgsl/refine.wgsl"),
+            Stage::Refine.entry(),
+        ];
+        self.extra().tracing_sources_from(wgsl!("wgsl/attributes_claims.wgsl"), self.hit(), entry)
+    }
+
+    fn extra_sources(&self) -> Vec<Source> {
+        self.extra().tracing_sources([
             wgsl!("wgsl/list.wgsl"),
             wgsl!("wgsl/active.wgsl"),
+            wgsl!("wgsl/order_net.wgsl"),
             self.inactive(),
             Stage::ExtraSamples.entry(),
         ])

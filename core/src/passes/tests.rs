@@ -45,6 +45,7 @@ fn variants() -> impl Iterator<Item = Variant> {
         sampling: 1,
         interpolates: true,
         supersamples: bits & 1 != 0,
+        refines: bits & 5 == 5,
         secondary: bits & 1 != 0 && bits & 96 != 0,
         inactive: if bits & 4 != 0 { Inactive::Bilinear } else { Inactive::Nearest },
         filter: if bits & 2 != 0 { Filter::Tent } else { Filter::Box },
@@ -74,7 +75,7 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
     let mut mirrored = std::collections::HashSet::new();
     let mut kernels = 0;
     for variant in variants() {
-        for stage in Stage::ALL.into_iter().filter(|stage| variant.supersamples || !of_extra(*stage)) {
+        for stage in Stage::ALL.into_iter().filter(|stage| is_linked(&variant, *stage)) {
             let linked =
                 link(&variant.sources(stage)).unwrap_or_else(|e| panic!("{stage:?} {variant:?}: {e}"));
             kernels += 1;
@@ -102,14 +103,19 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
     let all = variants().count();
     let supersampling = variants().filter(|variant| variant.supersamples).count();
     assert_eq!(all, 256 + 4 * 10);
-    assert_eq!(kernels, all * (Stage::ALL.len() - 2) + 2 * supersampling);
-    assert!(supersampling > 100);
+    let refining = variants().filter(|variant| variant.refines).count();
+    assert_eq!(kernels, all * (Stage::ALL.len() - 4) + 2 * supersampling + 2 * refining);
+    assert!(supersampling > 100 && refining > 50);
     assert_eq!(mirrored.len(), 4, "every mirrored struct was compared: {mirrored:?}");
 }
 
-/// Kernels that are not linked without extra samples.
-fn of_extra(stage: Stage) -> bool {
-    matches!(stage, Stage::SubpixelTest | Stage::ExtraSamples)
+/// Some kernels are not without extra samples, or without their refinement.
+fn is_linked(variant: &Variant, stage: Stage) -> bool {
+    match stage {
+        Stage::SubpixelTest | Stage::ExtraSamples => variant.supersamples,
+        Stage::RefineTest | Stage::Refine => variant.refines,
+        _ => true,
+    }
 }
 
 fn workgroup_bytes(module: &wgpu::naga::Module) -> u32 {

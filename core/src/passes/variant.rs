@@ -45,6 +45,8 @@ pub struct Variant {
     pub interpolates: bool,
     /// What differs between neighbours is kept, for extra samples.
     pub supersamples: bool,
+    /// They go to whole pixels, step by step.
+    pub refines: bool,
     /// The secondary hit is among it.
     pub secondary: bool,
     /// What stands for the rest of a pixel.
@@ -110,6 +112,7 @@ impl Variant {
             postcorrect: settings.postcorrect,
             interpolates: settings.method == Method::Adaptive,
             supersamples: settings.supersamples(),
+            refines: settings.refines(),
             secondary: false,
             inactive: settings.inactive,
             jitter: settings.jitter,
@@ -145,6 +148,11 @@ impl Variant {
 
     /// Planes of what supersampling compares, for one row of the frame.
     pub(super) fn edge_planes(&self) -> u32 {
+        self.edge_round() + u32::from(self.refines)
+    }
+
+    /// The plane of them that tells in which round a pixel is refined, behind the others.
+    pub(super) fn edge_round(&self) -> u32 {
         if self.features.reflection || self.features.refraction { 7 } else { 5 }
     }
 

@@ -6,14 +6,38 @@ use crate::passes::Stage;
 /// The most samples that a pixel gets besides its own.
 const EXTRA_SAMPLES: u32 = 16;
 
+/// Rounds of four samples a pixel: a line is followed over fewer pixels from where a centre hits it.
+pub const REFINE_ROUNDS: u32 = 16;
+
+/// After so many, pixels of the first round have all their samples.
+const REFINE_LONG_ROUNDS: u32 = 4;
+
+/// What is refined later is this part of the frame at most.
+const REFINE_LATER: u32 = 8;
+
 impl Plan {
     /// Jin 2009, 4.1.3 and 4.1.4, for pixels that are there.
     pub(super) fn supersample(&mut self, shape: &Shape, rows: Rows) {
+        if shape.refines {
+            return self.refine(shape, rows);
+        }
         let longest = EXTRA_SAMPLES * shape.grid[0] * rows.count();
         self.longest_list = self.longest_list.max(longest);
         self.push(tiles(Stage::SubpixelTest, shape.grid[0], rows));
         self.push(once(Stage::CompactActive, rows));
         self.push(chunks(Stage::ExtraSamples, longest, rows));
+    }
+
+    /// All pixels that the test finds, and what they lead to.
+    fn refine(&mut self, shape: &Shape, rows: Rows) {
+        let longest = EXTRA_SAMPLES / 4 * shape.grid[0] * rows.count();
+        self.longest_list = self.longest_list.max(longest);
+        self.push(tiles(Stage::RefineTest, shape.grid[0], rows));
+        for round in 0..REFINE_ROUNDS {
+            let most = if round < REFINE_LONG_ROUNDS { longest } else { longest.div_ceil(REFINE_LATER) };
+            self.push(once(Stage::CompactRefine, rows));
+            self.push(chunks(Stage::Refine, most, rows));
+        }
     }
 
     /// Pixels that samples of their neighbours count for, too.

@@ -19,6 +19,7 @@ fn shapes() -> impl Iterator<Item = Shape> {
         [(2, 1, u32::MAX), (2, 1, 16), (4, 1, 48), (8, 1, 16), (8, 2, 1024), (2, 4, 64), (4, 3, 48)].map(
             |(block, sampling, band)| Shape {
                 supersamples: false,
+                refines: false,
                 filter: Filter::Box,
                 grid: grid_of(grid, sampling),
                 sampling,
@@ -45,9 +46,14 @@ fn plans() -> impl Iterator<Item = (Shape, Plan)> {
     shapes().flat_map(move |s| {
         let of_one_sample = [Method::Checkerboard, Method::Frameless, Method::Reproject]
             .map(|method| (whole(&s), Plan::new(method, &whole(&s))));
+        let supersampled = [false, true].map(|refines| {
+            let shape = Shape { sampling: 1, band: s.band.min(1024), supersamples: true, refines, ..s };
+            (shape, Plan::new(Method::Supersample, &shape))
+        });
         [(s, Plan::new(Method::Full, &s)), (s, Plan::new(Method::Adaptive, &s))]
             .into_iter()
             .chain(of_one_sample)
+            .chain(supersampled)
     })
 }
 
@@ -186,6 +192,7 @@ fn small_frames_are_one_submission_of_one_dispatch_a_stage() {
     ] {
         let shape = Shape {
             supersamples: false,
+            refines: false,
             filter: Filter::Box,
             grid: [450, 450],
             sampling: 1,

@@ -7,9 +7,14 @@ const SCALE: [f64; 3] = [1.36, 1.02, 2.04];
 
 /// Red's, green's and blue's contrast, of colours about as they are shown; in the dark, the difference alone.
 pub(super) fn contrasts(colors: impl Iterator<Item = DVec3>) -> [f64; 3] {
-    let shown = colors.map(|color| color.clamp(DVec3::ZERO, DVec3::ONE).map(f64::sqrt));
+    let shown = colors.map(shown);
     let (low, high) = shown.fold((DVec3::INFINITY, DVec3::ZERO), |(low, high), c| (low.min(c), high.max(c)));
     [0, 1, 2].map(|i| (high[i] - low[i]) / (high[i] + low[i]).max(1.0))
+}
+
+/// A colour about as it is shown.
+pub(super) fn shown(color: DVec3) -> DVec3 {
+    color.clamp(DVec3::ZERO, DVec3::ONE).map(f64::sqrt)
 }
 
 /// Does any of them reach the threshold?

@@ -1,7 +1,21 @@
-//! Where in its cell a sample lies: the hash of `jitter_stratified.wgsl`, whose integers are the same everywhere.
+//! Where in its cell a sample lies: the net of `jitter_stratified.wgsl`, whose integers are the same everywhere.
 
 /// Fractions of a cell from its upper left corner.
-pub(super) fn jitter([x, y]: [u32; 2], seed: u32) -> [f64; 2] {
+pub(super) fn jitter(cell: [u32; 2], seed: u32) -> [f64; 2] {
+    let scramble = hash(cell.map(|i| i / 4), seed).map(|word| word >> 30);
+    let low = net(cell.map(|i| i & 3));
+    let rest = hash(cell, seed);
+    [0, 1].map(|i| f64::from((low[i] ^ scramble[i]) << 22 | rest[i] >> 10) / 16_777_216.0)
+}
+
+/// The third and fourth binary digit of the point of the (0,2)-net whose first two are these.
+fn net([x, y]: [u32; 2]) -> [u32; 2] {
+    let fourth = (x ^ y) & 1;
+    let third = ((x >> 1) ^ (y >> 1) ^ y) & 1;
+    [2 * third + fourth, 2 * (third ^ fourth) + fourth]
+}
+
+fn hash([x, y]: [u32; 2], seed: u32) -> [u32; 2] {
     let mut v = [x, y, seed].map(|word| word.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
     for i in 0..3 {
         v[i] = v[i].wrapping_add(v[(i + 1) % 3].wrapping_mul(v[(i + 2) % 3]));
@@ -10,7 +24,7 @@ pub(super) fn jitter([x, y]: [u32; 2], seed: u32) -> [f64; 2] {
     for i in 0..2 {
         v[i] = v[i].wrapping_add(v[(i + 1) % 3].wrapping_mul(v[(i + 2) % 3]));
     }
-    [v[0], v[1]].map(|word| f64::from(word >> 8) / 16_777_216.0)
+    [v[0], v[1]]
 }
 
 #[cfg(test)]
@@ -28,5 +42,25 @@ mod tests {
         }
         assert_ne!(jitter([1, 2], 0), jitter([1, 2], 1));
         assert_ne!(jitter([1, 2], 0), jitter([2, 1], 0));
+    }
+
+    /// One sample of a square's sixteen in each cell of 4x4, 16x1, 1x16, 8x2, 2x8.
+    #[test]
+    fn each_square_of_cells_is_a_net() {
+        for square in [[0, 0], [3, 7], [100, 41]] {
+            let places: Vec<_> = (0..16)
+                .map(|i| [4 * square[0] + i % 4, 4 * square[1] + i / 4])
+                .map(|cell| {
+                    let inside = jitter(cell, 9);
+                    [0, 1].map(|i| (f64::from(cell[i] % 4) + inside[i]) / 4.0)
+                })
+                .collect();
+            for columns in [1, 2, 4, 8, 16] {
+                let counts = [f64::from(columns), 16.0 / f64::from(columns)];
+                let cells: std::collections::HashSet<_> =
+                    places.iter().map(|p| [0, 1].map(|i| (p[i] * counts[i]) as u32)).collect();
+                assert_eq!(cells.len(), 16, "{square:?}, {columns} columns");
+            }
+        }
     }
 }

@@ -130,8 +130,9 @@ impl Path<'_> {
     fn weight(&self, s: &Surface, distance: f64) -> f64 {
         let paths = &self.frame.settings.paths;
         match (self.density, paths.direct, paths.shining) {
-            (None, ..) | (_, Direct::Walk, _) | (_, _, Shining::Punctual) => 1.0,
-            (_, Direct::Light, _) => 0.0,
+            (None, ..) => 1.0,
+            (_, _, Shining::Punctual) | (_, Direct::Light, _) => 0.0,
+            (_, Direct::Walk, _) => 1.0,
             (Some(density), Direct::Mis, _) => {
                 let cosine = s.face.dot(self.ray.direction);
                 let drawn = self.frame.reference.density(s.object, cosine, distance);

@@ -44,7 +44,13 @@ impl Frame<'_> {
         self.ray_at([0, 1].map(|i| side * (f64::from(cell[i]) + inside[i])), side)
     }
 
-    fn sample_in(&self, cell: [u32; 2], fineness: u32, jitters: bool, rounding: &mut Rounding) -> Sample {
+    pub(super) fn sample_in(
+        &self,
+        cell: [u32; 2],
+        fineness: u32,
+        jitters: bool,
+        rounding: &mut Rounding,
+    ) -> Sample {
         let (ray, length) = self.ray_in(cell, fineness, jitters);
         self.followed(&ray, length, rounding)
     }
@@ -153,7 +159,7 @@ impl Frame<'_> {
     }
 
     /// The nearest pixel of the frame.
-    fn beside(&self, pixel: [u32; 2], step: [i64; 2]) -> [u32; 2] {
+    pub(super) fn beside(&self, pixel: [u32; 2], step: [i64; 2]) -> [u32; 2] {
         [0, 1].map(|i| (i64::from(pixel[i]) + step[i]).clamp(0, i64::from(self.size[i]) - 1) as u32)
     }
 }

@@ -6,10 +6,8 @@ mod paths;
 mod supersampling;
 mod validate;
 
-pub use paths::{
-    Denoise, Direct, MAX_GAZE, MAX_LIGHT_SAMPLES, Paths, Reuse, Roulette, Sampler, Shining, Stopping,
-};
-pub use supersampling::{Filter, Focus, Inactive, Jitter, Preset, THRESHOLD_NAMES, Thresholds};
+pub use paths::{Direct, MAX_GAZE, MAX_LIGHT_SAMPLES, Paths, Roulette, Sampler, Shining, Stopping};
+pub use supersampling::{Filter, Focus, Inactive, Jitter, Preset, Refine, THRESHOLD_NAMES, Thresholds};
 
 /// How a frame is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
@@ -210,6 +208,8 @@ pub struct Settings {
     pub thresholds: Thresholds,
     /// Whose differences count; `None` for everything's.
     pub focus: Option<Focus>,
+    /// Whether extra samples go to whole pixels, step by step.
+    pub refine: Refine,
     /// What stands for the rest of a pixel.
     pub inactive: Inactive,
     /// Where samples lie.
@@ -250,6 +250,7 @@ impl Default for Settings {
             supersample: false,
             thresholds: Thresholds::default(),
             focus: None,
+            refine: Refine::Auto,
             inactive: Inactive::Nearest,
             jitter: Jitter::Auto,
             filter: Filter::Box,
@@ -265,6 +266,16 @@ impl Settings {
     #[must_use]
     pub fn supersamples(&self) -> bool {
         self.method == Method::Supersample || self.supersample
+    }
+
+    /// Do they go to whole pixels, step by step?
+    #[must_use]
+    pub fn refines(&self) -> bool {
+        match self.refine {
+            Refine::Auto => self.supersample,
+            Refine::On => self.supersamples(),
+            Refine::Off => false,
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Wishes for path tracing and for its two eyes.
+//! Wishes for path tracing.
 
 use serde::Serialize;
 
@@ -49,19 +49,6 @@ pub enum Roulette {
     Off,
 }
 
-/// What an eye takes of the paths of the other (Kim & Sung 2021, "Stereo Rendering with Spatial Reprojection").
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Reuse {
-    /// Nothing.
-    Off,
-    /// As the paper has it: what lands counts as a sample of its own and goes on to the other eye with the pixel's mean
-    /// (Algorithm 3 and equation 6). Biased.
-    Paper,
-    /// A path that both eyes see is shared between them by how densely each samples the point. Unbiased.
-    Balanced,
-}
-
 /// What happens to paths away from the gaze (Kim & Sung 2021, equation 7).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -72,19 +59,6 @@ pub enum Stopping {
     Paper,
     /// They stop, and those that go on count for more: noisier away from the gaze, but right.
     Compensated,
-}
-
-/// What is done about noise.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Denoise {
-    /// Nothing.
-    Off,
-    /// The median of 3x3 pixels, where the path was stopped and met diffuse surfaces alone (Kim & Sung 2021).
-    Median,
-    /// An edge-avoiding wavelet transform (Dammertz 2010) guided by position, normal and albedo, where the first surface is
-    /// diffuse. Its reach shrinks with the number of samples.
-    Atrous,
 }
 
 macro_rules! names {
@@ -109,9 +83,7 @@ names! {
     Shining: All = "all", Emitters = "emitters", Punctual = "punctual";
     Sampler: Random = "random", Sobol = "sobol";
     Roulette: On = "on", Off = "off";
-    Reuse: Off = "off", Paper = "paper", Balanced = "balanced";
     Stopping: Off = "off", Paper = "paper", Compensated = "compensated";
-    Denoise: Off = "off", Median = "median", Atrous = "atrous";
 }
 
 /// Everything that can be wished of paths.
@@ -129,22 +101,14 @@ pub struct Paths {
     pub sampler: Sampler,
     /// Whether long paths end at random.
     pub roulette: Roulette,
-    /// Interpupillary distance in the scene's units, for two eyes.
-    pub eye_distance: f32,
-    /// Where both eyes' frusta meet, in the scene's units before them; infinite for parallel ones.
-    pub convergence: f32,
-    /// What an eye takes of the other's paths.
-    pub reuse: Reuse,
     /// What happens to paths away from the gaze.
     pub stopping: Stopping,
-    /// Where the eyes look, in widths and heights of the picture (of one eye) from its upper left corner.
+    /// Where the eyes look, in widths and heights of the picture from its upper left corner.
     pub gaze: [f32; 2],
     /// The probability of stopping where the picture is farthest from the gaze, at each bounce.
     pub p_max: f32,
     /// Paths stop behind that many bounces and later.
     pub stop_after: u32,
-    /// What is done about noise.
-    pub denoise: Denoise,
 }
 
 /// The most points on emitters for a surface.
@@ -159,14 +123,10 @@ impl Default for Paths {
             shining: Shining::All,
             sampler: Sampler::Sobol,
             roulette: Roulette::On,
-            eye_distance: 0.064,
-            convergence: f32::INFINITY,
-            reuse: Reuse::Balanced,
             stopping: Stopping::Off,
             gaze: [0.5; 2],
             p_max: 0.9,
             stop_after: 1,
-            denoise: Denoise::Off,
         }
     }
 }
@@ -183,12 +143,6 @@ impl Paths {
         if !(1..=MAX_LIGHT_SAMPLES).contains(&self.light_samples) {
             let expected = format!("1 to {MAX_LIGHT_SAMPLES}");
             return wrong("--light-samples", &expected, self.light_samples.to_string());
-        }
-        if !(0.0..f32::MAX).contains(&self.eye_distance) {
-            return wrong("--eye-distance", "a number of at least 0", self.eye_distance.to_string());
-        }
-        if self.convergence.is_nan() || self.convergence <= 0.0 {
-            return wrong("--convergence", "a number above 0, or inf", self.convergence.to_string());
         }
         if !self.gaze.iter().all(|g| g.abs() <= MAX_GAZE) {
             let expected = format!("two numbers from -{MAX_GAZE} to {MAX_GAZE}");
@@ -213,16 +167,11 @@ mod tests {
     fn what_cannot_be_is_told_by_name() {
         let fine = Paths::default();
         assert!(fine.validate().is_ok());
-        assert!(Paths { eye_distance: 0.0, gaze: [-3.0, 2.0], p_max: 0.0, ..fine }.validate().is_ok());
+        assert!(Paths { gaze: [-3.0, 2.0], p_max: 0.0, ..fine }.validate().is_ok());
         let wrong = [
             ("--samples", Paths { samples: 0, ..fine }),
             ("--light-samples", Paths { light_samples: 0, ..fine }),
             ("--light-samples", Paths { light_samples: 65, ..fine }),
-            ("--eye-distance", Paths { eye_distance: -0.1, ..fine }),
-            ("--eye-distance", Paths { eye_distance: f32::NAN, ..fine }),
-            ("--eye-distance", Paths { eye_distance: f32::INFINITY, ..fine }),
-            ("--convergence", Paths { convergence: 0.0, ..fine }),
-            ("--convergence", Paths { convergence: f32::NAN, ..fine }),
             ("--gaze", Paths { gaze: [0.5, f32::NAN], ..fine }),
             ("--gaze", Paths { gaze: [1e4, 0.5], ..fine }),
             ("--p-max", Paths { p_max: 1.0, ..fine }),

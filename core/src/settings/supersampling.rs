@@ -97,11 +97,13 @@ pub enum Preset {
     Edges,
     /// The colour measure alone (Figure 7, tau_col = 0.1).
     Color,
+    /// Edges and shadows wherever they show, textures where they are strong: ours, for [`Refine::On`] and averaged textures.
+    Refined,
 }
 
 impl Preset {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Balanced, Self::Textures, Self::Edges, Self::Color];
+    pub const ALL: [Self; 5] = [Self::Balanced, Self::Textures, Self::Edges, Self::Color, Self::Refined];
 
     /// Its name on the command line.
     #[must_use]
@@ -111,6 +113,7 @@ impl Preset {
             Self::Textures => "textures",
             Self::Edges => "edges",
             Self::Color => "color",
+            Self::Refined => "refined",
         }
     }
 
@@ -122,6 +125,7 @@ impl Preset {
             Self::Textures => Thresholds { poid: 0.05, soid: 0.05, ..Thresholds::paper(0.1, 0.06, 0.06) },
             Self::Edges => Thresholds { poid: 0.05, soid: 0.05, ..Thresholds::paper(1.0, 1.0, 0.06) },
             Self::Color => Thresholds::uniform(0.1),
+            Self::Refined => Thresholds { col: 0.04, ..Thresholds::paper(0.3, 0.04, 0.04) },
         }
     }
 }
@@ -200,4 +204,29 @@ pub enum Jitter {
     On,
     /// In the centre.
     Off,
+}
+
+/// Which samples pixels get that differ from their neighbours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Refine {
+    /// [`Refine::On`] after an adaptive frame, [`Refine::Off`] as a method of its own.
+    Auto,
+    /// Four in the whole pixel; eight where these differ by the least of the thresholds, sixteen where the eight differ by four
+    /// times that. Where they show what no pixel around a neighbour does, the neighbour gets some too.
+    On,
+    /// Four in each quarter that differs (Jin 2009, 4.1.4).
+    Off,
+}
+
+impl Refine {
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::On => "on",
+            Self::Off => "off",
+        }
+    }
 }

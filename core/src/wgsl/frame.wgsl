@@ -45,7 +45,8 @@ struct Frame {
     renewed: u32,
     // Not 0 where the camera is that of the frame before.
     still: u32,
-    padding: u32,
+    // The least of the nine thresholds.
+    tau_least: f32,
 }
 
 var<uniform> frame: Frame;

@@ -7,7 +7,7 @@ struct PixelRecord {
     object: u32,
     depth: f32,
     normal: u32,
-    // Active quarters in bits 0 to 3, then what differs, see contrast.wgsl.
+    // Active quarters in bits 0 to 3, then what differs, see quarters.wgsl; from bit 20 on, 1 + the round of a refined pixel.
     edges: u32,
 }
 
@@ -99,5 +99,13 @@ fn inspect_extra(pixel: vec2u) {
 fn inspect_edges(pixel: vec2u, edges: u32) {
     if HAS_RECORDS {
         inspection.pixels[pixel.y * frame.size.x + pixel.x].edges = edges;
+    }
+}
+
+// A pixel that has so many samples besides its own, since that round.
+fn inspect_refined(pixel: vec2u, samples: u32, round: u32) {
+    if HAS_RECORDS {
+        let index = pixel.y * frame.size.x + pixel.x;
+        inspection.pixels[index].edges |= ((1u << (samples / 4u)) - 1u) | ((round + 1u) << 20u);
     }
 }

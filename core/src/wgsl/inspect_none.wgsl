@@ -8,3 +8,4 @@ fn inspect_claim() {}
 fn inspect_failed(pixel: vec2u, failed: u32) {}
 fn inspect_extra(pixel: vec2u) {}
 fn inspect_edges(pixel: vec2u, edges: u32) {}
+fn inspect_refined(pixel: vec2u, samples: u32, round: u32) {}

@@ -7,7 +7,9 @@ mod wrong;
 
 use std::sync::OnceLock;
 
-use glimpse::{Method, Mip, Scene, Settings, probe::ProbeRay, reference::Reference, scene::builtin};
+use glimpse::{
+    Method, Mip, Preset, Refine, Scene, Settings, probe::ProbeRay, reference::Reference, scene::builtin,
+};
 use glimpse_tests::{Stage, gallery, note};
 
 /// Of pixels and rays these shares may be sensitive to rounding, and ties.
@@ -93,6 +95,15 @@ fn agree_in_adaptive_frames(name: &str, pair: &Pair) {
     let supersample = pair.frames(Method::Supersample);
     supersample.tested().check(&format!("{name}, supersample, test"), SHARES);
     supersample.supersampled_colors().check(&format!("{name}, supersample, radiance"), SHARES);
+    let refine = Settings {
+        method: Method::Supersample,
+        refine: Refine::On,
+        thresholds: Preset::Refined.thresholds(),
+        ..pair.settings
+    };
+    let refined = pair.frames_with(refine);
+    refined.refinements().check(&format!("{name}, refined, rounds"), SHARES);
+    refined.refined_colors().check(&format!("{name}, refined, radiance"), SHARES);
     let other = adaptive.other_origins();
     note(&format!("{name}, adaptive: {other} pixels come to be in another way in f64 alone"));
 }

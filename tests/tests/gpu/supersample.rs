@@ -2,8 +2,8 @@
 
 use glam::{Vec3, vec3};
 use glimpse::{
-    Filter, Focus, Inactive, Inspection, Jitter, Method, Scene, Settings, THRESHOLD_NAMES, Thresholds,
-    Tolerances,
+    Filter, Focus, Inactive, Inspection, Jitter, Method, Preset, Refine, Scene, Settings, THRESHOLD_NAMES,
+    Thresholds, Tolerances,
 };
 use glimpse_tests::{
     Frame, Stage,
@@ -28,12 +28,11 @@ fn all_quarters_active_is_sixteen_samples_a_pixel() {
         let stage = Stage::builtin(name);
         for jitter in [Jitter::On, Jitter::Off] {
             let fixed = Settings { method: Method::Full, sampling: 4, jitter, ..Settings::default() };
-            let ours = Settings { jitter, ..supersample(Thresholds::uniform(0.0)) };
-            assert_same(
-                &stage.frame(SIZE, &ours),
-                &stage.frame(SIZE, &fixed),
-                &format!("{name}, {jitter:?}"),
-            );
+            let fixed = stage.frame(SIZE, &fixed);
+            for refine in [Refine::Off, Refine::On] {
+                let ours = Settings { jitter, refine, ..supersample(Thresholds::uniform(0.0)) };
+                assert_same(&stage.frame(SIZE, &ours), &fixed, &format!("{name}, {jitter:?}, {refine:?}"));
+            }
         }
     }
 }
@@ -41,13 +40,20 @@ fn all_quarters_active_is_sixteen_samples_a_pixel() {
 #[test]
 fn no_quarter_active_is_one_sample_a_pixel() {
     let stage = Stage::builtin("room");
-    let never = supersample(Thresholds::uniform(1.0));
     let full = Settings { method: Method::Full, ..Settings::default() };
-    assert_same(&stage.frame(SIZE, &never), &stage.frame(SIZE, &full), "supersample");
-    assert_eq!(stage.inspect(SIZE, &never).counts.samples.extra, 0);
     let adaptive = Settings::default();
-    let never = Settings { supersample: true, thresholds: Thresholds::uniform(1.0), ..adaptive };
-    assert_same(&stage.frame(SIZE, &never), &stage.frame(SIZE, &adaptive), "adaptive with supersampling");
+    for refine in [Refine::Off, Refine::On] {
+        let never = Settings { refine, ..supersample(Thresholds::uniform(1.0)) };
+        assert_same(
+            &stage.frame(SIZE, &never),
+            &stage.frame(SIZE, &full),
+            &format!("supersample, {refine:?}"),
+        );
+        assert_eq!(stage.inspect(SIZE, &never).counts.samples.extra, 0);
+        let never = Settings { supersample: true, refine, thresholds: Thresholds::uniform(1.0), ..adaptive };
+        let (found, expected) = (stage.frame(SIZE, &never), stage.frame(SIZE, &adaptive));
+        assert_same(&found, &expected, &format!("adaptive with supersampling, {refine:?}"));
+    }
 }
 
 /// A tolerance of 0 traces every sample: what is left is the test and the extra samples.
@@ -55,13 +61,16 @@ fn no_quarter_active_is_one_sample_a_pixel() {
 fn supersampling_of_a_traced_adaptive_frame_is_supersampling() {
     let stage = Stage::builtin("room");
     let tolerances = Tolerances { pos: 0.0, ..Tolerances::default() };
-    let combined = Settings { supersample: true, tolerances, ..Settings::default() };
-    let alone = supersample(Thresholds::default());
-    assert_same(&stage.frame(SIZE, &combined), &stage.frame(SIZE, &alone), "combined");
-    let [combined, alone] = [combined, alone].map(|settings| stage.inspect(SIZE, &settings));
-    let edges = |i: &Inspection| i.pixels.iter().map(|p| (p.active, p.differing)).collect::<Vec<_>>();
-    assert_eq!(edges(&combined), edges(&alone));
-    assert!(alone.counts.samples.extra > 1000, "{:?}", alone.counts.samples);
+    for refine in [Refine::Off, Refine::On] {
+        let combined = Settings { supersample: true, refine, tolerances, ..Settings::default() };
+        let alone = Settings { refine, ..supersample(Thresholds::default()) };
+        let (found, expected) = (stage.frame(SIZE, &combined), stage.frame(SIZE, &alone));
+        assert_same(&found, &expected, &format!("combined, {refine:?}"));
+        let [combined, alone] = [combined, alone].map(|settings| stage.inspect(SIZE, &settings));
+        let edges = |i: &Inspection| i.pixels.iter().map(|p| (p.active, p.differing)).collect::<Vec<_>>();
+        assert_eq!(edges(&combined), edges(&alone));
+        assert!(alone.counts.samples.extra > 1000, "{:?}", alone.counts.samples);
+    }
 }
 
 /// Weights sum to one: where all samples are 1, no pixel is anything else.
@@ -73,7 +82,9 @@ fn the_furnace_stays_what_it_is() {
         supersample(Thresholds::default()),
         supersample(Thresholds::uniform(0.0)),
         Settings { inactive, ..supersample(Thresholds { poid: 0.0, ..Thresholds::uniform(1.0) }) },
-        Settings { supersample: true, ..Settings::default() },
+        Settings { supersample: true, refine: Refine::Off, ..Settings::default() },
+        Settings { supersample: true, refine: Refine::On, ..Settings::default() },
+        Settings { refine: Refine::On, ..supersample(Thresholds { poid: 0.0, ..Thresholds::uniform(1.0) }) },
         Settings { method: Method::Quincunx, ..Settings::default() },
         Settings { method: Method::Quincunx, similar: 0.0, ..Settings::default() },
     ] {
@@ -95,6 +106,50 @@ fn four_samples_for_each_active_quarter() {
     let by_number: Vec<_> =
         (0..5).map(|n| inspection.pixels.iter().filter(|p| p.active.count_ones() == n).count()).collect();
     assert!(by_number.iter().all(|count| *count > 20), "every number of quarters is there: {by_number:?}");
+}
+
+/// Counted samples are those of the pixels, and pixels stop after each number of them.
+#[test]
+fn refined_pixels_get_as_many_samples_as_they_differ() {
+    let stage = Stage::builtin("room");
+    let thresholds = Preset::Refined.thresholds();
+    let settings = Settings { refine: Refine::On, ..supersample(thresholds) };
+    let inspection = stage.inspect(SIZE, &settings);
+    let samples: u32 = inspection.pixels.iter().map(|p| p.refined()).sum();
+    assert_eq!(inspection.counts.samples.extra, u64::from(samples));
+    for number in [0, 4, 8, 16] {
+        let count = inspection.pixels.iter().filter(|p| p.refined() == number).count();
+        assert!(count > 20, "{count} pixels of {number} samples");
+    }
+}
+
+/// A wire that is a quarter of a pixel wide and rises by a pixel in 30 is hit by few centres. From these on it is followed
+/// along the row, as far as there are rounds.
+#[test]
+fn a_wire_is_followed_where_no_centre_hits_it() {
+    let mut builder = Builder::new();
+    builder.environment(Vec3::ZERO, Vec3::ONE);
+    let object = builder.object(matte(Vec3::ONE));
+    // A pixel of the view, which is 2 high at that distance.
+    let pixel = 2.0 / SIZE[1] as f32;
+    let rise = vec3(SIZE[0] as f32, SIZE[0] as f32 / 30.0, 0.0) * pixel;
+    builder.quad(object, -rise / 2.0, rise, vec3(0.0, pixel / 4.0, 0.0));
+    let stage = Stage::new(builder.seen_by(front_camera()));
+    let thresholds = Preset::Refined.thresholds();
+    let refined = stage.inspect(SIZE, &Settings { refine: Refine::On, ..supersample(thresholds) });
+    let seen = |round: std::ops::Range<u32>| {
+        refined.pixels.iter().filter(|p| p.round().is_some_and(|r| round.contains(&r))).count()
+    };
+    let (found, followed) = (seen(0..1), seen(1..16));
+    assert!(found > 50 && followed > 50, "{found} found, {followed} followed");
+    let show = |settings: &Settings| stage.frame(SIZE, settings).display;
+    let many = show(&Settings { method: Method::Full, sampling: 12, ..Settings::default() });
+    let error = |refine| {
+        let picture = show(&Settings { refine, ..supersample(thresholds) });
+        glimpse::metrics::compare(&picture, &many).expect("of one size").rmse
+    };
+    let (quarters, pixels) = (error(Refine::Off), error(Refine::On));
+    assert!(pixels < 0.5 * quarters, "{pixels} with it, {quarters} without");
 }
 
 #[test]

@@ -25,7 +25,11 @@ pub struct Frames<'a> {
 
 impl Pair {
     pub fn frames(&self, method: Method) -> Frames<'_> {
-        let settings = Settings { method, postcorrect: Postcorrect::On, ..self.settings };
+        self.frames_with(Settings { method, ..self.settings })
+    }
+
+    pub fn frames_with(&self, settings: Settings) -> Frames<'_> {
+        let settings = Settings { postcorrect: Postcorrect::On, ..settings };
         let (stage, turn) = (&self.stage, turn());
         let mut renderer =
             Renderer::new(gpu(), &stage.scene, self.size, &settings).expect("the kernels compile");
@@ -163,6 +167,31 @@ impl Frames<'_> {
         self.tally(|p| {
             judge(&self.found_color(p), |r| {
                 Answer::radiance(self.frame.supersampled(p, self.record(p).active, r))
+            })
+        })
+    }
+
+    /// In which round pixels are refined, given when their neighbours are, and how many samples they get.
+    pub fn refinements(&self) -> Tally {
+        self.tally(|p| {
+            let labels = |round: Option<u32>, samples| Answer::<0> {
+                labels: [round.map_or(0, |round| round + 1), samples],
+                values: [],
+                tolerances: [],
+            };
+            let record = self.record(p);
+            judge(&labels(record.round(), record.refined()), |r| {
+                let refinement = self.frame.refinement(p, &|q| self.record(q).round(), r);
+                labels(refinement.round, refinement.samples)
+            })
+        })
+    }
+
+    /// Pixels from their samples, given how many they got.
+    pub fn refined_colors(&self) -> Tally {
+        self.tally(|p| {
+            judge(&self.found_color(p), |r| {
+                Answer::radiance(self.frame.refined(p, self.record(p).refined(), r))
             })
         })
     }

@@ -1,0 +1,11 @@
+// What is listed and not done.
+
+const LIST_SAMPLES: u32 = 4u;
+
+fn list_begin(done: u32) -> u32 {
+    return done;
+}
+
+fn list_end(count: u32, begin: u32) -> u32 {
+    return count;
+}

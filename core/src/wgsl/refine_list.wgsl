@@ -1,0 +1,31 @@
+// The list as refinement sees it: for each pixel a place for each four samples it may get, then what is known of it.
+
+struct RefineList {
+    count: atomic<u32>,
+    begin: u32,
+    end: u32,
+    padding: u32,
+    words: array<u32>,
+}
+
+var<storage, read_write> list: RefineList;
+
+// Samples that a pixel gets at once, and in all.
+const REFINE_STEP: u32 = 4u;
+const REFINE_MOST: u32 = 16u;
+// Words of what is known of a pixel.
+const REFINE_WORDS: u32 = 9u;
+
+// The next samples of a pixel that has so many.
+fn refine_append(pixel: vec2u, taken: u32) {
+    let place = atomicAdd(&list.count, 1u);
+    list.words[place] = pixel.x | (pixel.y << 14u) | (taken / REFINE_STEP << 28u);
+}
+
+fn refine_pixel(entry: u32) -> vec2u {
+    return vec2u(entry & 0x3fffu, (entry >> 14u) & 0x3fffu);
+}
+
+fn refine_taken(entry: u32) -> u32 {
+    return REFINE_STEP * (entry >> 28u);
+}
