@@ -24,6 +24,8 @@ gpu_struct! {
         tau_primary: [f32; 4], tau_secondary: [f32; 4],
         tau_col: f32, focus_first: u32, focus_last: u32, similar: f32,
         renewed_from: u32, renewed: u32, still: u32, tau_least: f32,
+        gaze: [f32; 2], stop: f32, emitter_scale: f32,
+        sample: u32, emitters: u32, padding: [u32; 2],
     }
 }
 
@@ -42,6 +44,8 @@ impl Frame {
     pub fn new(scene: &GpuScene, settings: &Settings, size: [u32; 2], camera: &Camera) -> Self {
         let environment = &scene.environment;
         let t = &settings.thresholds;
+        let extent = size.map(|side| side as f32);
+        let gaze = [0, 1].map(|axis| settings.paths.gaze[axis] * extent[axis]);
         Self {
             origin: camera.origin.into(),
             orthographic: if camera.orthographic { 1.0 } else { 0.0 },
@@ -78,8 +82,20 @@ impl Frame {
             renewed: 0,
             still: 0,
             tau_least: t.values().into_iter().fold(1.0, f32::min),
+            gaze,
+            stop: settings.paths.p_max / farthest(gaze, extent),
+            emitter_scale: scene.emitter_scale,
+            sample: 0,
+            emitters: scene.emitter_count,
+            padding: [0; 2],
         }
     }
+}
+
+/// From the gaze to the corner of the picture that is farthest from it, in pixels.
+fn farthest(gaze: [f32; 2], extent: [f32; 2]) -> f32 {
+    let [x, y] = [0, 1].map(|axis| gaze[axis].abs().max((extent[axis] - gaze[axis]).abs()));
+    x.hypot(y)
 }
 
 /// The compiled passes of a method in one variant.

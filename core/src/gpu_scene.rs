@@ -7,7 +7,7 @@ use crate::{
     atlas::Atlas,
     bvh::Bvh,
     gpu::mirror::gpu_struct,
-    scene::{self, Environment, LightKind, MAX_LIGHTS, Material, Scene, Thinness},
+    scene::{self, Emitters, Environment, LightKind, MAX_LIGHTS, Material, Scene, Thinness},
 };
 
 /// Marks a sphere among the primitives; triangles are bounded by [`crate::scene::MAX_COORDINATE`].
@@ -66,10 +66,14 @@ pub struct GpuScene {
     objects: wgpu::Buffer,
     lights: wgpu::Buffer,
     landmarks: wgpu::Buffer,
+    emitters: wgpu::Buffer,
     atlas: Atlas,
     pub(crate) bvh_stack: u32,
     pub(crate) light_count: u32,
     pub(crate) object_count: u32,
+    pub(crate) emitter_count: u32,
+    /// 1 over the sum of strength times area of all emitters; 0 where there are none.
+    pub(crate) emitter_scale: f32,
     pub(crate) environment: Environment,
     /// What `vertices` holds.
     pub(crate) has_texcoords: bool,
@@ -105,12 +109,14 @@ impl GpuScene {
         let features = Features::of(&scene);
         let thinness = Thinness::of(&scene);
         let landmarks: Vec<[f32; 3]> = thinness.landmarks().iter().map(|p| p.to_array()).collect();
+        let emitting = Emitters::of(&scene);
         let bvh = Bvh::build(&scene);
         let atlas = Atlas::upload(gpu, &mut scene)?;
         let nodes = gpu.storage("nodes", &bvh.nodes)?;
         log::debug!("{} primitives in {} nodes, stack of {}", bvh.order.len(), bvh.nodes.len(), bvh.stack);
         let Bvh { order, stack, nodes: tree } = bvh;
         drop(tree);
+        let emitters = gpu.storage("emitters", &emitters(&emitting, &order))?;
         let primitives = gpu.storage("primitives", &primitives(&scene, &order))?;
         scene.positions = Vec::new();
         let shading = gpu.storage("shading", &shading(&scene, &order))?;
@@ -135,6 +141,9 @@ impl GpuScene {
             landmarks: gpu.storage("landmarks", &landmarks)?,
             lights: gpu.filled("lights", &lights, wgpu::BufferUsages::UNIFORM)?,
             atlas,
+            emitters,
+            emitter_count: emitting.primitives.len() as u32,
+            emitter_scale: if emitting.total > 0.0 { (1.0 / emitting.total) as f32 } else { 0.0 },
             bvh_stack: stack,
             light_count: scene.lights.len() as u32,
             object_count: scene.objects.len() as u32,
@@ -189,6 +198,7 @@ impl GpuScene {
             ("objects", self.objects.as_entire_binding()),
             ("lights", self.lights.as_entire_binding()),
             ("landmarks", self.landmarks.as_entire_binding()),
+            ("emitters", self.emitters.as_entire_binding()),
             ("atlas_color", wgpu::BindingResource::TextureView(&self.atlas.color)),
             ("atlas_data", wgpu::BindingResource::TextureView(&self.atlas.data)),
         ]
@@ -197,8 +207,15 @@ impl GpuScene {
     /// Bytes of everything but the acceleration structure, and of the latter.
     #[must_use]
     pub fn bytes(&self) -> (u64, u64) {
-        let buffers =
-            [&self.primitives, &self.shading, &self.vertices, &self.objects, &self.lights, &self.landmarks];
+        let buffers = [
+            &self.primitives,
+            &self.shading,
+            &self.vertices,
+            &self.objects,
+            &self.lights,
+            &self.landmarks,
+            &self.emitters,
+        ];
         let scene = buffers.iter().map(|b| b.size()).sum::<u64>() + self.atlas.bytes();
         (scene, self.nodes.size())
     }
@@ -213,6 +230,16 @@ fn primitives(scene: &Scene, order: &[u32]) -> Vec<[f32; 9]> {
         }
     };
     order.iter().map(place).collect()
+}
+
+/// The place in the tree of each emissive primitive, and the bits of its cumulative share.
+fn emitters(emitters: &Emitters, order: &[u32]) -> Vec<[u32; 2]> {
+    let mut places = vec![0; order.len()];
+    for (place, index) in order.iter().enumerate() {
+        places[*index as usize] = place as u32;
+    }
+    let pairs = emitters.primitives.iter().zip(&emitters.cumulative);
+    pairs.map(|(index, share)| [places[*index as usize], share.to_bits()]).collect()
 }
 
 fn shading(scene: &Scene, order: &[u32]) -> Vec<[u32; 4]> {

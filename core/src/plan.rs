@@ -42,6 +42,8 @@ pub const ROUND_SAMPLES: u32 = SAMPLES_PER_SUBMISSION / 4;
 /// Sides of the tiles that a workgroup of 64 and of 256 threads treats.
 const TRACED_TILE: u32 = 8;
 const INTERPOLATED_TILE: u32 = 16;
+/// And of 64 threads that take one path after the other.
+pub const PATH_TILE: u32 = 32;
 
 /// The samples that a stage treats: every `stride`-th row from `row` until before `end`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -148,6 +150,7 @@ impl Plan {
                     plan.push(tiles(Stage::Fill, width, rows));
                 }
                 Method::Frameless => plan.frameless(shape, band.rows(1, band.own)),
+                Method::Path => plan.push(tiles(Stage::Path, shape.grid[0], band.rows(1, band.own))),
                 Method::Reproject => plan.reproject(shape, band.rows(1, band.own)),
                 Method::Adaptive => {
                     plan.adaptive(shape, &band);
@@ -286,6 +289,7 @@ fn tiles(stage: Stage, columns: u32, rows: Rows) -> Vec<Part> {
         Stage::Full | Stage::Base | Stage::Checkerboard | Stage::Presample | Stage::QuincunxBase => {
             (TRACED_TILE, 1)
         }
+        Stage::Path => (PATH_TILE, 1),
         Stage::SubpixelTest | Stage::RefineTest => (TRACED_TILE, INTERPOLATED_PER_TRACED),
         _ => (INTERPOLATED_TILE, INTERPOLATED_PER_TRACED),
     };

@@ -4,12 +4,12 @@ use glam::Vec3;
 
 use crate::{
     Camera, Cost, Counts, DisplayImage, Error, FailedChecks, FrameTime, Gpu, GpuScene, Inspection,
-    LinearImage, Memory, Method, Origin, PixelRecord, Postcorrect, Rays, Result, Samples, Settings,
+    LinearImage, Memory, Method, Origin, Paths, PixelRecord, Postcorrect, Rays, Result, Samples, Settings,
     frame::{self, Frame, Passes},
     gpu::Kernels,
     passes::{
         COUNTER_CLAIMED, COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS,
-        COUNTER_RAYS, COUNTER_WORDS, Output, Variant,
+        COUNTER_RAYS, COUNTER_WORDS, Output, RAY_KINDS, Variant,
     },
     scene::octahedral_decode,
     sequence::{Sequence, Step},
@@ -56,8 +56,17 @@ impl<'a> Renderer<'a> {
         settings.validate()?;
         let settings = resolved(settings, self.scene, size);
         let Settings { tolerances, min_weight, .. } = settings;
+        let gaze = settings.paths.gaze;
         // Those are constants of a frame and no more.
-        if size != self.targets.size || settings != (Settings { tolerances, min_weight, ..self.settings }) {
+        if size != self.targets.size
+            || settings
+                != (Settings {
+                    tolerances,
+                    min_weight,
+                    paths: Paths { gaze, ..self.settings.paths },
+                    ..self.settings
+                })
+        {
             let variant = Variant::new(self.scene, &settings);
             let targets = Targets::new(self.gpu, self.scene, &variant, &settings, size)?;
             let kernels = &mut self.kernels;
@@ -120,6 +129,12 @@ impl<'a> Renderer<'a> {
         !self.settings.method.keeps_frames() || self.sequence.is_settled()
     }
 
+    /// How many samples of paths the last frame shows in each pixel; 1 of methods that do not add them up.
+    #[must_use]
+    pub fn samples(&self) -> u32 {
+        self.sequence.frames()
+    }
+
     /// How many kernels have been compiled so far: a frame after it has grown takes longer than others, as some drivers
     /// compile when a kernel runs for the first time.
     #[must_use]
@@ -173,7 +188,8 @@ impl<'a> Renderer<'a> {
     }
 
     /// The frame of this camera in linear radiance (kernels that write it are linked on the first call). Where frames are a
-    /// sequence, this is the first of one, and so is the next that is rendered.
+    /// sequence, this is the first of one, and so is the next that is rendered; of paths, there are as many samples in it as in
+    /// the last frame.
     ///
     /// # Errors
     /// A device that failed.
@@ -188,9 +204,14 @@ impl<'a> Renderer<'a> {
                 (self.link(&variant, &target, None)?, target)
             }
         };
+        let frames = self.sequence.frames();
         self.sequence.reset();
-        let step = self.sequence.next(camera);
-        self.submit(&passes, camera, &step, None)?;
+        for _ in 0..frames {
+            let step = self.sequence.next(camera);
+            self.submit(&passes, camera, &step, None)?;
+            self.sequence.done(step, camera);
+        }
+        self.sequence.reset();
         let bytes = self.gpu.read_texture(&target, 16)?;
         self.linear = Some((passes, target));
         let texels: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);
@@ -225,6 +246,7 @@ impl<'a> Renderer<'a> {
             renewed_from: step.first,
             renewed: step.count,
             still: u32::from(step.still),
+            sample: step.sample,
             ..Frame::new(self.scene, &self.settings, self.targets.grid, camera)
         }
     }
@@ -257,7 +279,7 @@ fn inspection(bytes: &[u8], grid: [u32; 2], recorded: u64) -> Result<Inspection>
     let (counters, records) = bytes.split_at(4 * COUNTER_WORDS);
     let words: Vec<u32> = bytemuck::pod_collect_to_vec(counters);
     let counter = |i: usize| u64::from(words[2 * i]) | u64::from(words[2 * i + 1]) << 32;
-    let rays: [u64; 4] = std::array::from_fn(|i| counter(COUNTER_RAYS + i));
+    let rays: [u64; RAY_KINDS] = std::array::from_fn(|i| counter(COUNTER_RAYS + i));
     let origins: [u64; 6] = std::array::from_fn(|i| counter(COUNTER_ORIGINS + i));
     let failed: [u64; 7] = std::array::from_fn(|i| counter(COUNTER_FAILED + i));
     let postcorrected = origins[Origin::Postcorrected as usize];
@@ -269,6 +291,7 @@ fn inspection(bytes: &[u8], grid: [u32; 2], recorded: u64) -> Result<Inspection>
                 shadow: rays[1],
                 reflection: rays[2],
                 refraction: rays[3],
+                diffuse: rays[4],
                 total: rays.iter().sum(),
             },
             samples: Samples {

@@ -3,7 +3,7 @@
 //! Every pixel of a tile of 16 x 16 has a rank of its own (`renewal.wgsl`). A frame renews so many ranks, the next one goes
 //! on with those that follow, around and around: no pixel is ever older than `1 / share` frames.
 
-use crate::{Camera, Settings};
+use crate::{Camera, Method, Settings};
 
 /// Ranks of a tile, and its side.
 pub const RANKS: u32 = RANK_TILE * RANK_TILE;
@@ -18,6 +18,8 @@ pub struct Step {
     pub count: u32,
     /// The camera is that of the frame before.
     pub still: bool,
+    /// The frames since it came to where it is, before this one.
+    pub sample: u32,
     /// Which of the two histories is written.
     pub side: usize,
 }
@@ -27,6 +29,8 @@ pub struct Step {
 pub struct Sequence {
     /// Ranks that a frame renews.
     count: u32,
+    /// Samples of paths that a pixel is to have; 0 where frames do not add them up.
+    samples: u32,
     /// The last frame.
     last: Option<Last>,
 }
@@ -42,17 +46,23 @@ struct Last {
 impl Sequence {
     /// Of frames with these settings; the first is yet to come.
     pub fn new(settings: &Settings) -> Self {
-        let count = if settings.method.keeps_frames() { renewed_ranks(settings.share) } else { RANKS };
-        Self { count, last: None }
+        let (count, samples) = match settings.method {
+            Method::Path => (RANKS, settings.paths.samples),
+            method if method.keeps_frames() => (renewed_ranks(settings.share), 0),
+            _ => (RANKS, 0),
+        };
+        Self { count, samples, last: None }
     }
 
     /// The frame that follows.
     pub fn next(&self, camera: &Camera) -> Step {
         let Some(last) = &self.last else { return Step { count: RANKS, ..Step::default() } };
+        let still = last.camera == *camera;
         Step {
             first: (last.step.first + last.step.count) % RANKS,
             count: self.count,
-            still: last.camera == *camera,
+            still,
+            sample: if still { last.step.sample.saturating_add(1) } else { 0 },
             side: 1 - last.step.side,
         }
     }
@@ -73,9 +83,15 @@ impl Sequence {
         self.last = None;
     }
 
-    /// Whether the last frame shows in every pixel what a ray through its centre sees from that frame's camera.
+    /// How many frames the last one is made of.
+    pub fn frames(&self) -> u32 {
+        self.last.filter(|_| self.samples > 0).map_or(1, |last| last.step.sample + 1)
+    }
+
+    /// Whether the last frame shows in every pixel what a ray through its centre sees from that frame's camera, or
+    /// all samples of paths that it is to show.
     pub fn is_settled(&self) -> bool {
-        self.last.is_some_and(|last| last.renewed == RANKS)
+        self.last.is_some_and(|last| last.renewed == RANKS && last.step.sample + 1 >= self.samples)
     }
 }
 

@@ -31,6 +31,8 @@ pub struct Rays {
     pub reflection: u64,
     /// Transmitted.
     pub refraction: u64,
+    /// Scattered, as paths go on from diffuse surfaces.
+    pub diffuse: u64,
     /// All of them.
     pub total: u64,
 }

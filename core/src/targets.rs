@@ -86,10 +86,10 @@ impl Targets {
         // Of two rows.
         let quincunx = settings.method == Method::Quincunx;
         let attribute_bytes = if quincunx { 2 * CLAIM_BYTES } else { 4 * u64::from(variant.stored_planes()) };
-        let checkerboard = settings.method == Method::Checkerboard;
         let stored = match settings.method {
             Method::Quincunx => QUINCUNX_SAMPLES,
-            _ => u64::from(settings.sampling > 1 || checkerboard),
+            Method::Checkerboard | Method::Path => 1,
+            _ => u64::from(settings.sampling > 1),
         };
         let sample_bytes = SAMPLE_BYTES * stored;
         // A sample is listed once at most, or its quarters are.
@@ -105,7 +105,7 @@ impl Targets {
         let band = plan::band_rows(settings.sampling, BAND_BYTES / row_bytes.max(1));
         let band = match settings.method {
             // Later passes, or frames, look across the borders of bands.
-            Method::Checkerboard | Method::Frameless | Method::Reproject => u32::MAX,
+            Method::Checkerboard | Method::Frameless | Method::Reproject | Method::Path => u32::MAX,
             Method::Quincunx => band.min(QUINCUNX_ROWS),
             _ => band,
         };

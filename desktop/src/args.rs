@@ -6,6 +6,8 @@ use std::str::FromStr;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use glimpse::{Linking, Method, Mip, Postcorrect, Settings, Show, Tolerances};
 
+#[path = "paths.rs"]
+mod paths;
 #[path = "pose.rs"]
 mod pose;
 #[path = "samples.rs"]
@@ -13,6 +15,7 @@ mod samples;
 #[path = "vary.rs"]
 mod vary;
 
+pub use paths::{PATH_OPTIONS, PathOptions};
 pub use pose::PoseOptions;
 pub use samples::{SampleOptions, focus_by_index};
 pub use vary::Variation;
@@ -312,14 +315,16 @@ pub struct FrameOptions {
     /// Reflected and refracted colours may differ by less than this
     #[arg(long, value_name = "X", default_value_t = Tolerances::default().gcol, allow_negative_numbers = true)]
     pub t_gcol: f32,
-    /// Levels of rays; 1 is primary rays alone
-    #[arg(long, value_name = "N", default_value_t = Settings::default().depth)]
-    pub depth: u32,
+    /// Levels of rays; 1 is primary rays alone [default: 3, and 64 of paths]
+    #[arg(long, value_name = "N")]
+    pub depth: Option<u32>,
     /// Rays that would contribute less than this share of a pixel are not traced
     #[arg(long, value_name = "W", default_value_t = Settings::default().min_weight, allow_negative_numbers = true)]
     pub min_weight: f32,
     #[command(flatten)]
     pub samples: SampleOptions,
+    #[command(flatten)]
+    pub paths: PathOptions,
     /// Share of the pixels that methods which keep frames trace anew in each
     #[arg(long, value_name = "S", default_value_t = Settings::default().share, allow_negative_numbers = true)]
     pub share: f32,
@@ -340,7 +345,7 @@ impl FrameOptions {
             postcorrect: self.postcorrect.into(),
             mip: self.mip.into(),
             tolerances: Tolerances { pos: self.t_pos, norm: self.t_norm, tex: self.t_tex, gcol: self.t_gcol },
-            depth: self.depth,
+            depth: self.depth.unwrap_or(method.usual_depth()),
             min_weight: self.min_weight,
             share: self.share,
             features: self.features.into(),
@@ -353,6 +358,7 @@ impl FrameOptions {
             filter: samples.filter.into(),
             similar: samples.similar,
             seed: samples.seed,
+            paths: self.paths.paths(),
         };
         settings.validate()?;
         Ok(settings)
@@ -380,9 +386,10 @@ impl Default for FrameOptions {
             t_norm: settings.tolerances.norm,
             t_tex: settings.tolerances.tex,
             t_gcol: settings.tolerances.gcol,
-            depth: settings.depth,
+            depth: None,
             min_weight: settings.min_weight,
             samples: SampleOptions::default(),
+            paths: PathOptions::default(),
             share: settings.share,
             features: LinkingName::Auto,
         }
@@ -407,6 +414,8 @@ pub enum MethodName {
     Frameless,
     /// The last frame moved to where the camera sees it; rays where that leaves gaps
     Reproject,
+    /// Paths of light from everywhere, a sample of every pixel after the other
+    Path,
 }
 
 impl From<MethodName> for Method {
@@ -419,6 +428,7 @@ impl From<MethodName> for Method {
             MethodName::Quincunx => Self::Quincunx,
             MethodName::Frameless => Self::Frameless,
             MethodName::Reproject => Self::Reproject,
+            MethodName::Path => Self::Path,
         }
     }
 }

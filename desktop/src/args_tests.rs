@@ -30,7 +30,8 @@ fn what_is_varied_is_parsed_as_the_option_itself() {
         bench("bench a.glb --block 4 --t-norm 0.5 --vary block=2,8 --vary t-norm=-0.9,.97 --depth 2");
     let options = options.unwrap();
     let combinations = options.frame.combinations(&options.vary).unwrap();
-    let found: Vec<_> = combinations.iter().map(|(f, _)| (f.block, f.t_norm, f.depth, f.t_pos)).collect();
+    let found: Vec<_> =
+        combinations.iter().map(|(f, _)| (f.block, f.t_norm, f.depth.unwrap(), f.t_pos)).collect();
     let t_pos = Tolerances::default().pos;
     assert_eq!(found, [(2, -0.9, 2, t_pos), (2, 0.97, 2, t_pos), (8, -0.9, 2, t_pos), (8, 0.97, 2, t_pos)]);
     let named: Vec<_> = combinations[1].1.iter().map(|(o, v)| format!("{o}={v}")).collect();
@@ -111,6 +112,7 @@ fn every_option_of_render_arrives() {
             filter: Filter::Tent,
             similar: 0.3,
             seed: 9,
+            paths: glimpse::Paths::default(),
         }
     );
     assert_eq!(options.frame.size, Size([640, 480]));

@@ -2,7 +2,7 @@
 
 use glimpse::{Gpu, Jitter, Method, Settings};
 
-use crate::args::{BenchOptions, FrameOptions, MethodName, Size};
+use crate::args::{BenchOptions, FrameOptions, MethodName, PATH_OPTIONS, Size};
 use crate::focus::Wish;
 use crate::measure::{Plan, Run, Stage};
 use crate::output;
@@ -95,13 +95,15 @@ fn heeds(settings: &Settings, option: &str) -> bool {
             settings.method == Method::Adaptive
         }
         "preset" | "focus" | "refine" | "inactive" => settings.supersamples(),
+        "seed" if settings.method == Method::Path => true,
         "seed" => match settings.jitter {
             Jitter::Auto => settings.supersamples(),
             Jitter::On => true,
             Jitter::Off => false,
         },
         "similar" => settings.method == Method::Quincunx,
-        "share" => settings.method.keeps_frames(),
+        "share" => settings.method.keeps_frames() && settings.method != Method::Path,
+        _ if PATH_OPTIONS.contains(&option) => settings.method == Method::Path,
         "filter" => settings.method == Method::Full,
         _ => !option.starts_with("tau-") || settings.supersamples(),
     }

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use anyhow::Context;
 use glimpse::{
-    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Renderer, Scene,
+    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Method, Renderer, Scene,
     Settings, metrics,
 };
 
@@ -139,6 +139,7 @@ impl Plan {
         }
         let mut runs = Vec::with_capacity(renderers.len());
         for (((mut renderer, compile_ms), frames), panned) in renderers.into_iter().zip(frames).zip(panned) {
+            finish(&mut renderer, &camera, name, progress)?;
             progress.doing(&format!("{name}: counting"));
             let settings = *renderer.settings();
             let picture = renderer.display_image()?;
@@ -150,6 +151,20 @@ impl Plan {
         }
         Ok(runs)
     }
+}
+
+/// All samples of paths that the picture is to show.
+fn finish(
+    renderer: &mut Renderer<'_>,
+    camera: &Camera,
+    name: &str,
+    progress: &Progress,
+) -> glimpse::Result<()> {
+    while renderer.settings().method == Method::Path && !renderer.is_settled() {
+        progress.doing(&format!("{name}: sample {}", renderer.samples()));
+        renderer.render(camera)?;
+    }
+    Ok(())
 }
 
 /// The camera of the command line, or the one of the scene that it names, and what to call it.

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::Variant;
 use crate::{
-    Linking, MAX_RAYS, Postcorrect, SAMPLES_PER_SUBMISSION, atlas,
+    Direct, Linking, MAX_RAYS, Postcorrect, Roulette, SAMPLES_PER_SUBMISSION, Stopping, atlas,
     gpu::shader::Source,
     gpu_scene, plan,
     scene::OCTAHEDRAL_ERROR,
@@ -62,11 +62,12 @@ pub const CONE_MOST_GROWTH: f32 = 8.0;
 
 /// Counters of an inspected frame: first index and how many.
 pub const COUNTER_RAYS: usize = 0;
-pub const COUNTER_NODE_VISITS: usize = 4;
-pub const COUNTER_PRIMITIVE_TESTS: usize = 5;
-pub const COUNTER_ORIGINS: usize = 6;
-pub const COUNTER_FAILED: usize = 12;
-pub const COUNTER_CLAIMED: usize = 19;
+pub const RAY_KINDS: usize = 5;
+pub const COUNTER_NODE_VISITS: usize = 5;
+pub const COUNTER_PRIMITIVE_TESTS: usize = 6;
+pub const COUNTER_ORIGINS: usize = 7;
+pub const COUNTER_FAILED: usize = 13;
+pub const COUNTER_CLAIMED: usize = 20;
 /// Words of all counters, low and high.
 pub const COUNTER_WORDS: usize = 64;
 
@@ -107,6 +108,12 @@ impl Variant {
             ("HAS_FOOTPRINT", self.averages_textures()),
             ("HAS_EMISSION", f.emission),
             ("HAS_PANES", f.panes),
+            ("HAS_REFLECTION", f.reflection),
+            ("HAS_REFRACTION", f.refraction),
+            ("WEIGHS_EMITTERS", self.paths.direct == Direct::Mis),
+            ("ROULETTE", self.paths.roulette == Roulette::On),
+            ("STOPS", self.paths.stopping != Stopping::Off),
+            ("STOPPING_COMPENSATED", self.paths.stopping == Stopping::Compensated),
             ("LIGHT_COUNT_KNOWN", self.linking == Linking::Auto),
             ("VERTEX_STRIDE_KNOWN", self.linking == Linking::Auto),
             ("COUNTS", self.inspect),
@@ -164,6 +171,11 @@ impl Variant {
             ("RAY_SHADOW", 1),
             ("RAY_REFLECTION", 2),
             ("RAY_REFRACTION", 3),
+            ("RAY_DIFFUSE", 4),
+            ("RAY_KINDS", RAY_KINDS as u32),
+            ("PATH_TILE", plan::PATH_TILE),
+            ("LIGHT_SAMPLES", self.paths.light_samples),
+            ("STOP_AFTER", self.paths.stop_after),
             ("COUNTER_RAYS", COUNTER_RAYS as u32),
             ("COUNTER_NODE_VISITS", COUNTER_NODE_VISITS as u32),
             ("COUNTER_PRIMITIVE_TESTS", COUNTER_PRIMITIVE_TESTS as u32),

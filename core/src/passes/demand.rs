@@ -99,6 +99,7 @@ impl Demands {
             Method::Quincunx => Stage::QuincunxBase,
             Method::Frameless => Stage::Frameless,
             Method::Reproject => Stage::Renew,
+            Method::Path => Stage::Path,
         };
         let kernel = link(&variant.sources(traced))?;
         let of = |function, apart: &[&str]| count(&kernel, function, apart).unwrap_or_default();
@@ -136,7 +137,9 @@ fn between(variant: &Variant, method: Method) -> Result<(Demand, Demand)> {
         Ok::<_, crate::Error>([once + average(&kernel), neighbour, deeper])
     };
     Ok(match method {
-        Method::Full | Method::Supersample | Method::Quincunx | Method::Frameless => Default::default(),
+        Method::Full | Method::Supersample | Method::Quincunx | Method::Frameless | Method::Path => {
+            Default::default()
+        }
         Method::Adaptive => {
             let [once, light, deeper] = of(Stage::SimilarityA1)?;
             (once, light + deeper)

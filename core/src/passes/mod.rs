@@ -37,6 +37,7 @@
 //! | reuse | lecture, "Reprojection" | `passes/reuse.wgsl` |
 //! | compact_renew | Kim 2016, 5 | `passes/compact.wgsl` |
 //! | renew | lecture, "Reprojection" | `passes/renew.wgsl` |
+//! | path | Kajiya 1986; Kim & Sung 2021, equation 7 | `passes/path.wgsl` |
 
 mod constants;
 mod demand;
@@ -49,7 +50,7 @@ mod variant;
 
 pub use constants::{
     COUNTER_CLAIMED, COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS,
-    COUNTER_RAYS, COUNTER_WORDS, TRACE_GROUP, TRACE_ROW,
+    COUNTER_RAYS, COUNTER_WORDS, RAY_KINDS, TRACE_GROUP, TRACE_ROW,
 };
 pub use demand::{Demand, Demands};
 pub use linked::Linked;
@@ -149,11 +150,13 @@ pub enum Stage {
     CompactRenew,
     /// The listed pixels.
     Renew,
+    /// Every pixel, by a path.
+    Path,
 }
 
 impl Stage {
     /// Every stage.
-    pub const ALL: [Self; 38] = [
+    pub const ALL: [Self; 39] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -192,6 +195,7 @@ impl Stage {
         Self::Reuse,
         Self::CompactRenew,
         Self::Renew,
+        Self::Path,
     ];
 
     /// Its name everywhere: GPU label, timing row.
@@ -236,6 +240,7 @@ impl Stage {
             Self::Reuse => "reuse",
             Self::CompactRenew => "compact_renew",
             Self::Renew => "renew",
+            Self::Path => "path",
         }
     }
 
@@ -277,6 +282,7 @@ impl Stage {
             Self::ReprojectSource => wgsl!("passes/reproject_source.wgsl"),
             Self::Reuse => wgsl!("passes/reuse.wgsl"),
             Self::Renew => wgsl!("passes/renew.wgsl"),
+            Self::Path => wgsl!("passes/path.wgsl"),
         }
     }
 }

@@ -1,7 +1,9 @@
 //! What a kernel is made of: the only place that chooses WGSL files.
 
 use super::{Output, Stage, Variant, wgsl};
-use crate::{Filter, Inactive, Jitter, Linking, Mip, gpu::shader::Source};
+use crate::{
+    Direct, Filter, Inactive, Jitter, Linking, Mip, Sampler, Shining, Stopping, gpu::shader::Source,
+};
 
 impl Output {
     fn sources(self) -> Vec<Source> {
@@ -122,6 +124,7 @@ impl Variant {
                 ]);
                 sources
             }
+            Stage::Path => self.path_sources(),
             Stage::Renew => {
                 self.tracing_sources([wgsl!("wgsl/list.wgsl"), wgsl!("wgsl/history.wgsl"), stage.entry()])
             }
@@ -242,8 +245,59 @@ impl Variant {
         entry: impl IntoIterator<Item = Source>,
     ) -> Vec<Source> {
         let f = &self.features;
-        let pick = |present: bool, with: Source, without: Source| if present { with } else { without };
-        let mut sources = self.shading_sources(
+        let mut sources = self.scene_sources(attributes, hit);
+        sources.extend([
+            pick(self.secondary, wgsl!("wgsl/secondary_kept.wgsl"), wgsl!("wgsl/secondary_none.wgsl")),
+            match (f.reflection, f.refraction) {
+                (_, true) => wgsl!("wgsl/bounce_glass.wgsl"),
+                (true, false) => wgsl!("wgsl/bounce_mirror.wgsl"),
+                (false, false) => wgsl!("wgsl/bounce_none.wgsl"),
+            },
+            wgsl!("wgsl/sample.wgsl"),
+        ]);
+        sources.extend(entry);
+        sources
+    }
+
+    /// What a kernel needs that follows paths.
+    fn path_sources(&self) -> Vec<Source> {
+        let f = &self.features;
+        let one = Self { sampling: 1, ..*self };
+        let mut sources = one.scene_sources(wgsl!("wgsl/attributes_planes.wgsl"), self.hit());
+        sources.extend([
+            wgsl!("wgsl/numbers.wgsl"),
+            match self.paths.sampler {
+                Sampler::Random => wgsl!("wgsl/numbers_random.wgsl"),
+                Sampler::Sobol => wgsl!("wgsl/numbers_sobol.wgsl"),
+            },
+            pick(f.glossy, wgsl!("wgsl/lobes.wgsl"), wgsl!("wgsl/lobes_matte.wgsl")),
+            pick(
+                f.lights && self.paths.shining != Shining::Emitters,
+                wgsl!("wgsl/punctual.wgsl"),
+                wgsl!("wgsl/punctual_none.wgsl"),
+            ),
+            match (self.paths.direct, self.paths.shining) {
+                (_, Shining::Punctual) => wgsl!("wgsl/emitters_dark.wgsl"),
+                (Direct::Light | Direct::Mis, _) if self.emits => wgsl!("wgsl/emitters.wgsl"),
+                _ => wgsl!("wgsl/emitters_met.wgsl"),
+            },
+            pick(
+                self.paths.stopping == Stopping::Off,
+                wgsl!("wgsl/stopping_none.wgsl"),
+                wgsl!("wgsl/stopping.wgsl"),
+            ),
+            wgsl!("wgsl/path.wgsl"),
+            wgsl!("wgsl/samples.wgsl"),
+            self.order(),
+            Stage::Path.entry(),
+        ]);
+        sources
+    }
+
+    /// What a kernel needs that meets surfaces and their lights.
+    fn scene_sources(&self, attributes: Source, hit: Source) -> Vec<Source> {
+        let f = &self.features;
+        self.shading_sources(
             attributes,
             [
                 pick(
@@ -262,18 +316,9 @@ impl Variant {
                 hit,
                 pick(self.averages_textures(), wgsl!("wgsl/cone.wgsl"), wgsl!("wgsl/cone_none.wgsl")),
                 wgsl!("wgsl/surface.wgsl"),
-                pick(self.secondary, wgsl!("wgsl/secondary_kept.wgsl"), wgsl!("wgsl/secondary_none.wgsl")),
                 pick(f.lights, wgsl!("wgsl/shadow_rays.wgsl"), wgsl!("wgsl/shadow_none.wgsl")),
-                match (f.reflection, f.refraction) {
-                    (_, true) => wgsl!("wgsl/bounce_glass.wgsl"),
-                    (true, false) => wgsl!("wgsl/bounce_mirror.wgsl"),
-                    (false, false) => wgsl!("wgsl/bounce_none.wgsl"),
-                },
-                wgsl!("wgsl/sample.wgsl"),
             ],
-        );
-        sources.extend(entry);
-        sources
+        )
     }
 
     /// What a kernel needs that knows pixels and their attributes.
@@ -313,6 +358,10 @@ impl Variant {
         sources.extend(rest);
         sources
     }
+}
+
+fn pick(present: bool, with: Source, without: Source) -> Source {
+    if present { with } else { without }
 }
 
 fn postcorrect_sources(stage: Stage) -> [Source; 4] {

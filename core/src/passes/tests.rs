@@ -4,7 +4,8 @@ use wgpu::naga::{AddressSpace, proc::Layouter};
 
 use super::{Output, Stage, Variant};
 use crate::{
-    Features, Filter, Inactive, Jitter, Linking, Mip, Postcorrect, Robustness, frame, gpu,
+    Direct, Features, Filter, Inactive, Jitter, Linking, Mip, Paths, Postcorrect, Robustness, Roulette,
+    Sampler, Shining, Stopping, frame, gpu,
     gpu::{mirror::differences, shader::link},
     gpu_scene, probe,
 };
@@ -52,6 +53,15 @@ fn variants() -> impl Iterator<Item = Variant> {
         jitter: if bits & 8 != 0 { Jitter::On } else { Jitter::Auto },
         postcorrect: if bits & 8 != 0 { Postcorrect::Objects } else { Postcorrect::On },
         mip: if bits & 4 != 0 { Mip::Off } else { Mip::On },
+        paths: Paths {
+            direct: Direct::ALL[bits as usize % 3],
+            shining: Shining::ALL[bits as usize / 8 % 3],
+            sampler: if bits & 1 != 0 { Sampler::Random } else { Sampler::Sobol },
+            stopping: Stopping::ALL[bits as usize % 3],
+            roulette: if bits & 16 != 0 { Roulette::Off } else { Roulette::On },
+            ..Paths::default()
+        },
+        emits: bits & 4 != 0,
         bvh_stack: 12,
         depth: 3,
         lights: 2,

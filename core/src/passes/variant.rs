@@ -1,8 +1,8 @@
 //! What decides which pieces a kernel is made of.
 
 use crate::{
-    Features, Filter, GpuScene, Inactive, Jitter, Linking, Method, Mip, Postcorrect, Robustness, Scene,
-    Settings, bvh::MAX_STACK,
+    Features, Filter, GpuScene, Inactive, Jitter, Linking, Method, Mip, Paths, Postcorrect, Robustness,
+    Scene, Settings, bvh::MAX_STACK, scene::Emitters,
 };
 
 /// Where colours go.
@@ -19,7 +19,7 @@ pub enum Output {
 }
 
 /// What decides which pieces a kernel is made of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Variant {
     /// What is linked.
     pub features: Features,
@@ -57,6 +57,10 @@ pub struct Variant {
     pub filter: Filter,
     /// What of a texture a sample shows.
     pub mip: Mip,
+    /// What paths do.
+    pub paths: Paths,
+    /// Some primitive emits.
+    pub emits: bool,
     /// Groups on the traversal stack.
     pub bvh_stack: u32,
     /// Levels of rays.
@@ -80,6 +84,7 @@ impl Variant {
             bvh_stack: scene.bvh_stack,
             lights: scene.light_count,
             objects: scene.object_count,
+            emits: scene.emitter_count > 0,
             ..Self::of_settings(scene.features(), settings)
         }
         .linked(settings.features)
@@ -92,6 +97,7 @@ impl Variant {
             has_colors: !scene.colors.is_empty(),
             lights: scene.lights.len() as u32,
             objects: scene.objects.len() as u32,
+            emits: !Emitters::of(scene).primitives.is_empty(),
             ..Self::of_settings(Features::of(scene), settings)
         }
         .linked(settings.features)
@@ -118,6 +124,8 @@ impl Variant {
             jitter: settings.jitter,
             filter: settings.filter,
             mip: settings.mip,
+            paths: settings.paths,
+            emits: false,
             bvh_stack: MAX_STACK,
             depth: settings.depth,
             lights: 0,

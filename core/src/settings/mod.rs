@@ -30,11 +30,13 @@ pub enum Method {
     /// The lecture's "reprojection": what the frame before showed is moved to where the camera sees it now. What is not
     /// covered, what mirrors or lets light through, and a share of the pixels are traced. One sample a pixel.
     Reproject,
+    /// Monte Carlo path tracing (Kajiya 1986): unbiased, one sample a pixel and frame, added up while the camera rests.
+    Path,
 }
 
 impl Method {
     /// All of them.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Full,
         Self::Adaptive,
         Self::Checkerboard,
@@ -42,6 +44,7 @@ impl Method {
         Self::Quincunx,
         Self::Frameless,
         Self::Reproject,
+        Self::Path,
     ];
 
     /// Its name on the command line.
@@ -55,13 +58,20 @@ impl Method {
             Self::Quincunx => "quincunx",
             Self::Frameless => "frameless",
             Self::Reproject => "reproject",
+            Self::Path => "path",
         }
     }
 
     /// A frame keeps something of the frames before it.
     #[must_use]
     pub fn keeps_frames(self) -> bool {
-        matches!(self, Self::Frameless | Self::Reproject)
+        matches!(self, Self::Frameless | Self::Reproject | Self::Path)
+    }
+
+    /// Levels of rays where nothing else is wished: all of them for paths, which end by themselves.
+    #[must_use]
+    pub fn usual_depth(self) -> u32 {
+        if self == Self::Path { MAX_DEPTH } else { 3 }
     }
 
     /// It knows pixels of one sample alone.

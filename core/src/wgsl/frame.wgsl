@@ -47,6 +47,15 @@ struct Frame {
     still: u32,
     // The least of the nine thresholds.
     tau_least: f32,
+    // Where the eyes look, in pixels, and the probability of stopping for each pixel away from there.
+    gaze: vec2f,
+    stop: f32,
+    // 1 over the sum of strength times area of all emitters.
+    emitter_scale: f32,
+    // Of each pixel, since the camera rests.
+    sample: u32,
+    emitters: u32,
+    padding: vec2u,
 }
 
 var<uniform> frame: Frame;

@@ -19,7 +19,7 @@ struct Inspection {
 
 var<storage, read_write> inspection: Inspection;
 
-var<private> inspect_rays: array<u32, 4>;
+var<private> inspect_rays: array<u32, RAY_KINDS>;
 var<private> inspect_nodes: u32;
 var<private> inspect_primitives: u32;
 
@@ -62,7 +62,7 @@ fn inspect_claim() {
 
 // What was counted since the last time is an origin's; returns its cost.
 fn inspect_work(origin: u32) -> u32 {
-    for (var kind = 0u; kind < 4u; kind += 1u) {
+    for (var kind = 0u; kind < RAY_KINDS; kind += 1u) {
         inspect_count(COUNTER_RAYS + kind, inspect_rays[kind]);
         inspect_rays[kind] = 0u;
     }

@@ -96,23 +96,43 @@ fn material_refraction(m: Material, cosine: f32, inside: bool) -> vec3f {
     return m.base * m.transmission * (1.0 - m.metallic) * (1.0 - material_fresnel(m, cosine, inside));
 }
 
+// The share of light that is scattered in all directions.
+fn material_diffuse(m: Material, cosine: f32, inside: bool) -> vec3f {
+    if material_is(m, OBJECT_WEIGHTS) {
+        return m.base * m.weights.x;
+    }
+    let gloss = material_gloss(m);
+    let diffuse = m.base * ((1.0 - m.metallic) * (1.0 - m.transmission));
+    if gloss > 0.0 {
+        return diffuse * (1.0 - material_fresnel(m, cosine, inside) * gloss);
+    }
+    return diffuse;
+}
+
+// What of a metal is not traced as a mirror: it scatters light from everywhere too.
+fn material_rough_metal(m: Material) -> vec3f {
+    if material_is(m, OBJECT_WEIGHTS) {
+        return vec3f(0.0);
+    }
+    return m.base * (m.metallic * (1.0 - material_gloss(m)));
+}
+
+// Both.
+fn material_albedo(m: Material, cosine: f32, inside: bool) -> vec3f {
+    if material_is(m, OBJECT_UNLIT) {
+        return vec3f(0.0);
+    }
+    return material_diffuse(m, cosine, inside) + material_rough_metal(m);
+}
+
 // What the surface sends towards the viewer by itself: emission, ambient and direct light. `view` is the unit
 // vector to the viewer, bit i of `shadow` says that light i does not reach the point.
 fn material_local(m: Material, position: vec3f, normal: vec3f, view: vec3f, inside: bool, shadow: u32) -> vec3f {
     if material_is(m, OBJECT_UNLIT) {
         return m.base;
     }
-    let gloss = material_gloss(m);
-    let cosine = clamp(dot(normal, view), 0.0, 1.0);
-    var diffuse = m.base * m.weights.x;
-    var ambient = diffuse;
-    if !material_is(m, OBJECT_WEIGHTS) {
-        diffuse = m.base * ((1.0 - m.metallic) * (1.0 - m.transmission));
-        if gloss > 0.0 {
-            diffuse *= 1.0 - material_fresnel(m, cosine, inside) * gloss;
-        }
-        ambient = diffuse + m.base * (m.metallic * (1.0 - gloss));
-    }
+    let diffuse = material_diffuse(m, clamp(dot(normal, view), 0.0, 1.0), inside);
+    let ambient = diffuse + material_rough_metal(m);
     return m.emission + frame.ambient * ambient + lights_reflected(m, diffuse, position, normal, view, shadow);
 }
 

@@ -176,15 +176,13 @@ fn every_size_is_covered_and_the_counts_add_up() {
 fn averaged(large: &LinearImage, sampling: u32) -> Vec<u32> {
     let [width, height] = [large.width(), large.height()].map(|side| side / sampling);
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [sampling * x, sampling * y]));
+    let groups = summed(sampling);
     let average = |[x, y]: [u32; 2]| {
-        // Even grids are summed in fours.
-        let side = if sampling.is_multiple_of(2) { 2 } else { sampling };
-        let parts = sampling / side;
         let mut sum = [0.0_f32; 3];
-        for [x, y] in (0..parts * parts).map(|i| [x + side * (i % parts), y + side * (i / parts)]) {
+        for group in &groups {
             let mut part = [0.0_f32; 3];
-            for [x, y] in (0..side * side).map(|i| [x + i % side, y + i / side]) {
-                let radiance = large.get_pixel(x, y).0;
+            for [across, down] in group {
+                let radiance = large.get_pixel(x + across, y + down).0;
                 part = std::array::from_fn(|i| part[i] + radiance[i]);
             }
             sum = std::array::from_fn(|i| sum[i] + part[i]);
@@ -192,6 +190,19 @@ fn averaged(large: &LinearImage, sampling: u32) -> Vec<u32> {
         sum.map(|channel| (channel / (sampling * sampling) as f32).to_bits())
     };
     pixels.flat_map(average).collect()
+}
+
+/// The samples of a pixel in the order in which they are summed: sixteen in fours, each of them one of each quarter.
+fn summed(sampling: u32) -> Vec<Vec<[u32; 2]>> {
+    if sampling == 4 {
+        return vec![
+            vec![[0, 0], [2, 2], [1, 3], [3, 1]],
+            vec![[0, 2], [2, 0], [1, 1], [3, 3]],
+            vec![[0, 3], [2, 1], [1, 0], [3, 2]],
+            vec![[0, 1], [2, 3], [1, 2], [3, 0]],
+        ];
+    }
+    vec![(0..sampling * sampling).map(|i| [i % sampling, i / sampling]).collect()]
 }
 
 #[test]

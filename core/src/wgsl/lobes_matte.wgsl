@@ -1,0 +1,34 @@
+// Every material is matte: paths go on by the diffuse lobe alone, and nothing emits.
+
+struct Lobes {
+    diffuse: vec3f,
+    chances: vec3f,
+    sum: f32,
+}
+
+struct Leaving {
+    ray: Ray,
+    weight: vec3f,
+    kind: u32,
+}
+
+fn lobes_unlit(m: Material) -> bool {
+    return false;
+}
+
+fn lobes_emission(m: Material) -> vec3f {
+    return vec3f(0.0);
+}
+
+fn lobes_largest(share: vec3f) -> f32 {
+    return max(share.x, max(share.y, share.z));
+}
+
+fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
+    let largest = lobes_largest(m.base);
+    return Lobes(m.base, vec3f(largest, 0.0, 0.0), largest);
+}
+
+fn lobes_specular(s: Surface, m: Material, lobes: Lobes, ray: Ray, direction: vec3f, number: f32) -> Leaving {
+    return Leaving(ray, vec3f(0.0), RAY_REFLECTION);
+}

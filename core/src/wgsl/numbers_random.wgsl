@@ -1,0 +1,5 @@
+// Samples are independent.
+
+fn numbers_words(pixel: vec2u, dimension: u32) -> vec2u {
+    return numbers_pcg4d(vec4u(pixel, frame.sample, dimension)).xy;
+}

@@ -1,0 +1,137 @@
+// One sample of a path tracer (Kajiya 1986): a path from the eye that goes on by one lobe of each surface.
+
+// Vertices from which on paths end at random.
+const PATH_ROULETTE_LEVEL: u32 = 3u;
+
+// The numbers of a path: the place in the pixel is pair 0, and a vertex has as many pairs of its own as PATH_DIMENSIONS.
+const PATH_PLACE_IN_PIXEL: u32 = 0u;
+const PATH_DIMENSIONS: u32 = 4u;
+// Which lobe; whether roulette ends the path.
+const PATH_LOBE: u32 = 0u;
+// The diffuse direction.
+const PATH_DIRECTION: u32 = 1u;
+// Which emitter; whether the path stops away from the gaze.
+const PATH_EMITTER: u32 = 2u;
+// Where on it.
+const PATH_POINT: u32 = 3u;
+// From one point on emitters to the next.
+const PATH_LIGHT_SAMPLE: u32 = 1024u;
+
+struct Path {
+    pixel: vec2u,
+    ray: Ray,
+    kind: u32,
+    // What the radiance that arrives along the ray counts for.
+    throughput: vec3f,
+    // 1 for the ray from the eye.
+    level: u32,
+    // How densely the ray was drawn about a diffuse surface, per unit of solid angle; 0 for all other rays.
+    density: f32,
+    // What was found.
+    radiance: vec3f,
+    // At the first hit: OID + 1, distance, normal.
+    object: u32,
+    depth: f32,
+    normal: vec3f,
+}
+
+fn path_begin(pixel: vec2u) -> Path {
+    let place = numbers_pair(pixel, PATH_PLACE_IN_PIXEL);
+    let ray = frame_ray_at(vec2f(pixel) + place, 1.0, 1.0);
+    return Path(pixel, ray, RAY_PRIMARY, vec3f(1.0), 1u, 0.0, vec3f(0.0), 0u, FAR, vec3f(0.0));
+}
+
+// Follows the ray to the next surface and leaves it again; false where the path ends.
+fn path_step(path: ptr<function, Path>) -> bool {
+    let ray = (*path).ray;
+    inspect_ray((*path).kind);
+    let hit = bvh_traverse(ray, false);
+    if hit.primitive == MISS {
+        (*path).radiance += (*path).throughput * frame.background;
+        return false;
+    }
+    let direction = normalize(ray.direction);
+    let s = surface_at(ray, hit);
+    let m = material_at(s.object, s.texcoord, s.footprint, s.color);
+    if COUNTS && (*path).level == 1u {
+        (*path).object = s.object + 1u;
+        (*path).depth = hit.t;
+        (*path).normal = s.normal;
+    }
+    if lobes_unlit(m) {
+        (*path).radiance += (*path).throughput * m.base;
+        return false;
+    }
+    let emission = lobes_emission(m);
+    if any(emission != vec3f(0.0)) {
+        (*path).radiance += (*path).throughput * emission * emitters_weight((*path).density, s, direction);
+    }
+    if (*path).level >= frame.depth {
+        return false;
+    }
+    let pixel = (*path).pixel;
+    let dimension = PATH_DIMENSIONS * (*path).level;
+    let lobes = lobes_at(s, m, direction);
+    if lobes.sum <= 0.0 {
+        return false;
+    }
+    if lobes.chances.x > 0.0 {
+        let chance = lobes.chances.x / lobes.sum;
+        let irradiance = punctual_irradiance(s) + emitters_irradiance(s, chance, pixel, dimension);
+        (*path).radiance += (*path).throughput * lobes.diffuse * (1.0 / PI) * irradiance;
+    }
+    if STOPS && (*path).level > STOP_AFTER + 1u {
+        if stopping_stops(pixel, numbers_pair(pixel, dimension + PATH_EMITTER).y) {
+            return false;
+        }
+        (*path).throughput *= stopping_weight(pixel);
+    }
+    return path_leave(path, s, m, lobes, direction);
+}
+
+// Goes on by one of the surface's lobes, unless roulette ends the path; `direction` is the unit direction of the ray that hit.
+fn path_leave(path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes, direction: vec3f) -> bool {
+    let pixel = (*path).pixel;
+    let dimension = PATH_DIMENSIONS * (*path).level;
+    let numbers = numbers_pair(pixel, dimension + PATH_LOBE);
+    let number = numbers.x * lobes.sum;
+    var leaving: Leaving;
+    var density = 0.0;
+    if number < lobes.chances.x {
+        let drawn = path_scattered(s.normal, numbers_pair(pixel, dimension + PATH_DIRECTION));
+        density = max(dot(drawn, s.normal), 0.0) / PI * (lobes.chances.x / lobes.sum);
+        let weight = lobes.diffuse * (lobes.sum / lobes.chances.x);
+        leaving = Leaving(surface_spawn(s, drawn, FAR, vec2f(0.0)), weight, RAY_DIFFUSE);
+        if dot(s.face, drawn) <= 0.0 {
+            return false;
+        }
+    } else {
+        leaving = lobes_specular(s, m, lobes, (*path).ray, direction, number);
+    }
+    (*path).throughput *= leaving.weight;
+    if ROULETTE && (*path).level >= PATH_ROULETTE_LEVEL {
+        let survivors = min(lobes_largest((*path).throughput), 1.0);
+        if numbers.y >= survivors {
+            return false;
+        }
+        (*path).throughput /= survivors;
+    }
+    (*path).ray = leaving.ray;
+    (*path).kind = leaving.kind;
+    (*path).density = density;
+    (*path).level += 1u;
+    return true;
+}
+
+// A direction about a unit normal, as dense as its cosine.
+fn path_scattered(n: vec3f, numbers: vec2f) -> vec3f {
+    let r = sqrt(numbers.x);
+    let angle = 2.0 * PI * numbers.y;
+    // Building an Orthonormal Basis, Revisited (Duff et al. 2017).
+    let side = select(-1.0, 1.0, n.z >= 0.0);
+    let a = -1.0 / (side + n.z);
+    let b = n.x * n.y * a;
+    let x = vec3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x);
+    let y = vec3f(b, side + n.y * n.y * a, -n.y);
+    return normalize(r * cos(angle) * x + r * sin(angle) * y + sqrt(max(0.0, 1.0 - numbers.x)) * n);
+}

@@ -1,0 +1,5 @@
+// No punctual light shines.
+
+fn punctual_irradiance(s: Surface) -> vec3f {
+    return vec3f(0.0);
+}
