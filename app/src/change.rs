@@ -189,7 +189,7 @@ mod tests {
             ("t-norm x", "expected a number, found `x`"),
             (
                 "method maybe",
-                "expected full, adaptive, checkerboard, supersample, quincunx, frameless, reproject, found `maybe`",
+                "expected full, adaptive, checkerboard, supersample, quincunx, frameless, reproject, path, found `maybe`",
             ),
             ("share 0", "above 0 and at most 1"),
             ("split 1.5", "expected a number from 0 to 1, found `1.5`"),

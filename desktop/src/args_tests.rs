@@ -171,7 +171,7 @@ fn wrong_usage_exits_with_two_and_says_what_was_expected() {
         ("render a.glb -o b.png --t-pos wide", "--t-pos"),
         ("render a.glb -o b.png --seed x", "--seed"),
         ("render a.glb -o b.png --supersample=often", "--supersample"),
-        ("render a.glb -o b.png --samples 2", "--sampling"),
+        ("render a.glb -o b.png --samplin 2", "--sampling"),
         ("bench", "SCENE"),
         ("bench a --methods full,slow", "slow"),
         ("compare a.png", "<B>"),

@@ -130,3 +130,13 @@ pub fn mirror(color: Vec3) -> Material {
 pub fn glass(ior: f32) -> Material {
     Material { roughness: 0.0, transmission: 1.0, ior, casts_shadow: false, ..Material::default() }
 }
+
+/// The scene with the normals of its faces alone.
+#[must_use]
+pub fn flattened(mut scene: Scene) -> Scene {
+    for (corners, normals) in scene.positions.iter().zip(&mut scene.normals) {
+        let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+        *normals = [octahedral_encode((b - a).cross(c - a).normalize().as_vec3()); 3];
+    }
+    scene
+}

@@ -37,7 +37,7 @@ impl Pair {
 }
 
 /// The device's linear values of the bytes of sRGB.
-fn srgb() -> &'static [f64; 256] {
+pub(super) fn srgb() -> &'static [f64; 256] {
     static TABLE: OnceLock<[f64; 256]> = OnceLock::new();
     TABLE.get_or_init(|| {
         let stage = Stage::new(gallery::greys());

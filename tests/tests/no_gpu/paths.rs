@@ -8,10 +8,10 @@ use glam::{DVec3, Vec3, vec3};
 use glimpse::{
     Direct, Roulette, Sampler, Scene, Settings, Shining, Stopping,
     reference::{Frame, PathSample, Reference, Rounding},
-    scene::{Light, LightKind, Material, Weights, builtin, octahedral_encode},
+    scene::{Light, LightKind, Material, Weights, builtin},
 };
 use glimpse_tests::{
-    builder::{Builder, front_camera, glass, matte, mirror, unlit},
+    builder::{Builder, flattened, front_camera, glass, matte, mirror, unlit},
     gallery,
 };
 
@@ -95,12 +95,8 @@ fn emitting_box([diffuse, mirror]: [f64; 2], emission: f64) -> Scene {
 
 #[test]
 fn a_furnace_is_one_in_every_sample() {
-    let mut scene = builtin("furnace").unwrap();
     // Bent normals lose what comes from below the face.
-    for (corners, normals) in scene.positions.iter().zip(&mut scene.normals) {
-        let [a, b, c] = corners.map(|corner| corner.as_dvec3());
-        *normals = [octahedral_encode((b - a).cross(c - a).normalize().as_vec3()); 3];
-    }
+    let scene = flattened(builtin("furnace").unwrap());
     for roulette in [Roulette::On, Roulette::Off] {
         let mut settings = settings(Direct::Walk, 64);
         settings.paths.roulette = roulette;

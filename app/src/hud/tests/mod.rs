@@ -75,6 +75,7 @@ fn readings() -> Readings {
                 shadow: 300_000,
                 reflection: 20_000,
                 refraction: 0,
+                diffuse: 0,
                 total: 480_000,
             },
             samples: Samples { total: 518_400, base: 129_600, interpolated: 358_400, ..Samples::default() },

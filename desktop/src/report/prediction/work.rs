@@ -123,7 +123,7 @@ mod tests {
             interpolated_light: operations(1e7),
         };
         let counts = Counts {
-            rays: Rays { primary: 3, shadow: 4, reflection: 1, refraction: 0, total: 8 },
+            rays: Rays { primary: 3, shadow: 4, reflection: 1, refraction: 0, diffuse: 0, total: 8 },
             samples: Samples {
                 extra: 0,
                 total: 9,
