@@ -15,7 +15,7 @@ mod samples;
 #[path = "vary.rs"]
 mod vary;
 
-pub use paths::{PATH_OPTIONS, PathOptions};
+pub use paths::PathOptions;
 pub use pose::PoseOptions;
 pub use samples::{SampleOptions, focus_by_index};
 pub use vary::Variation;

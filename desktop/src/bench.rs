@@ -2,7 +2,7 @@
 
 use glimpse::{Gpu, Jitter, Method, Settings};
 
-use crate::args::{BenchOptions, FrameOptions, MethodName, PATH_OPTIONS, Size};
+use crate::args::{BenchOptions, FrameOptions, MethodName, PathOptions, Size};
 use crate::focus::Wish;
 use crate::measure::{Plan, Run, Stage};
 use crate::output;
@@ -103,7 +103,7 @@ fn heeds(settings: &Settings, option: &str) -> bool {
         },
         "similar" => settings.method == Method::Quincunx,
         "share" => settings.method.keeps_frames() && settings.method != Method::Path,
-        _ if PATH_OPTIONS.contains(&option) => settings.method == Method::Path,
+        _ if PathOptions::contain(option) => settings.method == Method::Path,
         "filter" => settings.method == Method::Full,
         _ => !option.starts_with("tau-") || settings.supersamples(),
     }

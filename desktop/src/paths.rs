@@ -59,6 +59,12 @@ impl Default for PathOptions {
 }
 
 impl PathOptions {
+    /// Is that the name of one of them?
+    pub fn contain(option: &str) -> bool {
+        let command = Self::augment_args(clap::Command::new("--vary"));
+        command.get_arguments().any(|argument| argument.get_long() == Some(option))
+    }
+
     /// Settings of paths.
     pub fn paths(&self) -> Paths {
         Paths {
@@ -75,20 +81,6 @@ impl PathOptions {
         }
     }
 }
-
-/// The names of the options.
-pub const PATH_OPTIONS: [&str; 10] = [
-    "samples",
-    "direct",
-    "light-samples",
-    "shining",
-    "sampler",
-    "roulette",
-    "stopping",
-    "gaze",
-    "p-max",
-    "stop-after",
-];
 
 /// `--gaze X,Y`
 #[derive(Clone, Copy, Debug, PartialEq)]
