@@ -151,8 +151,10 @@ pub fn adapter(statistics: &Statistics) -> String {
 
 fn rays(s: &Statistics) -> String {
     let r = &s.rays;
+    // Of paths alone.
+    let diffuse = if r.diffuse > 0 { format!(", diffuse {}", grouped(r.diffuse)) } else { String::new() };
     format!(
-        "{} (primary {}, shadow {}, reflection {}, refraction {}), {:.2} million/s",
+        "{} (primary {}, shadow {}, reflection {}, refraction {}{diffuse}), {:.2} million/s",
         grouped(r.total),
         grouped(r.primary),
         grouped(r.shadow),
