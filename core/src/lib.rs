@@ -26,6 +26,8 @@
 //! - *Woop 2013*: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1).
 //! - *Ize 2013*: Ize, "Robust BVH Ray Traversal", JCGT 2(2).
 //! - *Edelsbrunner 1990*: Edelsbrunner, Muecke, "Simulation of Simplicity", ACM Transactions on Graphics 9(1).
+//! - *Kim & Sung 2021*: Kim, Sung, "Efficient Path Tracer for the Presence of Mobile Virtual Reality", Human-centric
+//!   Computing and Information Sciences 11.
 //! - *lecture*: Akenine-Moller, Assarsson, "Ray Tracing I", Chalmers; with Heckbert's minimal ray tracer.
 
 mod atlas;

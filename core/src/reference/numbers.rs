@@ -12,7 +12,7 @@ pub struct Numbers {
     pub sampler: Sampler,
     /// Of whatever is random.
     pub seed: u32,
-    /// Of both eyes: the right eye's pixels follow the left eye's in each row.
+    /// Column and row.
     pub pixel: [u32; 2],
     /// Counts from 0.
     pub sample: u32,

@@ -62,13 +62,11 @@ struct Path<'a> {
 }
 
 impl Frame<'_> {
-    /// A sample of a pixel, counted from 0. Right of this picture begins that of the right eye: there `pixel` is so too,
-    /// and the frame's camera is that eye's.
+    /// A sample of a pixel, counted from 0.
     #[must_use]
     pub fn path(&self, pixel: [u32; 2], sample: u32, rounding: &mut Rounding) -> PathSample {
         let numbers = Numbers::of(&self.settings, pixel, sample);
         let place = numbers.pair(PLACE_IN_PIXEL);
-        let pixel = [pixel[0] % self.size[0], pixel[1]];
         let (ray, _) = self.ray_at([0, 1].map(|i| f64::from(pixel[i]) + place[i]), 1.0);
         let mut path = Path {
             frame: self,
