@@ -234,6 +234,9 @@ fn primitives(scene: &Scene, order: &[u32]) -> Vec<[f32; 9]> {
 
 /// The place in the tree of each emissive primitive, and the bits of its cumulative share.
 fn emitters(emitters: &Emitters, order: &[u32]) -> Vec<[u32; 2]> {
+    if emitters.primitives.is_empty() {
+        return Vec::new();
+    }
     let mut places = vec![0; order.len()];
     for (place, index) in order.iter().enumerate() {
         places[*index as usize] = place as u32;

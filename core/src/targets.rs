@@ -3,7 +3,7 @@
 use crate::{
     Error, Gpu, GpuScene, Memory, Method, Result, Settings,
     frame::{FRAME_STRIDE, Frame, PixelRecord},
-    passes::{COUNTER_WORDS, Variant},
+    passes::{COUNTER_WORDS, REFINE_MOST, REFINE_STEP, REFINE_WORDS, Variant},
     plan::{self, Plan, Shape},
 };
 
@@ -36,9 +36,6 @@ const HISTORY_BYTES: u64 = 24;
 
 /// Bytes of what landed in a pixel: a key and where it came from.
 const LANDED_BYTES: u64 = 8;
-
-/// Words of the list for a pixel that is refined: four entries, and what is known of its samples.
-const REFINE_WORDS: u64 = 4 + 9;
 
 /// No buffer of a band is larger: half of what WebGPU lets a storage binding be.
 const BAND_BYTES: u64 = 64 << 20;
@@ -94,7 +91,8 @@ impl Targets {
         let sample_bytes = SAMPLE_BYTES * stored;
         // A sample is listed once at most, or its quarters are.
         let listed = match settings.method {
-            _ if settings.refines() => REFINE_WORDS,
+            // An entry for each step, and what is known of the pixel.
+            _ if settings.refines() => u64::from(REFINE_MOST / REFINE_STEP + REFINE_WORDS),
             _ if supersamples => 4,
             Method::Quincunx => QUINCUNX_SAMPLES,
             Method::Adaptive | Method::Reproject => 1,

@@ -6,6 +6,19 @@ use std::str::FromStr;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use glimpse::{Linking, Method, Mip, Postcorrect, Settings, Show, Tolerances};
 
+/// What is typed for a setting, by the setting's own names.
+macro_rules! same_names {
+    ($($name:ident => $kind:ident: $($variant:ident),+;)+) => {$(
+        impl From<$name> for $kind {
+            fn from(name: $name) -> Self {
+                match name {
+                    $($name::$variant => Self::$variant,)+
+                }
+            }
+        }
+    )+};
+}
+
 #[path = "paths.rs"]
 mod paths;
 #[path = "pose.rs"]
@@ -418,21 +431,6 @@ pub enum MethodName {
     Path,
 }
 
-impl From<MethodName> for Method {
-    fn from(name: MethodName) -> Self {
-        match name {
-            MethodName::Full => Self::Full,
-            MethodName::Adaptive => Self::Adaptive,
-            MethodName::Checkerboard => Self::Checkerboard,
-            MethodName::Supersample => Self::Supersample,
-            MethodName::Quincunx => Self::Quincunx,
-            MethodName::Frameless => Self::Frameless,
-            MethodName::Reproject => Self::Reproject,
-            MethodName::Path => Self::Path,
-        }
-    }
-}
-
 /// `--postcorrect`
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum PostcorrectName {
@@ -448,18 +446,6 @@ pub enum PostcorrectName {
     Scans,
 }
 
-impl From<PostcorrectName> for Postcorrect {
-    fn from(name: PostcorrectName) -> Self {
-        match name {
-            PostcorrectName::Auto => Self::Auto,
-            PostcorrectName::Off => Self::Off,
-            PostcorrectName::Objects => Self::Objects,
-            PostcorrectName::On => Self::On,
-            PostcorrectName::Scans => Self::Scans,
-        }
-    }
-}
-
 /// `--mip`
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum MipName {
@@ -467,15 +453,6 @@ pub enum MipName {
     Off,
     /// Its average over what a sample stands for
     On,
-}
-
-impl From<MipName> for Mip {
-    fn from(name: MipName) -> Self {
-        match name {
-            MipName::Off => Self::Off,
-            MipName::On => Self::On,
-        }
-    }
 }
 
 /// `--features`
@@ -487,13 +464,11 @@ pub enum LinkingName {
     All,
 }
 
-impl From<LinkingName> for Linking {
-    fn from(name: LinkingName) -> Self {
-        match name {
-            LinkingName::Auto => Self::Auto,
-            LinkingName::All => Self::All,
-        }
-    }
+same_names! {
+    MethodName => Method: Full, Adaptive, Checkerboard, Supersample, Quincunx, Frameless, Reproject, Path;
+    PostcorrectName => Postcorrect: Auto, Off, Objects, On, Scans;
+    MipName => Mip: Off, On;
+    LinkingName => Linking: Auto, All;
 }
 
 /// `--size`

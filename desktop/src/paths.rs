@@ -146,18 +146,6 @@ pub enum StoppingName {
     Compensated,
 }
 
-macro_rules! same_names {
-    ($($name:ident => $kind:ident: $($variant:ident),+;)+) => {$(
-        impl From<$name> for $kind {
-            fn from(name: $name) -> Self {
-                match name {
-                    $($name::$variant => Self::$variant,)+
-                }
-            }
-        }
-    )+};
-}
-
 same_names! {
     DirectName => Direct: Walk, Light, Mis;
     ShiningName => Shining: All, Emitters, Punctual;

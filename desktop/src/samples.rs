@@ -141,18 +141,6 @@ pub enum PresetName {
     Refined,
 }
 
-impl From<PresetName> for Preset {
-    fn from(name: PresetName) -> Self {
-        match name {
-            PresetName::Balanced => Self::Balanced,
-            PresetName::Textures => Self::Textures,
-            PresetName::Edges => Self::Edges,
-            PresetName::Color => Self::Color,
-            PresetName::Refined => Self::Refined,
-        }
-    }
-}
-
 /// `--refine`
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum RefineName {
@@ -164,16 +152,6 @@ pub enum RefineName {
     Off,
 }
 
-impl From<RefineName> for Refine {
-    fn from(name: RefineName) -> Self {
-        match name {
-            RefineName::Auto => Self::Auto,
-            RefineName::On => Self::On,
-            RefineName::Off => Self::Off,
-        }
-    }
-}
-
 /// `--inactive`
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum InactiveName {
@@ -181,15 +159,6 @@ pub enum InactiveName {
     Nearest,
     /// The centres around it, bilinearly
     Bilinear,
-}
-
-impl From<InactiveName> for Inactive {
-    fn from(name: InactiveName) -> Self {
-        match name {
-            InactiveName::Nearest => Self::Nearest,
-            InactiveName::Bilinear => Self::Bilinear,
-        }
-    }
 }
 
 /// `--jitter`
@@ -203,16 +172,6 @@ pub enum JitterName {
     Off,
 }
 
-impl From<JitterName> for Jitter {
-    fn from(name: JitterName) -> Self {
-        match name {
-            JitterName::Auto => Self::Auto,
-            JitterName::On => Self::On,
-            JitterName::Off => Self::Off,
-        }
-    }
-}
-
 /// `--filter`
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum FilterName {
@@ -222,11 +181,10 @@ pub enum FilterName {
     Tent,
 }
 
-impl From<FilterName> for Filter {
-    fn from(name: FilterName) -> Self {
-        match name {
-            FilterName::Box => Self::Box,
-            FilterName::Tent => Self::Tent,
-        }
-    }
+same_names! {
+    PresetName => Preset: Balanced, Textures, Edges, Color, Refined;
+    RefineName => Refine: Auto, On, Off;
+    InactiveName => Inactive: Nearest, Bilinear;
+    JitterName => Jitter: Auto, On, Off;
+    FilterName => Filter: Box, Tent;
 }

@@ -17,6 +17,12 @@ pub const TRACE_GROUP: u32 = 64;
 /// Workgroups along x; a longer list goes on along y.
 pub const TRACE_ROW: u32 = 32_768;
 
+/// Samples that a refined pixel gets at once, and in all.
+pub const REFINE_STEP: u32 = 4;
+pub const REFINE_MOST: u32 = 16;
+/// Words of what is known of a pixel that is refined.
+pub const REFINE_WORDS: u32 = 9;
+
 /// By what share of the distance a box grows on all sides in the traversal, so that it loses no hit of what is inside.
 /// With `e = 2^-24` (half a unit in the last place), WGSL's 5 e for a quotient and `D`, the largest distance from the ray's
 /// origin to a plane of the node along an axis, rounding moves
@@ -112,7 +118,6 @@ impl Variant {
             ("HAS_REFRACTION", f.refraction),
             ("WEIGHS_EMITTERS", self.paths.direct == Direct::Mis),
             ("ROULETTE", self.paths.roulette == Roulette::On),
-            ("STOPS", self.paths.stopping != Stopping::Off),
             ("STOPPING_COMPENSATED", self.paths.stopping == Stopping::Compensated),
             ("LIGHT_COUNT_KNOWN", self.linking == Linking::Auto),
             ("VERTEX_STRIDE_KNOWN", self.linking == Linking::Auto),
@@ -171,6 +176,9 @@ impl Variant {
             ("RAY_SHADOW", 1),
             ("RAY_REFLECTION", 2),
             ("RAY_REFRACTION", 3),
+            ("REFINE_STEP", REFINE_STEP),
+            ("REFINE_MOST", REFINE_MOST),
+            ("REFINE_WORDS", REFINE_WORDS),
             ("RAY_DIFFUSE", 4),
             ("RAY_KINDS", RAY_KINDS as u32),
             ("PATH_TILE", plan::PATH_TILE),

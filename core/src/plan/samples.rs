@@ -1,7 +1,7 @@
 //! Frames with several samples a pixel that are no even grids, or are more than averaged.
 
 use super::{Band, Part, Plan, Rows, Shape, chunks, once, tiles};
-use crate::passes::Stage;
+use crate::passes::{REFINE_MOST, REFINE_STEP, Stage};
 
 /// The most samples that a pixel gets besides its own.
 const EXTRA_SAMPLES: u32 = 16;
@@ -30,7 +30,7 @@ impl Plan {
 
     /// All pixels that the test finds, and what they lead to.
     fn refine(&mut self, shape: &Shape, rows: Rows) {
-        let longest = EXTRA_SAMPLES / 4 * shape.grid[0] * rows.count();
+        let longest = REFINE_MOST / REFINE_STEP * shape.grid[0] * rows.count();
         self.longest_list = self.longest_list.max(longest);
         self.push(tiles(Stage::RefineTest, shape.grid[0], rows));
         for round in 0..REFINE_ROUNDS {

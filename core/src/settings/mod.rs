@@ -2,12 +2,37 @@
 
 use serde::Serialize;
 
+/// What a kind of wish may be, and what the command line calls it.
+macro_rules! names {
+    ($($kind:ident: $($variant:ident = $name:literal),+;)+) => {$(
+        impl $kind {
+            /// All of them.
+            pub const ALL: [Self; [$(Self::$variant),+].len()] = [$(Self::$variant),+];
+
+            /// Its name on the command line.
+            #[must_use]
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name,)+
+                }
+            }
+        }
+    )+};
+}
+
 mod paths;
 mod supersampling;
 mod validate;
 
 pub use paths::{Direct, MAX_GAZE, MAX_LIGHT_SAMPLES, Paths, Roulette, Sampler, Shining, Stopping};
 pub use supersampling::{Filter, Focus, Inactive, Jitter, Preset, Refine, THRESHOLD_NAMES, Thresholds};
+
+names! {
+    Method: Full = "full", Adaptive = "adaptive", Checkerboard = "checkerboard", Supersample = "supersample",
+        Quincunx = "quincunx", Frameless = "frameless", Reproject = "reproject", Path = "path";
+    Postcorrect: Auto = "auto", Off = "off", Objects = "objects", On = "on", Scans = "scans";
+    Mip: Off = "off", On = "on";
+}
 
 /// How a frame is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
@@ -35,33 +60,6 @@ pub enum Method {
 }
 
 impl Method {
-    /// All of them.
-    pub const ALL: [Self; 8] = [
-        Self::Full,
-        Self::Adaptive,
-        Self::Checkerboard,
-        Self::Supersample,
-        Self::Quincunx,
-        Self::Frameless,
-        Self::Reproject,
-        Self::Path,
-    ];
-
-    /// Its name on the command line.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Full => "full",
-            Self::Adaptive => "adaptive",
-            Self::Checkerboard => "checkerboard",
-            Self::Supersample => "supersample",
-            Self::Quincunx => "quincunx",
-            Self::Frameless => "frameless",
-            Self::Reproject => "reproject",
-            Self::Path => "path",
-        }
-    }
-
     /// A frame keeps something of the frames before it.
     #[must_use]
     pub fn keeps_frames(self) -> bool {
@@ -98,23 +96,6 @@ pub enum Postcorrect {
     Scans,
 }
 
-impl Postcorrect {
-    /// All of them.
-    pub const ALL: [Self; 5] = [Self::Auto, Self::Off, Self::Objects, Self::On, Self::Scans];
-
-    /// Its name on the command line.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Auto => "auto",
-            Self::Off => "off",
-            Self::Objects => "objects",
-            Self::On => "on",
-            Self::Scans => "scans",
-        }
-    }
-}
-
 /// What of a texture a sample shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -124,20 +105,6 @@ pub enum Mip {
     /// Its average over the part that the sample stands for, from mip levels; wherever texels are seen larger than
     /// samples, the same.
     On,
-}
-
-impl Mip {
-    /// All of them.
-    pub const ALL: [Self; 2] = [Self::Off, Self::On];
-
-    /// Its name on the command line.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Off => "off",
-            Self::On => "on",
-        }
-    }
 }
 
 /// Which pieces of the shaders are linked.

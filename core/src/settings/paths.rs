@@ -61,23 +61,6 @@ pub enum Stopping {
     Compensated,
 }
 
-macro_rules! names {
-    ($($kind:ident: $($variant:ident = $name:literal),+;)+) => {$(
-        impl $kind {
-            /// All of them.
-            pub const ALL: &[Self] = &[$(Self::$variant),+];
-
-            /// Its name on the command line.
-            #[must_use]
-            pub fn name(self) -> &'static str {
-                match self {
-                    $(Self::$variant => $name,)+
-                }
-            }
-        }
-    )+};
-}
-
 names! {
     Direct: Walk = "walk", Light = "light", Mis = "mis";
     Shining: All = "all", Emitters = "emitters", Punctual = "punctual";

@@ -4,6 +4,14 @@ use serde::Serialize;
 
 use crate::{Error, Result};
 
+names! {
+    Preset: Balanced = "balanced", Textures = "textures", Edges = "edges", Color = "color", Refined = "refined";
+    Inactive: Nearest = "nearest", Bilinear = "bilinear";
+    Filter: Box = "box", Tent = "tent";
+    Jitter: Auto = "auto", On = "on", Off = "off";
+    Refine: Auto = "auto", On = "on", Off = "off";
+}
+
 /// How strong a contrast must be, by what differs between neighbouring pixels, for a quarter of a pixel to get extra
 /// samples (Jin 2009, Table 1), each from 0, always, to 1, never.
 ///
@@ -102,21 +110,6 @@ pub enum Preset {
 }
 
 impl Preset {
-    /// All of them.
-    pub const ALL: [Self; 5] = [Self::Balanced, Self::Textures, Self::Edges, Self::Color, Self::Refined];
-
-    /// Its name on the command line.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Balanced => "balanced",
-            Self::Textures => "textures",
-            Self::Edges => "edges",
-            Self::Color => "color",
-            Self::Refined => "refined",
-        }
-    }
-
     /// What it stands for.
     #[must_use]
     pub const fn thresholds(self) -> Thresholds {
@@ -150,29 +143,6 @@ pub enum Inactive {
     Bilinear,
 }
 
-impl Inactive {
-    /// Its name on the command line.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Nearest => "nearest",
-            Self::Bilinear => "bilinear",
-        }
-    }
-}
-
-impl Jitter {
-    /// Its name on the command line.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Auto => "auto",
-            Self::On => "on",
-            Self::Off => "off",
-        }
-    }
-}
-
 /// How a pixel follows from samples (lecture, "Supersampling").
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -181,17 +151,6 @@ pub enum Filter {
     Box,
     /// Those of the neighbours too, the less the farther off: smoother edges, softer textures.
     Tent,
-}
-
-impl Filter {
-    /// Its name on the command line.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Box => "box",
-            Self::Tent => "tent",
-        }
-    }
 }
 
 /// Where in its cell a sample lies.
@@ -217,16 +176,4 @@ pub enum Refine {
     On,
     /// Four in each quarter that differs (Jin 2009, 4.1.4).
     Off,
-}
-
-impl Refine {
-    /// Its name on the command line.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Auto => "auto",
-            Self::On => "on",
-            Self::Off => "off",
-        }
-    }
 }

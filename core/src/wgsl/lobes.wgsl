@@ -29,10 +29,6 @@ fn lobes_emission(m: Material) -> vec3f {
     return m.emission;
 }
 
-fn lobes_largest(share: vec3f) -> f32 {
-    return max(share.x, max(share.y, share.z));
-}
-
 // `direction` is the unit direction of the ray that hit.
 fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
     var lobes: Lobes;
@@ -48,7 +44,7 @@ fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
             lobes.refraction = vec3f(0.0);
         }
     }
-    lobes.chances = vec3f(lobes_largest(lobes.diffuse), lobes_largest(lobes.mirror), lobes_largest(lobes.refraction));
+    lobes.chances = vec3f(path_largest(lobes.diffuse), path_largest(lobes.mirror), path_largest(lobes.refraction));
     lobes.sum = lobes.chances.x + lobes.chances.y + lobes.chances.z;
     return lobes;
 }

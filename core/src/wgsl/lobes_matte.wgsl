@@ -20,12 +20,8 @@ fn lobes_emission(m: Material) -> vec3f {
     return vec3f(0.0);
 }
 
-fn lobes_largest(share: vec3f) -> f32 {
-    return max(share.x, max(share.y, share.z));
-}
-
 fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
-    let largest = lobes_largest(m.base);
+    let largest = path_largest(m.base);
     return Lobes(m.base, vec3f(largest, 0.0, 0.0), largest);
 }
 

@@ -119,9 +119,6 @@ fn material_rough_metal(m: Material) -> vec3f {
 
 // Both.
 fn material_albedo(m: Material, cosine: f32, inside: bool) -> vec3f {
-    if material_is(m, OBJECT_UNLIT) {
-        return vec3f(0.0);
-    }
     return material_diffuse(m, cosine, inside) + material_rough_metal(m);
 }
 

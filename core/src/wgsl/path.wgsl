@@ -80,7 +80,8 @@ fn path_step(path: ptr<function, Path>) -> bool {
         let irradiance = punctual_irradiance(s) + emitters_irradiance(s, chance, pixel, dimension);
         (*path).radiance += (*path).throughput * lobes.diffuse * (1.0 / PI) * irradiance;
     }
-    if STOPS && (*path).level > STOP_AFTER + 1u {
+    // The first hit is no bounce.
+    if (*path).level - 1u > STOP_AFTER {
         if stopping_stops(pixel, numbers_pair(pixel, dimension + PATH_EMITTER).y) {
             return false;
         }
@@ -110,7 +111,7 @@ fn path_leave(path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes, 
     }
     (*path).throughput *= leaving.weight;
     if ROULETTE && (*path).level >= PATH_ROULETTE_LEVEL {
-        let survivors = min(lobes_largest((*path).throughput), 1.0);
+        let survivors = min(path_largest((*path).throughput), 1.0);
         if numbers.y >= survivors {
             return false;
         }
@@ -134,4 +135,8 @@ fn path_scattered(n: vec3f, numbers: vec2f) -> vec3f {
     let x = vec3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x);
     let y = vec3f(b, side + n.y * n.y * a, -n.y);
     return normalize(r * cos(angle) * x + r * sin(angle) * y + sqrt(max(0.0, 1.0 - numbers.x)) * n);
+}
+
+fn path_largest(share: vec3f) -> f32 {
+    return max(share.x, max(share.y, share.z));
 }

@@ -10,12 +10,6 @@ struct RefineList {
 
 var<storage, read_write> list: RefineList;
 
-// Samples that a pixel gets at once, and in all.
-const REFINE_STEP: u32 = 4u;
-const REFINE_MOST: u32 = 16u;
-// Words of what is known of a pixel.
-const REFINE_WORDS: u32 = 9u;
-
 // The next samples of a pixel that has so many.
 fn refine_append(pixel: vec2u, taken: u32) {
     let place = atomicAdd(&list.count, 1u);

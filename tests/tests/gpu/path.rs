@@ -118,7 +118,7 @@ fn the_mean_is_that_of_the_reference() {
 fn in_a_furnace_every_path_brings_the_same() {
     let stage = Stage::new(flattened(builtin("furnace").expect("built in")));
     for roulette in Roulette::ALL {
-        let image = mean(&stage, &with(|p| (p.direct, p.roulette) = (Direct::Walk, *roulette)), 3);
+        let image = mean(&stage, &with(|p| (p.direct, p.roulette) = (Direct::Walk, roulette)), 3);
         let off = image.as_raw().iter().map(|v| (v - 1.0).abs()).fold(0.0, f32::max);
         assert!(off <= 1e-5, "{roulette:?}: {off}");
     }
@@ -176,7 +176,7 @@ fn without_light_it_is_dark() {
     let stage = Stage::new(builder.seen_by(front_camera()));
     for direct in Direct::ALL {
         for shining in Shining::ALL {
-            let image = mean(&stage, &with(|paths| (paths.direct, paths.shining) = (*direct, *shining)), 1);
+            let image = mean(&stage, &with(|paths| (paths.direct, paths.shining) = (direct, shining)), 1);
             assert!(image.as_raw().iter().all(|v| *v == 0.0), "{direct:?} {shining:?}");
         }
     }
