@@ -2,7 +2,7 @@
 
 use glam::{Affine3A, Vec2, Vec3, vec3};
 
-use super::shapes::Builder;
+use super::shapes::{Builder, turned};
 use crate::camera::Camera;
 use crate::scene::{Environment, Light, LightKind, Material, Scene};
 
@@ -35,7 +35,7 @@ pub(super) fn scene() -> Option<Scene> {
     b.object("light panel", panel);
     b.cuboid(vec3(-0.3, 1.96, -0.25), vec3(0.3, 2.0, 0.25), 1.0);
 
-    b.place = Affine3A::from_translation(vec3(0.36, 0.0, -0.38)) * Affine3A::from_rotation_y(-0.3);
+    b.place = Affine3A::from_translation(vec3(0.36, 0.0, -0.38)) * turned(Vec3::Y, -0.3);
     b.object("tall box", white);
     b.cuboid(vec3(-0.3, 0.0, -0.3), vec3(0.3, 1.15, 0.3), 1.0);
     b.place = Affine3A::IDENTITY;

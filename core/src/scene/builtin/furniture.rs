@@ -3,8 +3,9 @@
 use std::f32::consts::{PI, TAU};
 
 use glam::{Affine3A, Vec2, Vec3, vec2, vec3};
+use libm::{cosf, sincosf, sinf};
 
-use super::shapes::Builder;
+use super::shapes::{Builder, turned};
 use super::textures::hash;
 
 /// A wire chair that looks along +z: seat at 0.46 m, legs of 22 mm, spindles of 7 mm.
@@ -54,7 +55,7 @@ pub(super) fn pendant(b: &mut Builder, ceiling: f32, shade: u32, wire: u32, bulb
     b.object("pendant lamp, wires", wire);
     b.tube(&[Vec3::Y * 0.04, Vec3::Y * ceiling], 0.003, 8);
     for i in 0..3 {
-        let (sin, cos) = (TAU * (i as f32 / 3.0 + 0.1)).sin_cos();
+        let (sin, cos) = sincosf(TAU * (i as f32 / 3.0 + 0.1));
         b.tube(&[vec3(0.235 * sin, 0.03, 0.235 * cos), Vec3::Y * (0.75 * ceiling)], 0.0015, 6);
     }
     b.sphere("pendant lamp, bulb", bulb, Vec3::ZERO, 0.04);
@@ -88,7 +89,7 @@ pub(super) fn plant(b: &mut Builder, clay: u32, soil: u32, stem: u32, leaf: u32)
         .map(|i| {
             let r = |k| hash(i, k);
             let turn = i as f32 * 2.4 + 0.5 * r(1);
-            let out = vec3(turn.sin(), 0.0, turn.cos());
+            let out = vec3(sinf(turn), 0.0, cosf(turn));
             (out, 0.38 + 0.62 * r(2), 0.42 + 0.25 * r(3), 0.35 + 0.75 * r(4))
         })
         .collect();
@@ -105,8 +106,8 @@ pub(super) fn plant(b: &mut Builder, clay: u32, soil: u32, stem: u32, leaf: u32)
             // An arc of a circle that starts steeply and bends outwards.
             let angle = 1.15 - 2.0 * bend * t;
             let mean = 1.15 - bend * t;
-            let along = *out * mean.cos() + Vec3::Y * mean.sin();
-            let normal = (Vec3::Y * angle.cos() - *out * angle.sin()).normalize();
+            let along = *out * cosf(mean) + Vec3::Y * sinf(mean);
+            let normal = (Vec3::Y * cosf(angle) - *out * sinf(angle)).normalize();
             (foot + along * (length * t) - side * ((s - 0.5) * 0.42 * length), normal)
         });
     }
@@ -135,7 +136,7 @@ pub(super) fn sideboard(b: &mut Builder, wood: u32, metal: u32, books: &[u32]) {
         let (width, height) = (0.022 + 0.03 * hash(i, 11), 0.20 + 0.08 * hash(i, 12));
         let lean = if i == 12 { -0.22 } else { 0.0 };
         let foot = vec3(x + if i == 12 { 0.07 } else { 0.0 }, 0.69, 0.10);
-        b.place = place * Affine3A::from_translation(foot) * Affine3A::from_rotation_z(-lean);
+        b.place = place * Affine3A::from_translation(foot) * turned(Vec3::Z, -lean);
         b.object(format!("book {i}"), books[(hash(i, 13) * books.len() as f32) as usize % books.len()]);
         b.cuboid(Vec3::ZERO, vec3(width, height, 0.16 + 0.03 * hash(i, 14)), 1.0);
         x += width + 0.002;
@@ -162,8 +163,8 @@ pub(super) fn curtain(b: &mut Builder, name: &str, cloth: u32, width: f32, heigh
     let folds = (width / 0.09).round();
     b.surface([(folds * 12.0) as u32, 1], Vec2::ONE, |s, t| {
         let phase = s * folds * TAU;
-        let depth = 0.028 * (0.8 + 0.2 * (s * 3.0 * PI).sin());
-        let slope = depth * phase.cos() * folds * TAU / width;
-        (vec3(s * width, t * height, depth * phase.sin()), vec3(-slope, 0.0, 1.0).normalize())
+        let depth = 0.028 * (0.8 + 0.2 * sinf(s * 3.0 * PI));
+        let slope = depth * cosf(phase) * folds * TAU / width;
+        (vec3(s * width, t * height, depth * sinf(phase)), vec3(-slope, 0.0, 1.0).normalize())
     });
 }

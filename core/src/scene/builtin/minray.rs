@@ -6,6 +6,7 @@
 use std::f32::consts::PI;
 
 use glam::Vec3;
+use libm::tan;
 
 use super::shapes::Builder;
 use crate::camera::Camera;
@@ -63,7 +64,7 @@ pub(super) fn scene() -> Scene {
 /// For 32 x 32 pixels: pixel (i, j) looks along (i - 16, 16 / tan 12.5 deg, 16 - j), the ray through its corner,
 /// so the lens is shifted by half a pixel.
 fn camera() -> Camera {
-    let tan = 12.5_f64.to_radians().tan() as f32;
+    let tan = tan(12.5_f64.to_radians()) as f32;
     let half_pixel = tan / 32.0;
     Camera {
         origin: Vec3::ZERO,

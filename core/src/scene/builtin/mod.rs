@@ -1,4 +1,5 @@
-//! Built-in scenes, made by code alone: the same triangles and texels everywhere.
+//! Built-in scenes, made by code alone: the same triangles and texels everywhere. Sines and powers are therefore `libm`'s:
+//! those of the platforms and of the compiler differ in the last bit.
 
 mod cornell;
 mod furnace;

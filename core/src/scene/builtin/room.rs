@@ -4,7 +4,7 @@ use std::f32::consts::FRAC_PI_2;
 
 use glam::{Affine3A, Vec2, Vec3, vec2, vec3};
 
-use super::shapes::Builder;
+use super::shapes::{Builder, turned};
 use super::{furniture, textures};
 use crate::camera::Camera;
 use crate::scene::{Environment, Light, LightKind, Material, Scene};
@@ -22,7 +22,7 @@ const PENDANT: Vec3 = vec3(-0.15, 1.72, -0.75);
 const FLOOR_LAMP: Vec3 = vec3(2.12, 0.0, -1.78);
 
 fn at(position: Vec3, turn: f32) -> Affine3A {
-    Affine3A::from_translation(position) * Affine3A::from_rotation_y(turn)
+    Affine3A::from_translation(position) * turned(Vec3::Y, turn)
 }
 
 fn colored(r: f32, g: f32, b: f32, roughness: f32) -> Material {

@@ -2,7 +2,8 @@
 
 use std::f32::consts::TAU;
 
-use glam::{Affine3A, Vec2, Vec3, vec2};
+use glam::{Affine3A, Quat, Vec2, Vec3, vec2};
+use libm::sincosf;
 
 use crate::scene::{Image8, Material, Object, Scene, Sphere, Texture, Wrap, octahedral_encode};
 
@@ -194,8 +195,14 @@ fn frame(axis: Vec3) -> (Vec3, Vec3) {
     (x, axis.cross(x))
 }
 
+/// A rotation by so many radians.
+pub(super) fn turned(axis: Vec3, angle: f32) -> Affine3A {
+    let (sin, cos) = sincosf(0.5 * angle);
+    Affine3A::from_quat(Quat::from_vec4((sin * axis).extend(cos)))
+}
+
 /// The point of a unit circle from `x` over `z` that closes exactly at turn 1.
 fn around(x: Vec3, z: Vec3, turn: f32) -> Vec3 {
-    let (sin, cos) = if turn < 1.0 { (turn * TAU).sin_cos() } else { (0.0, 1.0) };
+    let (sin, cos) = if turn < 1.0 { sincosf(turn * TAU) } else { (0.0, 1.0) };
     x * cos + z * sin
 }

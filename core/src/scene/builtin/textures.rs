@@ -3,6 +3,7 @@
 use std::f32::consts::PI;
 
 use glam::{Vec2, Vec3, vec2, vec3};
+use libm::{atan2f, cosf, powf, sinf};
 
 use crate::scene::Image8;
 
@@ -68,7 +69,7 @@ pub(super) fn boards() -> Image8 {
         let shift = vec2(tone, 0.7 * tone);
         let grain = fractal(p + shift, vec2(4.0, 96.0));
         let wave = fractal(p + shift, vec2(3.0, 16.0));
-        let rings = 0.5 + 0.5 * ((wave * 9.0 + grain * 1.5) * 2.0 * PI).sin();
+        let rings = 0.5 + 0.5 * sinf((wave * 9.0 + grain * 1.5) * 2.0 * PI);
         let color = vec3(0.60, 0.41, 0.25)
             .lerp(vec3(0.74, 0.55, 0.36), 0.55 * grain + 0.25 * rings + 0.2 * tone)
             * (0.78 + 0.3 * tone);
@@ -83,7 +84,7 @@ pub(super) fn boards() -> Image8 {
 pub(super) fn walnut() -> Image8 {
     paint(|p| {
         let grain = fractal(p, vec2(3.0, 64.0));
-        let rings = 0.5 + 0.5 * ((fractal(p, vec2(2.0, 6.0)) * 8.0 + grain) * 2.0 * PI).sin();
+        let rings = 0.5 + 0.5 * sinf((fractal(p, vec2(2.0, 6.0)) * 8.0 + grain) * 2.0 * PI);
         (vec3(0.33, 0.20, 0.13).lerp(vec3(0.52, 0.34, 0.22), 0.6 * grain + 0.4 * rings), 1.0)
     })
 }
@@ -110,7 +111,7 @@ pub(super) fn wallpaper() -> Image8 {
         let base = if x < 0.5 { vec3(0.66, 0.75, 0.69) } else { vec3(0.71, 0.79, 0.73) };
         let column = (p.x * 4.0).floor();
         let q = vec2(x - 0.25, (p.y * 4.0 + 0.5 * (column % 2.0)).fract() - 0.5);
-        let petals = 0.14 * (0.55 + 0.45 * (4.0 * q.y.atan2(q.x)).cos());
+        let petals = 0.14 * (0.55 + 0.45 * cosf(4.0 * atan2f(q.y, q.x)));
         let inside = ((petals - q.length()) / 0.02).clamp(0.0, 1.0);
         let stripe = line(x - 0.5, 0.012).max(line(x.min(1.0 - x), 0.012));
         let color =
@@ -138,7 +139,7 @@ pub(super) fn carpet() -> Image8 {
             e if e < 0.09 => cream,
             _ => field,
         };
-        let weave = 0.88 + 0.12 * ((p.x * 512.0 * PI * 0.25).sin() * (p.y * 512.0 * PI * 0.25).sin());
+        let weave = 0.88 + 0.12 * sinf(p.x * 512.0 * PI * 0.25) * sinf(p.y * 512.0 * PI * 0.25);
         (color * weave * (0.85 + 0.3 * fractal(p, Vec2::splat(96.0))), 1.0)
     })
 }
@@ -160,7 +161,7 @@ pub(super) fn painting() -> Image8 {
             (0.90, 0.03, 9.0, vec3(0.20, 0.34, 0.26)),
         ];
         for (height, swing, waves, tone) in hills {
-            if p.y > height + swing * (p.x * waves + 10.0 * height).sin() + 0.015 * stroke {
+            if p.y > height + swing * sinf(p.x * waves + 10.0 * height) + 0.015 * stroke {
                 color = tone * (1.0 + 0.5 * stroke);
             }
         }
@@ -172,8 +173,7 @@ pub(super) fn painting() -> Image8 {
 pub(super) fn leaf() -> Image8 {
     paint(|p| {
         let (x, t) = ((p.x - 0.5) * 2.0, 1.0 - p.y);
-        let half =
-            0.92 * (PI * t.powf(0.75)).sin().max(0.0).powf(0.8) * (1.0 - 0.15 * (t * 40.0).sin().abs());
+        let half = 0.92 * powf(sinf(PI * powf(t, 0.75)).max(0.0), 0.8) * (1.0 - 0.15 * sinf(t * 40.0).abs());
         let stem = x.abs() < 0.03 && t < 0.12;
         let inside = x.abs() < half || stem;
         let vein = line(x, 0.035).max(0.6 * line(((t - 0.45 * x.abs()) * 9.0).fract() - 0.5, 0.07));

@@ -6,6 +6,7 @@
 use std::f32::consts::TAU;
 
 use glam::{Affine3A, Quat, Vec2, Vec3, vec3};
+use libm::{cosf, powf, sinf, tanf};
 
 use super::shapes::Builder;
 use super::textures::hash;
@@ -68,7 +69,7 @@ pub(super) fn scene() -> Option<Scene> {
 fn thing(b: &mut Builder, index: i32, paints: &[u32]) {
     let draw = |what: i32| hash(index, what);
     let paint = paints[(draw(0) * paints.len() as f32) as usize % paints.len()];
-    let tangent = (0.5 * FIELD_OF_VIEW).tan();
+    let tangent = tanf(0.5 * FIELD_OF_VIEW);
     let cell = [index % CELLS[0], index / CELLS[0]];
     let place = |axis: usize| 2.0 * (cell[axis] as f32 + draw(1 + axis as i32)) / CELLS[axis] as f32 - 1.0;
     let forward = vec3(place(0) * ASPECT * tangent, place(1) * tangent, -1.0);
@@ -78,11 +79,11 @@ fn thing(b: &mut Builder, index: i32, paints: &[u32]) {
     let center = EYE + depth * forward;
     let pixel = 2.0 * tangent * depth / ROWS;
     // As many thin things as thick ones.
-    let between = |[low, high]: [f32; 2]| low * (high / low).powf(draw(4));
+    let between = |[low, high]: [f32; 2]| low * powf(high / low, draw(4));
     let direction = {
         let (height, turn) = (2.0 * draw(5) - 1.0, TAU * draw(6));
         let radius = (1.0 - height * height).sqrt();
-        vec3(radius * turn.cos(), height, radius * turn.sin())
+        vec3(radius * cosf(turn), height, radius * sinf(turn))
     };
     let kind = draw(8);
     if kind < 0.45 {
