@@ -1,7 +1,7 @@
 //! The frame: its passes in order and its constants.
 
 use crate::{
-    Camera, Gpu, GpuScene, Result, Settings, Tolerances,
+    Camera, Gpu, GpuScene, Method, Paths, Result, Settings, Tolerances,
     gpu::{Bound, Kernels, Timer, mirror::gpu_struct},
     passes::{Output, Stage, TRACE_GROUP, Variant},
     plan::{Extent, Part, Rows},
@@ -25,7 +25,7 @@ gpu_struct! {
         tau_col: f32, focus_first: u32, focus_last: u32, similar: f32,
         renewed_from: u32, renewed: u32, still: u32, tau_least: f32,
         gaze: [f32; 2], stop: f32, emitter_scale: f32,
-        sample: u32, emitters: u32, padding: [u32; 2],
+        sample: u32, emitters: u32, eyes: [f32; 2],
     }
 }
 
@@ -44,7 +44,8 @@ impl Frame {
     pub fn new(scene: &GpuScene, settings: &Settings, size: [u32; 2], camera: &Camera) -> Self {
         let environment = &scene.environment;
         let t = &settings.thresholds;
-        let extent = size.map(|side| side as f32);
+        let eye = if settings.method == Method::Vr { [size[0].div_ceil(2), size[1]] } else { size };
+        let extent = eye.map(|side| side as f32);
         let gaze = [0, 1].map(|axis| settings.paths.gaze[axis] * extent[axis]);
         Self {
             origin: camera.origin.into(),
@@ -87,9 +88,17 @@ impl Frame {
             emitter_scale: scene.emitter_scale,
             sample: 0,
             emitters: scene.emitter_count,
-            padding: [0; 2],
+            eyes: eyes(&settings.paths, camera),
         }
     }
+}
+
+/// How far the eyes are to the left and right of the camera, and how far their pictures are shifted for that, in lengths of
+/// the camera's vector to the right.
+fn eyes(paths: &Paths, camera: &Camera) -> [f32; 2] {
+    let [right, forward] = [camera.right, camera.forward].map(|axis| axis.as_dvec3().length());
+    let aside = 0.5 * f64::from(paths.eye_distance) / right;
+    [aside, paths.convergence.map_or(0.0, |distance| aside * forward / f64::from(distance))].map(|x| x as f32)
 }
 
 /// From the gaze to the corner of the picture that is farthest from it, in pixels.

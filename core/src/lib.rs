@@ -67,9 +67,9 @@ pub use pose::{Lens, Pose};
 pub use renderer::Renderer;
 pub use scene::{Features, Scene};
 pub use settings::{
-    Direct, Filter, Focus, Inactive, Jitter, Linking, MAX_DEPTH, MAX_GAZE, MAX_LIGHT_SAMPLES, MAX_RAYS,
-    MAX_SAMPLING, Method, Mip, Paths, Postcorrect, Preset, Refine, Robustness, Roulette, Sampler, Settings,
-    Shining, Stopping, THRESHOLD_NAMES, Thresholds, Tolerances,
+    Crossing, Direct, Filter, Focus, Inactive, Jitter, Linking, MAX_DEPTH, MAX_GAZE, MAX_LIGHT_SAMPLES,
+    MAX_RAYS, MAX_SAMPLING, Method, Mip, Paths, Postcorrect, Preset, Refine, Robustness, Roulette, Sampler,
+    Settings, Shining, Stopping, THRESHOLD_NAMES, Thresholds, Tolerances,
 };
 pub use show::Show;
 pub use stats::{

@@ -130,6 +130,8 @@ pub struct Shape {
     pub filter: Filter,
     /// Points of thin things.
     pub landmarks: u32,
+    /// Samples of one eye count for the other.
+    pub crosses: bool,
 }
 
 impl Plan {
@@ -150,7 +152,13 @@ impl Plan {
                     plan.push(tiles(Stage::Fill, width, rows));
                 }
                 Method::Frameless => plan.frameless(shape, band.rows(1, band.own)),
-                Method::Path => plan.push(tiles(Stage::Path, shape.grid[0], band.rows(1, band.own))),
+                Method::Path | Method::Vr => {
+                    let (width, rows) = (shape.grid[0], band.rows(1, band.own));
+                    plan.push(tiles(Stage::Path, width, rows));
+                    if shape.crosses {
+                        plan.push(tiles(Stage::Cross, width, rows));
+                    }
+                }
                 Method::Reproject => plan.reproject(shape, band.rows(1, band.own)),
                 Method::Adaptive => {
                     plan.adaptive(shape, &band);

@@ -111,12 +111,16 @@ impl<'a> Renderer<'a> {
         cancelled: &dyn Fn() -> bool,
     ) -> Result<Option<FrameTime>> {
         let step = self.sequence.next(camera);
-        let constants = self.constants(camera, &step);
+        let constants = self.constants(camera, &step)?;
         let tolerances = &self.settings.tolerances;
         let (passes, targets) = (&self.passes, &self.targets);
         let done = passes.run_until(self.gpu, targets, &constants, tolerances, step.side, cancelled)?;
         if done {
             self.sequence.done(step, camera);
+        } else if self.settings.method.follows_paths() {
+            // Some pixels have a sample that others lack.
+            self.sequence.reset();
+            self.targets.forget(self.gpu);
         }
         done.then(|| self.passes.times(self.gpu)).transpose()
     }
@@ -241,14 +245,18 @@ impl<'a> Renderer<'a> {
         Passes::new(gpu, scene, targets, variant, kernels, color, inspection)
     }
 
-    fn constants(&self, camera: &Camera, step: &Step) -> Frame {
-        Frame {
+    fn constants(&self, camera: &Camera, step: &Step) -> Result<Frame> {
+        if self.settings.method == Method::Vr && camera.orthographic {
+            let expected = "expected a perspective camera, found an orthographic one, which has no eyes";
+            return Err(Error::setting("--method vr", expected));
+        }
+        Ok(Frame {
             renewed_from: step.first,
             renewed: step.count,
             still: u32::from(step.still),
             sample: step.sample,
             ..Frame::new(self.scene, &self.settings, self.targets.grid, camera)
-        }
+        })
     }
 
     fn submit(
@@ -258,7 +266,7 @@ impl<'a> Renderer<'a> {
         step: &Step,
         cleared: Option<&wgpu::Buffer>,
     ) -> Result<()> {
-        let constants = self.constants(camera, step);
+        let constants = self.constants(camera, step)?;
         passes.run(self.gpu, &self.targets, &constants, &self.settings.tolerances, step.side, cleared)
     }
 }

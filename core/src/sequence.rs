@@ -47,7 +47,7 @@ impl Sequence {
     /// Of frames with these settings; the first is yet to come.
     pub fn new(settings: &Settings) -> Self {
         let (count, samples) = match settings.method {
-            Method::Path => (RANKS, settings.paths.samples),
+            Method::Path | Method::Vr => (RANKS, settings.paths.samples),
             method if method.keeps_frames() => (renewed_ranks(settings.share), 0),
             _ => (RANKS, 0),
         };

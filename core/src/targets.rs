@@ -22,6 +22,9 @@ pub const LIST_HEADER: u64 = 16;
 /// Bytes of a sample's radiance.
 const SAMPLE_BYTES: u64 = 12;
 
+/// And of one that may cross over to the other eye: also what lands in its pixel.
+const CROSSING_SAMPLE_BYTES: u64 = 36;
+
 /// A bit for each sample of a quincunx that a pixel may share with others.
 const CLAIM_BYTES: u64 = 4;
 
@@ -85,10 +88,10 @@ impl Targets {
         let attribute_bytes = if quincunx { 2 * CLAIM_BYTES } else { 4 * u64::from(variant.stored_planes()) };
         let stored = match settings.method {
             Method::Quincunx => QUINCUNX_SAMPLES,
-            Method::Checkerboard | Method::Path => 1,
+            Method::Checkerboard | Method::Path | Method::Vr => 1,
             _ => u64::from(settings.sampling > 1),
         };
-        let sample_bytes = SAMPLE_BYTES * stored;
+        let sample_bytes = stored * if settings.crosses() { CROSSING_SAMPLE_BYTES } else { SAMPLE_BYTES };
         // A sample is listed once at most, or its quarters are.
         let listed = match settings.method {
             // An entry for each step, and what is known of the pixel.
@@ -103,7 +106,9 @@ impl Targets {
         let band = plan::band_rows(settings.sampling, BAND_BYTES / row_bytes.max(1));
         let band = match settings.method {
             // Later passes, or frames, look across the borders of bands.
-            Method::Checkerboard | Method::Frameless | Method::Reproject | Method::Path => u32::MAX,
+            Method::Checkerboard | Method::Frameless | Method::Reproject | Method::Path | Method::Vr => {
+                u32::MAX
+            }
             Method::Quincunx => band.min(QUINCUNX_ROWS),
             _ => band,
         };
@@ -117,6 +122,7 @@ impl Targets {
             refines: settings.refines(),
             filter: settings.filter,
             landmarks: scene.landmark_count(),
+            crosses: settings.crosses(),
         };
         let plan = Plan::new(settings.method, &shape);
         // The corners of a pixel are beside and below it.
@@ -153,6 +159,13 @@ impl Targets {
             offset: FRAME_STRIDE * part as u64,
             size: wgpu::BufferSize::new(size_of::<Frame>() as u64),
         })
+    }
+
+    /// Forgets all samples.
+    pub fn forget(&self, gpu: &Gpu) {
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        encoder.clear_buffer(&self.samples, 0, None);
+        gpu.queue.submit([encoder.finish()]);
     }
 
     /// Bytes on the device.

@@ -296,7 +296,7 @@ pub enum Measure {
 /// What every rendering command takes.
 #[derive(Clone, Debug, Args)]
 pub struct FrameOptions {
-    /// Frame size in pixels
+    /// Frame size in pixels, of each eye
     #[arg(long, value_name = "WxH", default_value = "2560x1440")]
     pub size: Size,
     /// A camera of the scene, by index or name [default: the first]
@@ -429,6 +429,8 @@ pub enum MethodName {
     Reproject,
     /// Paths of light from everywhere, a sample of every pixel after the other
     Path,
+    /// Paths for two eyes side by side, each of --size
+    Vr,
 }
 
 /// `--postcorrect`
@@ -465,7 +467,7 @@ pub enum LinkingName {
 }
 
 same_names! {
-    MethodName => Method: Full, Adaptive, Checkerboard, Supersample, Quincunx, Frameless, Reproject, Path;
+    MethodName => Method: Full, Adaptive, Checkerboard, Supersample, Quincunx, Frameless, Reproject, Path, Vr;
     PostcorrectName => Postcorrect: Auto, Off, Objects, On, Scans;
     MipName => Mip: Off, On;
     LinkingName => Linking: Auto, All;

@@ -29,7 +29,10 @@ pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> 
         let runs = plan.measure(&stage, &progress)?;
         let of_row = |(row, run): (&Row, &Run)| {
             let full = rows.iter().position(|full| full.wish == row.baseline);
-            Ok((row.name.clone(), Statistics::of(&stage, size, run, full.map(|index| &runs[index]))?))
+            // Two eyes' pictures are no error of one eye's.
+            let full = full.map(|index| &runs[index]);
+            let full = full.filter(|full| full.picture.dimensions() == run.picture.dimensions());
+            Ok((row.name.clone(), Statistics::of(&stage, run, full)?))
         };
         let statistics = rows.iter().zip(&runs).map(of_row).collect::<glimpse::Result<Vec<_>>>()?;
         drop(progress);
@@ -95,15 +98,16 @@ fn heeds(settings: &Settings, option: &str) -> bool {
             settings.method == Method::Adaptive
         }
         "preset" | "focus" | "refine" | "inactive" => settings.supersamples(),
-        "seed" if settings.method == Method::Path => true,
+        "seed" if settings.method.follows_paths() => true,
         "seed" => match settings.jitter {
             Jitter::Auto => settings.supersamples(),
             Jitter::On => true,
             Jitter::Off => false,
         },
         "similar" => settings.method == Method::Quincunx,
-        "share" => settings.method.keeps_frames() && settings.method != Method::Path,
-        _ if PathOptions::contain(option) => settings.method == Method::Path,
+        "share" => settings.method.keeps_frames() && !settings.method.follows_paths(),
+        "crossing" | "eye-distance" | "convergence" => settings.method == Method::Vr,
+        _ if PathOptions::contain(option) => settings.method.follows_paths(),
         "filter" => settings.method == Method::Full,
         _ => !option.starts_with("tau-") || settings.supersamples(),
     }

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use anyhow::Context;
 use glimpse::{
-    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Method, Renderer, Scene,
+    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Renderer, Scene,
     Settings, metrics,
 };
 
@@ -92,7 +92,7 @@ impl Run {
 
 /// How methods are measured.
 pub struct Plan {
-    /// Width and height.
+    /// Width and height, of what an eye sees.
     pub size: [u32; 2],
     /// Warm frames of each.
     pub frames: u32,
@@ -116,7 +116,8 @@ impl Plan {
         for settings in &stage.methods {
             progress.doing(&format!("{name}: compiling"));
             renderers.push(timed(|| {
-                let mut renderer = Renderer::new(stage.gpu, &stage.scene, self.size, settings)?;
+                let mut renderer =
+                    Renderer::new(stage.gpu, &stage.scene, settings.method.picture(self.size), settings)?;
                 renderer.render(&camera)?;
                 anyhow::Ok(renderer)
             })?);
@@ -160,7 +161,7 @@ fn finish(
     name: &str,
     progress: &Progress,
 ) -> glimpse::Result<()> {
-    while renderer.settings().method == Method::Path && !renderer.is_settled() {
+    while renderer.settings().method.follows_paths() && !renderer.is_settled() {
         progress.doing(&format!("{name}: sample {}", renderer.samples()));
         renderer.render(camera)?;
     }

@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
-use glimpse::{Direct, Paths, Roulette, Sampler, Shining, Stopping};
+use glimpse::{Crossing, Direct, Paths, Roulette, Sampler, Shining, Stopping};
 
 /// What paths do.
 #[derive(Clone, Debug, PartialEq, Args)]
@@ -38,6 +38,15 @@ pub struct PathOptions {
     /// Bounces before paths may stop away from the gaze
     #[arg(long, value_name = "N", default_value_t = Paths::default().stop_after)]
     pub stop_after: u32,
+    /// What one eye finds out counts for the other too
+    #[arg(long, value_enum, default_value = "weighted", ignore_case = true)]
+    pub crossing: CrossingName,
+    /// From one eye to the other, in the scene's units
+    #[arg(long, value_name = "D", default_value_t = Paths::default().eye_distance, allow_negative_numbers = true)]
+    pub eye_distance: f32,
+    /// From the eyes to where both see the same in the middle, in the scene's units [default: they look in parallel]
+    #[arg(long, value_name = "D", allow_negative_numbers = true)]
+    pub convergence: Option<f32>,
 }
 
 impl Default for PathOptions {
@@ -54,6 +63,9 @@ impl Default for PathOptions {
             gaze: Gaze(paths.gaze),
             p_max: paths.p_max,
             stop_after: paths.stop_after,
+            crossing: CrossingName::Weighted,
+            eye_distance: paths.eye_distance,
+            convergence: paths.convergence,
         }
     }
 }
@@ -78,6 +90,9 @@ impl PathOptions {
             gaze: self.gaze.0,
             p_max: self.p_max,
             stop_after: self.stop_after,
+            crossing: self.crossing.into(),
+            eye_distance: self.eye_distance,
+            convergence: self.convergence,
         }
     }
 }
@@ -146,7 +161,19 @@ pub enum StoppingName {
     Compensated,
 }
 
+/// `--crossing`
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CrossingName {
+    /// Each eye for itself
+    Off,
+    /// Wherever the other eye sees the point: biased
+    Paper,
+    /// Weighted by how often both find the point
+    Weighted,
+}
+
 same_names! {
+    CrossingName => Crossing: Off, Paper, Weighted;
     DirectName => Direct: Walk, Light, Mis;
     ShiningName => Shining: All, Emitters, Punctual;
     SamplerName => Sampler: Random, Sobol;

@@ -34,6 +34,10 @@ pub fn without_display(scene: &str, adapter: Option<&str>) -> anyhow::Result<()>
 pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()> {
     let wish = Wish::of(&options.frame, options.method)?;
     check_show(options, &wish.settings)?;
+    if options.reference && wish.settings.method == Method::Vr {
+        let expected = "expected a method of one eye, found vr: method full shows one picture";
+        return Err(glimpse::Error::setting("--reference", expected).into());
+    }
     scene_file::check(&options.scene)?;
     let outputs = std::iter::once(&options.output.path).chain(&options.stats);
     files::check(outputs.map(PathBuf::as_path), Path::new(&options.scene))?;
@@ -51,7 +55,7 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
 
     progress.doing("writing");
     let full = runs.iter().find(|run| options.reference && run.settings.method == Method::Full);
-    let statistics = Statistics::of(&stage, size, &runs[0], full)?;
+    let statistics = Statistics::of(&stage, &runs[0], full)?;
     let legend = write_picture(options, &runs[0])?;
     if let Some(path) = &options.stats {
         files::write(path, output::json(&statistics)?.as_bytes())?;

@@ -169,7 +169,7 @@ pub struct ErrorAgainst {
 
 impl Statistics {
     /// Of one run, and against the full frame where there is one.
-    pub fn of(stage: &Stage<'_>, size: [u32; 2], run: &Run, full: Option<&Run>) -> glimpse::Result<Self> {
+    pub fn of(stage: &Stage<'_>, run: &Run, full: Option<&Run>) -> glimpse::Result<Self> {
         let counts = run.inspection.counts;
         let frame = Spread::of(run.frames.iter().map(|f| f.ms));
         let passes = pass_medians(&run.frames);
@@ -187,7 +187,7 @@ impl Statistics {
             adapter: AdapterStatistics::of(&stage.gpu.facts().info),
             scene: stage.statistics.clone().linked(stage.scene.features(), run.settings.features),
             settings: SettingsUsed { settings: run.settings, camera: stage.camera_name.clone() },
-            size,
+            size: run.picture.dimensions().into(),
             frames: run.frames.len(),
             mrays_per_s: counts.rays.total as f64 / (1000.0 * frame.median),
             non_tracing_share: non_tracing_share(&passes, frame.median),

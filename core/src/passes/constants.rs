@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::Variant;
 use crate::{
-    Direct, Linking, MAX_RAYS, Postcorrect, Roulette, SAMPLES_PER_SUBMISSION, Stopping, atlas,
+    Crossing, Direct, Linking, MAX_RAYS, Postcorrect, Roulette, SAMPLES_PER_SUBMISSION, Stopping, atlas,
     gpu::shader::Source,
     gpu_scene, plan,
     scene::OCTAHEDRAL_ERROR,
@@ -117,6 +117,7 @@ impl Variant {
             ("HAS_REFLECTION", f.reflection),
             ("HAS_REFRACTION", f.refraction),
             ("WEIGHS_EMITTERS", self.paths.direct == Direct::Mis),
+            ("CROSSING_COUNTS", self.paths.crossing == Crossing::Paper),
             ("ROULETTE", self.paths.roulette == Roulette::On),
             ("STOPPING_COMPENSATED", self.paths.stopping == Stopping::Compensated),
             ("LIGHT_COUNT_KNOWN", self.linking == Linking::Auto),

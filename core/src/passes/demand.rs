@@ -99,7 +99,7 @@ impl Demands {
             Method::Quincunx => Stage::QuincunxBase,
             Method::Frameless => Stage::Frameless,
             Method::Reproject => Stage::Renew,
-            Method::Path => Stage::Path,
+            Method::Path | Method::Vr => Stage::Path,
         };
         let kernel = link(&variant.sources(traced))?;
         let of = |function, apart: &[&str]| count(&kernel, function, apart).unwrap_or_default();
@@ -137,9 +137,12 @@ fn between(variant: &Variant, method: Method) -> Result<(Demand, Demand)> {
         Ok::<_, crate::Error>([once + average(&kernel), neighbour, deeper])
     };
     Ok(match method {
-        Method::Full | Method::Supersample | Method::Quincunx | Method::Frameless | Method::Path => {
-            Default::default()
-        }
+        Method::Full
+        | Method::Supersample
+        | Method::Quincunx
+        | Method::Frameless
+        | Method::Path
+        | Method::Vr => Default::default(),
         Method::Adaptive => {
             let [once, light, deeper] = of(Stage::SimilarityA1)?;
             (once, light + deeper)

@@ -52,6 +52,7 @@ impl Linked {
             refines: false,
             filter: settings.filter,
             landmarks: thinness.landmarks().len().max(usize::from(everything)) as u32,
+            crosses: false,
         };
         let passes = Plan::new(Method::Adaptive, &shape).passes();
         for stage in Stage::ALL.into_iter().filter(|stage| passes.contains(stage)) {

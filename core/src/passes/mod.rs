@@ -152,11 +152,13 @@ pub enum Stage {
     Renew,
     /// Every pixel, by a path.
     Path,
+    /// What landed in a pixel of one eye from the other.
+    Cross,
 }
 
 impl Stage {
     /// Every stage.
-    pub const ALL: [Self; 39] = [
+    pub const ALL: [Self; 40] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -196,6 +198,7 @@ impl Stage {
         Self::CompactRenew,
         Self::Renew,
         Self::Path,
+        Self::Cross,
     ];
 
     /// Its name everywhere: GPU label, timing row.
@@ -241,6 +244,7 @@ impl Stage {
             Self::CompactRenew => "compact_renew",
             Self::Renew => "renew",
             Self::Path => "path",
+            Self::Cross => "cross",
         }
     }
 
@@ -283,6 +287,7 @@ impl Stage {
             Self::Reuse => wgsl!("passes/reuse.wgsl"),
             Self::Renew => wgsl!("passes/renew.wgsl"),
             Self::Path => wgsl!("passes/path.wgsl"),
+            Self::Cross => wgsl!("passes/cross.wgsl"),
         }
     }
 }

@@ -40,10 +40,5 @@ fn path_end(path: Path) {
         inspect_pixel(path.pixel, ORIGIN_BASE, attributes);
         return;
     }
-    var sum = path.radiance;
-    if frame.sample > 0u {
-        sum += samples_load(path.pixel);
-    }
-    samples_store(path.pixel, sum);
-    output(path.pixel, sum / f32(frame.sample + 1u));
+    samples_add(path.pixel, path.crossing, path.radiance);
 }

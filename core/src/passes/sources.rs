@@ -2,7 +2,7 @@
 
 use super::{Output, Stage, Variant, wgsl};
 use crate::{
-    Direct, Filter, Inactive, Jitter, Linking, Mip, Sampler, Shining, Stopping, gpu::shader::Source,
+    Crossing, Direct, Filter, Inactive, Jitter, Linking, Mip, Sampler, Shining, Stopping, gpu::shader::Source,
 };
 
 impl Output {
@@ -125,6 +125,7 @@ impl Variant {
                 sources
             }
             Stage::Path => self.path_sources(),
+            Stage::Cross => self.cross_sources(),
             Stage::Renew => {
                 self.tracing_sources([wgsl!("wgsl/list.wgsl"), wgsl!("wgsl/history.wgsl"), stage.entry()])
             }
@@ -286,11 +287,48 @@ impl Variant {
                 wgsl!("wgsl/stopping_none.wgsl"),
                 wgsl!("wgsl/stopping.wgsl"),
             ),
+            pick(self.two_eyes, wgsl!("wgsl/eyes_two.wgsl"), wgsl!("wgsl/eyes_one.wgsl")),
             wgsl!("wgsl/path.wgsl"),
-            wgsl!("wgsl/samples.wgsl"),
-            self.order(),
-            Stage::Path.entry(),
         ]);
+        sources.extend(self.crossing_sources());
+        sources.extend([self.order(), Stage::Path.entry()]);
+        sources
+    }
+
+    /// Where samples of one eye count for the other.
+    fn crossing(&self) -> Crossing {
+        if self.two_eyes { self.paths.crossing } else { Crossing::Off }
+    }
+
+    /// Where the samples of paths are added up.
+    fn crossing_sources(&self) -> Vec<Source> {
+        let seen = match self.crossing() {
+            Crossing::Off => {
+                return vec![
+                    wgsl!("wgsl/crossing_none.wgsl"),
+                    wgsl!("wgsl/samples.wgsl"),
+                    wgsl!("wgsl/samples_alone.wgsl"),
+                ];
+            }
+            Crossing::Paper => vec![wgsl!("wgsl/crossing_paper.wgsl")],
+            Crossing::Weighted => vec![
+                wgsl!("wgsl/crossing.wgsl"),
+                pick(
+                    self.features.reflection,
+                    wgsl!("wgsl/crossing_mirror.wgsl"),
+                    wgsl!("wgsl/crossing_straight.wgsl"),
+                ),
+            ],
+        };
+        let samples = [wgsl!("wgsl/samples_crossing.wgsl"), wgsl!("wgsl/samples_leave.wgsl")];
+        seen.into_iter().chain(samples).collect()
+    }
+
+    fn cross_sources(&self) -> Vec<Source> {
+        let one = Self { sampling: 1, ..*self };
+        let mut sources = one.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
+        sources.extend(self.output.sources());
+        sources.extend([wgsl!("wgsl/samples_crossing.wgsl"), Stage::Cross.entry()]);
         sources
     }
 

@@ -59,6 +59,8 @@ pub struct Variant {
     pub mip: Mip,
     /// What paths do.
     pub paths: Paths,
+    /// Two eyes are side by side in the picture.
+    pub two_eyes: bool,
     /// Some primitive emits.
     pub emits: bool,
     /// Groups on the traversal stack.
@@ -125,6 +127,7 @@ impl Variant {
             filter: settings.filter,
             mip: settings.mip,
             paths: settings.paths,
+            two_eyes: settings.method == Method::Vr,
             emits: false,
             bvh_stack: MAX_STACK,
             depth: settings.depth,

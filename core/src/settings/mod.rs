@@ -24,12 +24,12 @@ mod paths;
 mod supersampling;
 mod validate;
 
-pub use paths::{Direct, MAX_GAZE, MAX_LIGHT_SAMPLES, Paths, Roulette, Sampler, Shining, Stopping};
+pub use paths::{Crossing, Direct, MAX_GAZE, MAX_LIGHT_SAMPLES, Paths, Roulette, Sampler, Shining, Stopping};
 pub use supersampling::{Filter, Focus, Inactive, Jitter, Preset, Refine, THRESHOLD_NAMES, Thresholds};
 
 names! {
     Method: Full = "full", Adaptive = "adaptive", Checkerboard = "checkerboard", Supersample = "supersample",
-        Quincunx = "quincunx", Frameless = "frameless", Reproject = "reproject", Path = "path";
+        Quincunx = "quincunx", Frameless = "frameless", Reproject = "reproject", Path = "path", Vr = "vr";
     Postcorrect: Auto = "auto", Off = "off", Objects = "objects", On = "on", Scans = "scans";
     Mip: Off = "off", On = "on";
 }
@@ -57,19 +57,34 @@ pub enum Method {
     Reproject,
     /// Monte Carlo path tracing (Kajiya 1986): unbiased, one sample a pixel and frame, added up while the camera rests.
     Path,
+    /// Kim & Sung 2021: paths for two eyes, side by side in one picture, the left one on the left. What one eye sees of a
+    /// point the other may show too.
+    Vr,
 }
 
 impl Method {
     /// A frame keeps something of the frames before it.
     #[must_use]
     pub fn keeps_frames(self) -> bool {
-        matches!(self, Self::Frameless | Self::Reproject | Self::Path)
+        matches!(self, Self::Frameless | Self::Reproject) || self.follows_paths()
+    }
+
+    /// A frame is a sample of each pixel, added to those before it.
+    #[must_use]
+    pub fn follows_paths(self) -> bool {
+        matches!(self, Self::Path | Self::Vr)
+    }
+
+    /// The picture of a frame whose eyes see so many pixels each: two of them are side by side.
+    #[must_use]
+    pub fn picture(self, [width, height]: [u32; 2]) -> [u32; 2] {
+        [if self == Self::Vr { width.saturating_mul(2) } else { width }, height]
     }
 
     /// Levels of rays where nothing else is wished: all of them for paths, which end by themselves.
     #[must_use]
     pub fn usual_depth(self) -> u32 {
-        if self == Self::Path { MAX_DEPTH } else { 3 }
+        if self.follows_paths() { MAX_DEPTH } else { 3 }
     }
 
     /// It knows pixels of one sample alone.
@@ -253,6 +268,12 @@ impl Settings {
             Refine::On => self.supersamples(),
             Refine::Off => false,
         }
+    }
+
+    /// Do samples of one eye count for the other?
+    #[must_use]
+    pub fn crosses(&self) -> bool {
+        self.method == Method::Vr && self.paths.crossing != Crossing::Off
     }
 }
 

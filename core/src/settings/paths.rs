@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::{Error, Result};
+use crate::{Error, Result, scene::MAX_COORDINATE};
 
 /// How the light of emitters is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
@@ -61,7 +61,22 @@ pub enum Stopping {
     Compensated,
 }
 
+/// Whether what one eye finds out about a point counts for the other eye too (Kim & Sung 2021, equations 1 to 6).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Crossing {
+    /// Each eye for itself.
+    Off,
+    /// As in the paper: a sample counts as one more wherever it is seen, though points are not seen equally often by both
+    /// eyes, and what a mirror shows goes where the reflected ray meets the other eye's picture. Biased.
+    Paper,
+    /// Points of diffuse surfaces, seen straight or in plane mirrors, each sample weighted by how often both eyes find
+    /// its point (Veach, Guibas 1995, balance heuristic): no error in the mean.
+    Weighted,
+}
+
 names! {
+    Crossing: Off = "off", Paper = "paper", Weighted = "weighted";
     Direct: Walk = "walk", Light = "light", Mis = "mis";
     Shining: All = "all", Emitters = "emitters", Punctual = "punctual";
     Sampler: Random = "random", Sobol = "sobol";
@@ -92,6 +107,13 @@ pub struct Paths {
     pub p_max: f32,
     /// Paths stop behind that many bounces and later.
     pub stop_after: u32,
+    /// Whether samples of one eye count for the other.
+    pub crossing: Crossing,
+    /// From one eye to the other, in the scene's units, which glTF has in metres.
+    pub eye_distance: f32,
+    /// From the eyes to where both see the same in the middle of their pictures, in the scene's units; none for eyes that
+    /// look in parallel.
+    pub convergence: Option<f32>,
 }
 
 /// The most points on emitters for a surface.
@@ -110,6 +132,9 @@ impl Default for Paths {
             gaze: [0.5; 2],
             p_max: 0.9,
             stop_after: 1,
+            crossing: Crossing::Weighted,
+            eye_distance: 0.064,
+            convergence: None,
         }
     }
 }
@@ -135,6 +160,16 @@ impl Paths {
         if !(0.0..1.0).contains(&self.p_max) {
             return wrong("--p-max", "a number of at least 0 and below 1", self.p_max.to_string());
         }
+        if !(0.0..=MAX_COORDINATE).contains(&self.eye_distance) {
+            let expected = format!("a number from 0 to {MAX_COORDINATE:e}");
+            return wrong("--eye-distance", &expected, self.eye_distance.to_string());
+        }
+        if let Some(convergence) = self.convergence
+            && !(convergence > 0.0 && convergence <= MAX_COORDINATE)
+        {
+            let expected = format!("a number above 0 and at most {MAX_COORDINATE:e}");
+            return wrong("--convergence", &expected, convergence.to_string());
+        }
         Ok(())
     }
 }
@@ -159,6 +194,10 @@ mod tests {
             ("--gaze", Paths { gaze: [1e4, 0.5], ..fine }),
             ("--p-max", Paths { p_max: 1.0, ..fine }),
             ("--p-max", Paths { p_max: f32::NAN, ..fine }),
+            ("--eye-distance", Paths { eye_distance: -0.1, ..fine }),
+            ("--eye-distance", Paths { eye_distance: f32::INFINITY, ..fine }),
+            ("--convergence", Paths { convergence: Some(0.0), ..fine }),
+            ("--convergence", Paths { convergence: Some(f32::NAN), ..fine }),
         ];
         for (name, paths) in wrong {
             let error = paths.validate().expect_err(name).to_string();

@@ -55,7 +55,8 @@ struct Frame {
     // Of each pixel, since the camera rests.
     sample: u32,
     emitters: u32,
-    padding: vec2u,
+    // How far the eyes are aside of the origin, and how far their pictures are shifted, in lengths of `right`.
+    eyes: vec2f,
 }
 
 var<uniform> frame: Frame;

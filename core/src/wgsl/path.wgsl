@@ -29,6 +29,7 @@ struct Path {
     density: f32,
     // What was found.
     radiance: vec3f,
+    crossing: Crossing,
     // At the first hit: OID + 1, distance, normal.
     object: u32,
     depth: f32,
@@ -37,8 +38,10 @@ struct Path {
 
 fn path_begin(pixel: vec2u) -> Path {
     let place = numbers_pair(pixel, PATH_PLACE_IN_PIXEL);
-    let ray = frame_ray_at(vec2f(pixel) + place, 1.0, 1.0);
-    return Path(pixel, ray, RAY_PRIMARY, vec3f(1.0), 1u, 0.0, vec3f(0.0), 0u, FAR, vec3f(0.0));
+    let ray = eyes_ray(pixel, place);
+    return Path(
+        pixel, ray, RAY_PRIMARY, vec3f(1.0), 1u, 0.0, vec3f(0.0), crossing_begin(), 0u, FAR, vec3f(0.0)
+    );
 }
 
 // Follows the ray to the next surface and leaves it again; false where the path ends.
@@ -75,6 +78,7 @@ fn path_step(path: ptr<function, Path>) -> bool {
     if lobes.sum <= 0.0 {
         return false;
     }
+    crossing_at(path, s, m, lobes);
     if lobes.chances.x > 0.0 {
         let chance = lobes.chances.x / lobes.sum;
         let irradiance = punctual_irradiance(s) + emitters_irradiance(s, chance, pixel, dimension);

@@ -207,7 +207,7 @@ impl Rung {
         let samples = width * height * u64::from(self.settings.sampling).pow(2);
         match self.settings.method {
             Method::Full => samples,
-            Method::Supersample | Method::Quincunx | Method::Path => 2 * samples,
+            Method::Supersample | Method::Quincunx | Method::Path | Method::Vr => 2 * samples,
             Method::Adaptive if self.settings.supersample => 2 * samples,
             Method::Adaptive | Method::Checkerboard | Method::Frameless | Method::Reproject => {
                 samples.div_ceil(2)

@@ -1,0 +1,42 @@
+// A sample of one eye is one more of the other eye, wherever that sees the point of a diffuse surface (Kim & Sung 2021,
+// equations 1 to 5), and where the ray that a mirror reflects meets the plane of the other eye's picture (equation 6). The
+// plane is at depth 1.
+
+struct Crossing {
+    // What the sample counts for in its own pixel.
+    own: f32,
+    // Where it lands: the index of a pixel + 1, 0 for nowhere.
+    landing: u32,
+    // What it counts for there.
+    other: vec3f,
+}
+
+fn crossing_begin() -> Crossing {
+    return Crossing(1.0, 0u, vec3f(1.0));
+}
+
+fn crossing_at(path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes) {
+    if (*path).level > 1u || lobes.chances.x + lobes.chances.y == 0.0 {
+        return;
+    }
+    let to = EYES_LEFT + EYES_RIGHT - eyes_of((*path).pixel);
+    var seen = s.position;
+    var end = eyes_origin(to);
+    if lobes.chances.y > 0.0 {
+        let direction = reflect(normalize((*path).ray.direction), s.normal);
+        let distance = dot(frame.forward, end + frame.forward - s.position) / dot(frame.forward, direction);
+        if !(distance > 0.0 && distance < FAR) {
+            return;
+        }
+        end = s.position + distance * direction;
+        seen = end;
+    }
+    let landing = eyes_find(to, seen);
+    if landing == 0u {
+        return;
+    }
+    inspect_ray(RAY_SHADOW);
+    if bvh_traverse(surface_spawn(s, end - s.position, 1.0, vec2f(0.0)), true).primitive == MISS {
+        (*path).crossing.landing = landing;
+    }
+}

@@ -1,0 +1,10 @@
+// Samples of paths are added up where they are taken, and shown at once.
+
+fn samples_add(pixel: vec2u, crossing: Crossing, radiance: vec3f) {
+    var sum = radiance;
+    if frame.sample > 0u {
+        sum += samples_load(pixel);
+    }
+    samples_store(pixel, sum);
+    output(pixel, sum / f32(frame.sample + 1u));
+}

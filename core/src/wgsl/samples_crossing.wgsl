@@ -1,0 +1,33 @@
+// Sums of samples, and what crosses over: each sample lands in one pixel at most, whose samples are a list.
+
+struct Sample {
+    // The pixel's own sum with what has landed in it, and how many samples these are.
+    sum: array<f32, 3>,
+    count: u32,
+    // The first that landed here in this frame, and the next in the list that this one is in: indices + 1, 0 for none.
+    landed: atomic<u32>,
+    next: u32,
+    // What this pixel's sample of this frame counts for where it landed.
+    crossing: array<f32, 3>,
+}
+
+var<storage, read_write> samples: array<Sample>;
+
+fn samples_words(radiance: vec3f) -> array<f32, 3> {
+    return array<f32, 3>(radiance.x, radiance.y, radiance.z);
+}
+
+fn samples_radiance(words: array<f32, 3>) -> vec3f {
+    return vec3f(words[0], words[1], words[2]);
+}
+
+fn samples_place(pixel: vec2u) -> u32 {
+    return pixel.y * frame.size.x + pixel.x;
+}
+
+// The mean of a pixel's samples.
+fn samples_mean(pixel: vec2u) -> vec3f {
+    let place = samples_place(pixel);
+    let count = select(frame.sample + 1u, samples[place].count, CROSSING_COUNTS);
+    return samples_radiance(samples[place].sum) / f32(count);
+}
