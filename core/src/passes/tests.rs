@@ -4,7 +4,7 @@ use wgpu::naga::{AddressSpace, proc::Layouter};
 
 use super::{Output, Stage, Variant};
 use crate::{
-    Direct, Features, Filter, Inactive, Jitter, Linking, Mip, Paths, Postcorrect, Robustness, Roulette,
+    Crossing, Direct, Features, Filter, Inactive, Jitter, Linking, Mip, Paths, Postcorrect, Robustness, Roulette,
     Sampler, Shining, Stopping, frame, gpu,
     gpu::{mirror::differences, shader::link},
     gpu_scene, probe,
@@ -59,8 +59,10 @@ fn variants() -> impl Iterator<Item = Variant> {
             sampler: if bits & 1 != 0 { Sampler::Random } else { Sampler::Sobol },
             stopping: Stopping::ALL[bits as usize % 3],
             roulette: if bits & 16 != 0 { Roulette::Off } else { Roulette::On },
+            crossing: Crossing::ALL[bits as usize / 2 % 3],
             ..Paths::default()
         },
+        two_eyes: bits & 64 != 0,
         emits: bits & 4 != 0,
         bvh_stack: 12,
         depth: 3,

@@ -31,6 +31,7 @@ fn shapes() -> impl Iterator<Item = Shape> {
                     _ => Postcorrect::Scans,
                 },
                 landmarks: 2000,
+                crosses: true,
             },
         )
     };
@@ -189,6 +190,7 @@ fn small_frames_are_one_submission_of_one_dispatch_a_stage() {
         (Method::Checkerboard, 2),
         (Method::Frameless, 1),
         (Method::Reproject, 5),
+        (Method::Vr, 2),
     ] {
         let shape = Shape {
             supersamples: false,
@@ -200,6 +202,7 @@ fn small_frames_are_one_submission_of_one_dispatch_a_stage() {
             band: 1024,
             postcorrect: Postcorrect::Off,
             landmarks: 0,
+            crosses: true,
         };
         let submissions = Plan::new(method, &shape).submissions();
         assert_eq!(submissions.iter().map(Vec::len).collect::<Vec<_>>(), [stages], "{method:?}");

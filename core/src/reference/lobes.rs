@@ -39,6 +39,24 @@ impl Lobes {
         Self { diffuse, specular, largest: [diffuse.max_element(), mirror, refraction] }
     }
 
+    /// The share of the light that is mirrored, where no other way leads on.
+    pub fn only_mirror(&self) -> Option<DVec3> {
+        let [diffuse, mirror, refraction] = self.largest;
+        let only = mirror > 0.0 && diffuse == 0.0 && refraction == 0.0;
+        self.specular[0].filter(|_| only).map(|leaving| leaving.share)
+    }
+
+    /// Does the path go on by the diffuse lobe alone?
+    pub fn only_diffuse(&self) -> bool {
+        let [diffuse, mirror, refraction] = self.largest;
+        diffuse > 0.0 && mirror == 0.0 && refraction == 0.0
+    }
+
+    /// Is some of the light mirrored?
+    pub fn mirrors(&self) -> bool {
+        self.largest[1] > 0.0
+    }
+
     /// The probability that the path goes on by the diffuse lobe; 0 where there is none.
     pub fn chance_of_diffuse(&self) -> f64 {
         let sum: f64 = self.largest.iter().sum();

@@ -12,6 +12,7 @@
 //! | [`Frame::ray_in`], [`Frame::presampled`], [`Frame::tested`], [`Frame::supersampled`] | `jitter_*.wgsl`, `presample.wgsl`, `quarters.wgsl`, `extra_samples.wgsl` |
 //! | [`Frame::quincunx`] | `quincunx_*.wgsl` |
 //! | [`Frame::path`], [`Numbers::pair`] | `path.wgsl`, `lobes*.wgsl`, `emitters*.wgsl`, `numbers*.wgsl` |
+//! | [`PathSample::own`], [`PathSample::landing`] | `eyes_two.wgsl`, `crossing*.wgsl` |
 //! | [`Frame::renews`], [`Frame::reprojected`] | `renewal.wgsl`, `reproject_depth.wgsl`, `reproject_source.wgsl`, `reuse.wgsl` |
 //!
 //! Shared with what it judges: the [`Scene`] in main memory (with its normals in octahedral words, for that is what the
@@ -32,6 +33,7 @@ mod attributes;
 mod bounce;
 mod cone;
 mod contrast;
+mod crossing;
 mod emission;
 mod frame;
 mod intersection;
@@ -58,6 +60,7 @@ mod traversal;
 use glam::DVec3;
 
 pub use attributes::Attributes;
+pub use crossing::Landing;
 pub use frame::{Frame, Pixel};
 pub use intersection::{Crossing, Ray};
 pub use judge::Verdict;

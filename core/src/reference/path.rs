@@ -11,6 +11,7 @@ use glam::DVec3;
 
 use super::{
     Cause, Frame, Numbers, Ray, Rounding, Surface,
+    crossing::{Landing, Mirror},
     lobes::{Lobes, cosine_weighted},
 };
 use crate::{Direct, Roulette, Shining, Stopping};
@@ -41,11 +42,16 @@ pub struct PathSample {
     pub stopped: bool,
     /// It left every surface by the diffuse lobe.
     pub diffuse_only: bool,
+    /// What it counts for in its own pixel.
+    pub own: f64,
+    /// The pixel of the other eye that it counts for too.
+    pub landing: Option<Landing>,
 }
 
 /// A path on its way.
 struct Path<'a> {
     frame: &'a Frame<'a>,
+    pixel: [u32; 2],
     numbers: Numbers,
     /// The probability of stopping at a vertex.
     stop: f64,
@@ -58,6 +64,8 @@ struct Path<'a> {
     level: u32,
     /// How densely the ray was drawn about a diffuse surface, per unit of solid angle.
     density: Option<f64>,
+    /// The first hit, if that is a plane mirror and both eyes look into it.
+    mirror: Option<Mirror>,
     found: PathSample,
 }
 
@@ -67,17 +75,24 @@ impl Frame<'_> {
     pub fn path(&self, pixel: [u32; 2], sample: u32, rounding: &mut Rounding) -> PathSample {
         let numbers = Numbers::of(&self.settings, pixel, sample);
         let place = numbers.pair(PLACE_IN_PIXEL);
-        let (ray, _) = self.ray_at([0, 1].map(|i| f64::from(pixel[i]) + place[i]), 1.0);
         let mut path = Path {
             frame: self,
+            pixel,
             numbers,
             stop: self.stop(pixel),
-            ray,
+            ray: self.eye_ray(pixel, place),
             left: None,
             throughput: DVec3::ONE,
             level: 1,
             density: None,
-            found: PathSample { radiance: DVec3::ZERO, stopped: false, diffuse_only: true },
+            mirror: None,
+            found: PathSample {
+                radiance: DVec3::ZERO,
+                stopped: false,
+                diffuse_only: true,
+                own: 1.0,
+                landing: None,
+            },
         };
         while path.step(rounding).is_some() {}
         path.found
@@ -85,7 +100,8 @@ impl Frame<'_> {
 
     /// The probability of stopping in a pixel (Kim & Sung 2021, equation 7).
     fn stop(&self, pixel: [u32; 2]) -> f64 {
-        let size = self.size.map(f64::from);
+        let (_, pixel) = Self::eye(pixel, self.eye_size());
+        let size = self.eye_size().map(f64::from);
         let gaze = [0, 1].map(|i| f64::from(self.settings.paths.gaze[i]) * size[i]);
         let away = |[x, y]: [f64; 2]| (x - gaze[0]).hypot(y - gaze[1]);
         let corners = [[0.0, 0.0], [size[0], 0.0], [0.0, size[1]], size];
@@ -115,6 +131,12 @@ impl Path<'_> {
             return None;
         }
         let lobes = Lobes::of(reference, &s, &m, self.ray.direction, rounding);
+        let place = (self.pixel, self.level);
+        if let Some((own, landing)) =
+            self.frame.crossed(place, &self.ray, (&s, &m, &lobes), &mut self.mirror, rounding)
+        {
+            (self.found.own, self.found.landing) = (own, Some(landing));
+        }
         if lobes.diffuse != DVec3::ZERO {
             let irradiance = self.punctual(&s, rounding) + self.emitters(&s, &lobes, rounding);
             self.found.radiance += self.throughput * lobes.diffuse / PI * irradiance;

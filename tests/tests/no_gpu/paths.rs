@@ -1,5 +1,6 @@
 //! The path tracer of the reference against closed forms, and its ways of finding light against each other.
 
+mod eyes;
 mod light;
 
 use std::f64::consts::PI;
