@@ -1,0 +1,118 @@
+//! Two eyes: what crosses over from one to the other changes noise and nothing else.
+
+use glam::{DVec3, Vec3, vec3};
+use glimpse::{
+    Crossing, Method, Sampler, Scene, Settings,
+    reference::{Frame, PathSample, Reference, Rounding},
+    scene::Material,
+};
+use glimpse_tests::builder::{Builder, front_camera, matte, mirror};
+
+/// Twelve pixels an eye, and one column that the right eye lacks.
+const SIZE: [u32; 2] = [23, 9];
+
+/// Slanted walls, something in front of them, and a mirror, so close that eyes see them from different sides.
+fn scene() -> Scene {
+    let mut b = Builder::new();
+    b.environment(Vec3::splat(0.1), Vec3::ZERO);
+    let floor = b.object(matte(vec3(0.8, 0.6, 0.4)));
+    b.quad(floor, vec3(-3.0, -0.6, 1.5), 6.0 * Vec3::X, vec3(0.0, 0.4, -5.0));
+    let wall = b.object(matte(vec3(0.5, 0.7, 0.5)));
+    b.quad(wall, vec3(-1.0, -1.0, 1.0), vec3(0.5, 0.0, -3.0), 3.0 * Vec3::Y);
+    let box_ = b.object(matte(vec3(0.3, 0.3, 0.8)));
+    b.quad(box_, vec3(-0.15, -0.4, 0.6), vec3(0.25, 0.0, 0.1), 0.5 * Vec3::Y);
+    let glass = b.object(mirror(vec3(0.9, 0.8, 0.7)));
+    b.quad(glass, vec3(0.2, -0.5, -1.0), vec3(0.7, 0.0, 0.9), 1.2 * Vec3::Y);
+    let lamp = b.object(Material { emission: Vec3::splat(6.0), ..matte(Vec3::ZERO) });
+    b.quad(lamp, vec3(-0.5, 1.2, 0.0), Vec3::X, -Vec3::Z);
+    b.seen_by(front_camera())
+}
+
+fn settings(crossing: Crossing) -> Settings {
+    let mut settings = Settings { method: Method::Vr, depth: 5, ..Settings::default() };
+    (settings.paths.crossing, settings.paths.sampler) = (crossing, Sampler::Random);
+    (settings.paths.eye_distance, settings.paths.convergence) = (0.5, Some(2.5));
+    settings
+}
+
+fn pixels() -> impl Iterator<Item = [u32; 2]> {
+    (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| [x, y]))
+}
+
+/// Sums and sums of squares of a pixel's samples; luminance decides nothing here, the sum of the channels does.
+type Sums = Vec<[f64; 2]>;
+
+/// Frames of one sample a pixel: what each pixel shows, over so many of them.
+fn sums(scene: &Scene, settings: Settings, samples: u32) -> Sums {
+    let reference = Reference::new(scene);
+    let camera = *scene.camera(None).expect("a camera");
+    let frame = Frame { reference: &reference, camera, size: SIZE, settings };
+    let index = |[x, y]: [u32; 2]| (y * SIZE[0] + x) as usize;
+    let mut sums = vec![[0.0; 2]; index([0, SIZE[1]])];
+    for sample in 0..samples {
+        let mut shown = vec![DVec3::ZERO; sums.len()];
+        for pixel in pixels() {
+            let PathSample { radiance, own, landing, .. } = frame.path(pixel, sample, &mut Rounding::none());
+            shown[index(pixel)] += own * radiance;
+            if let Some(landing) = landing {
+                shown[index(landing.pixel)] += landing.share * radiance;
+            }
+        }
+        for (sums, shown) in sums.iter_mut().zip(shown) {
+            let shown = shown.element_sum();
+            sums[0] += shown;
+            sums[1] += shown * shown;
+        }
+    }
+    sums
+}
+
+/// How many standard errors the means of each pixel differ by.
+fn deviations(a: &Sums, b: &Sums, samples: u32) -> Vec<f64> {
+    let n = f64::from(samples);
+    let error2 = |[sum, squares]: [f64; 2]| (squares / n - (sum / n).powi(2)).max(1e-12) / n;
+    a.iter().zip(b).map(|(a, b)| (a[0] - b[0]) / n / (error2(*a) + error2(*b)).sqrt()).collect()
+}
+
+fn mean_square(values: &[f64]) -> f64 {
+    values.iter().map(|z| z * z).sum::<f64>() / values.len() as f64
+}
+
+#[test]
+fn what_crosses_over_changes_no_mean_unless_it_is_counted_as_in_the_paper() {
+    const SAMPLES: u32 = 4000;
+    let scene = scene();
+    let alone = sums(&scene, settings(Crossing::Off), SAMPLES);
+    let with = |crossing| sums(&scene, Settings { seed: 1, ..settings(crossing) }, SAMPLES);
+    let weighted = with(Crossing::Weighted);
+    let right = deviations(&alone, &weighted, SAMPLES);
+    let largest = right.iter().fold(0.0_f64, |most, z| most.max(z.abs()));
+    // 207 pixels: squares of standard normal deviates have mean 1, and that of so many an error of 0.1.
+    assert!(mean_square(&right) < 1.4, "{}: {right:.1?}", mean_square(&right));
+    assert!(largest < 4.5, "{largest}");
+    let wrong = deviations(&alone, &with(Crossing::Paper), SAMPLES);
+    assert!(mean_square(&wrong) > 10.0, "{}", mean_square(&wrong));
+    let noise = |sums: &Sums| sums.iter().map(|s| s[1] - s[0] * s[0] / f64::from(SAMPLES)).sum::<f64>();
+    assert!(noise(&weighted) < 0.9 * noise(&alone), "{} {}", noise(&weighted), noise(&alone));
+}
+
+#[test]
+fn eyes_in_one_place_find_every_point_alike() {
+    let mut settings = settings(Crossing::Weighted);
+    (settings.paths.eye_distance, settings.paths.convergence) = (0.0, None);
+    let scene = scene();
+    let reference = Reference::new(&scene);
+    let camera = *scene.camera(None).expect("a camera");
+    let frame = Frame { reference: &reference, camera, size: SIZE, settings };
+    let mut landed = 0;
+    for [x, y] in pixels() {
+        let path = frame.path([x, y], 0, &mut Rounding::none());
+        let Some(landing) = path.landing else { continue };
+        landed += 1;
+        let half = SIZE[0].div_ceil(2);
+        let other = if x < half { x + half } else { x - half };
+        assert_eq!(landing.pixel, [other, y]);
+        assert!((path.own - 0.5).abs() < 1e-9 && (landing.share - 0.5).abs().max_element() < 1e-6, "{landing:?}");
+    }
+    assert!(landed > 100, "{landed}");
+}
