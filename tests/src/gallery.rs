@@ -6,7 +6,7 @@ use glimpse::{
     scene::{Environment, Image8, Light, LightKind, Material, Texture, Weights, Wrap, octahedral_encode},
 };
 
-use crate::builder::{Builder, glass, matte, mirror, unlit};
+use crate::builder::{Builder, front_camera, glass, matte, mirror, unlit};
 
 const WRAPS: [Wrap; 3] = [Wrap::Repeat, Wrap::MirroredRepeat, Wrap::ClampToEdge];
 
@@ -261,4 +261,22 @@ pub fn greys() -> Scene {
     let dark = Environment { background: Vec3::ZERO, ambient: Vec3::ZERO, truncated: Vec3::ZERO };
     let camera = Camera::look_at(vec3(128.0, 0.5, 300.0), vec3(128.0, 0.5, 0.0), 0.8).expect("a camera");
     Scene { environment: dark, ..b.seen_by(camera) }
+}
+
+/// Slanted walls, something in front of them, and a mirror, so close that eyes see them from different sides.
+#[must_use]
+pub fn stereo() -> Scene {
+    let mut b = Builder::new();
+    b.environment(Vec3::splat(0.1), Vec3::ZERO);
+    let floor = b.object(matte(vec3(0.8, 0.6, 0.4)));
+    b.quad(floor, vec3(-3.0, -0.6, 1.5), 6.0 * Vec3::X, vec3(0.0, 0.4, -5.0));
+    let wall = b.object(matte(vec3(0.5, 0.7, 0.5)));
+    b.quad(wall, vec3(-1.0, -1.0, 1.0), vec3(0.5, 0.0, -3.0), 3.0 * Vec3::Y);
+    let box_ = b.object(matte(vec3(0.3, 0.3, 0.8)));
+    b.quad(box_, vec3(-0.15, -0.4, 0.6), vec3(0.25, 0.0, 0.1), 0.5 * Vec3::Y);
+    let glass = b.object(mirror(vec3(0.9, 0.8, 0.7)));
+    b.quad(glass, vec3(0.2, -0.5, -1.0), vec3(0.7, 0.0, 0.9), 1.2 * Vec3::Y);
+    let lamp = b.object(Material { emission: Vec3::splat(6.0), ..matte(Vec3::ZERO) });
+    b.quad(lamp, vec3(-0.5, 1.2, 0.0), Vec3::X, -Vec3::Z);
+    b.seen_by(front_camera())
 }

@@ -6,6 +6,7 @@ mod gpu {
     mod checks;
     mod closed_forms;
     mod device;
+    mod eyes;
     mod golden;
     mod minray;
     mod mip;

@@ -4,8 +4,8 @@ use wgpu::naga::{AddressSpace, proc::Layouter};
 
 use super::{Output, Stage, Variant};
 use crate::{
-    Crossing, Direct, Features, Filter, Inactive, Jitter, Linking, Mip, Paths, Postcorrect, Robustness, Roulette,
-    Sampler, Shining, Stopping, frame, gpu,
+    Crossing, Direct, Features, Filter, Inactive, Jitter, Linking, Mip, Paths, Postcorrect, Robustness,
+    Roulette, Sampler, Shining, Stopping, frame, gpu,
     gpu::{mirror::differences, shader::link},
     gpu_scene, probe,
 };

@@ -1,32 +1,14 @@
 //! Two eyes: what crosses over from one to the other changes noise and nothing else.
 
-use glam::{DVec3, Vec3, vec3};
+use glam::DVec3;
 use glimpse::{
     Crossing, Method, Sampler, Scene, Settings,
     reference::{Frame, PathSample, Reference, Rounding},
-    scene::Material,
 };
-use glimpse_tests::builder::{Builder, front_camera, matte, mirror};
+use glimpse_tests::gallery::stereo;
 
 /// Twelve pixels an eye, and one column that the right eye lacks.
 const SIZE: [u32; 2] = [23, 9];
-
-/// Slanted walls, something in front of them, and a mirror, so close that eyes see them from different sides.
-fn scene() -> Scene {
-    let mut b = Builder::new();
-    b.environment(Vec3::splat(0.1), Vec3::ZERO);
-    let floor = b.object(matte(vec3(0.8, 0.6, 0.4)));
-    b.quad(floor, vec3(-3.0, -0.6, 1.5), 6.0 * Vec3::X, vec3(0.0, 0.4, -5.0));
-    let wall = b.object(matte(vec3(0.5, 0.7, 0.5)));
-    b.quad(wall, vec3(-1.0, -1.0, 1.0), vec3(0.5, 0.0, -3.0), 3.0 * Vec3::Y);
-    let box_ = b.object(matte(vec3(0.3, 0.3, 0.8)));
-    b.quad(box_, vec3(-0.15, -0.4, 0.6), vec3(0.25, 0.0, 0.1), 0.5 * Vec3::Y);
-    let glass = b.object(mirror(vec3(0.9, 0.8, 0.7)));
-    b.quad(glass, vec3(0.2, -0.5, -1.0), vec3(0.7, 0.0, 0.9), 1.2 * Vec3::Y);
-    let lamp = b.object(Material { emission: Vec3::splat(6.0), ..matte(Vec3::ZERO) });
-    b.quad(lamp, vec3(-0.5, 1.2, 0.0), Vec3::X, -Vec3::Z);
-    b.seen_by(front_camera())
-}
 
 fn settings(crossing: Crossing) -> Settings {
     let mut settings = Settings { method: Method::Vr, depth: 5, ..Settings::default() };
@@ -81,7 +63,7 @@ fn mean_square(values: &[f64]) -> f64 {
 #[test]
 fn what_crosses_over_changes_no_mean_unless_it_is_counted_as_in_the_paper() {
     const SAMPLES: u32 = 4000;
-    let scene = scene();
+    let scene = stereo();
     let alone = sums(&scene, settings(Crossing::Off), SAMPLES);
     let with = |crossing| sums(&scene, Settings { seed: 1, ..settings(crossing) }, SAMPLES);
     let weighted = with(Crossing::Weighted);
@@ -100,7 +82,7 @@ fn what_crosses_over_changes_no_mean_unless_it_is_counted_as_in_the_paper() {
 fn eyes_in_one_place_find_every_point_alike() {
     let mut settings = settings(Crossing::Weighted);
     (settings.paths.eye_distance, settings.paths.convergence) = (0.0, None);
-    let scene = scene();
+    let scene = stereo();
     let reference = Reference::new(&scene);
     let camera = *scene.camera(None).expect("a camera");
     let frame = Frame { reference: &reference, camera, size: SIZE, settings };
@@ -112,7 +94,10 @@ fn eyes_in_one_place_find_every_point_alike() {
         let half = SIZE[0].div_ceil(2);
         let other = if x < half { x + half } else { x - half };
         assert_eq!(landing.pixel, [other, y]);
-        assert!((path.own - 0.5).abs() < 1e-9 && (landing.share - 0.5).abs().max_element() < 1e-6, "{landing:?}");
+        assert!(
+            (path.own - 0.5).abs() < 1e-9 && (landing.share - 0.5).abs().max_element() < 1e-6,
+            "{landing:?}"
+        );
     }
     assert!(landed > 100, "{landed}");
 }
