@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
-use glimpse::{Direct, Paths, Roulette, Sampler, Shining, Stopping};
+use glimpse::{Denoise, Direct, Paths, Roulette, Sampler, Shining, Stopping};
 
 /// What paths do.
 #[derive(Clone, Debug, PartialEq, Args)]
@@ -38,6 +38,9 @@ pub struct PathOptions {
     /// Bounces before paths may stop away from the gaze
     #[arg(long, value_name = "N", default_value_t = Paths::default().stop_after)]
     pub stop_after: u32,
+    /// What is done about noise in path-traced pictures
+    #[arg(long, value_enum, default_value = "off", ignore_case = true)]
+    pub denoise: DenoiseName,
 }
 
 impl Default for PathOptions {
@@ -54,6 +57,7 @@ impl Default for PathOptions {
             gaze: Gaze(paths.gaze),
             p_max: paths.p_max,
             stop_after: paths.stop_after,
+            denoise: DenoiseName::Off,
         }
     }
 }
@@ -78,6 +82,7 @@ impl PathOptions {
             gaze: self.gaze.0,
             p_max: self.p_max,
             stop_after: self.stop_after,
+            denoise: self.denoise.into(),
         }
     }
 }
@@ -146,10 +151,22 @@ pub enum StoppingName {
     Compensated,
 }
 
+/// `--denoise`
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DenoiseName {
+    /// Nothing
+    Off,
+    /// Stopped paths that met diffuse surfaces alone show the median of their 3x3 pixels
+    Median,
+    /// Light is averaged along surfaces, less with every sample
+    Atrous,
+}
+
 same_names! {
     DirectName => Direct: Walk, Light, Mis;
     ShiningName => Shining: All, Emitters, Punctual;
     SamplerName => Sampler: Random, Sobol;
     RouletteName => Roulette: On, Off;
     StoppingName => Stopping: Off, Paper, Compensated;
+    DenoiseName => Denoise: Off, Median, Atrous;
 }

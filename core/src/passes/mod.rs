@@ -38,6 +38,9 @@
 //! | compact_renew | Kim 2016, 5 | `passes/compact.wgsl` |
 //! | renew | lecture, "Reprojection" | `passes/renew.wgsl` |
 //! | path | Kajiya 1986; Kim & Sung 2021, equation 7 | `passes/path.wgsl` |
+//! | median | Kim & Sung 2021, "Noise Removal for the Stopped Ray" | `passes/median.wgsl` |
+//! | atrous_begin | ours | `passes/atrous_begin.wgsl` |
+//! | atrous, atrous_end | Dammertz et al. 2010, section 2.2 | `passes/atrous.wgsl` |
 
 mod constants;
 mod demand;
@@ -152,11 +155,19 @@ pub enum Stage {
     Renew,
     /// Every pixel, by a path.
     Path,
+    /// Pixels whose path was stopped, from their neighbours.
+    Median,
+    /// The light of all pixels that is filtered.
+    AtrousBegin,
+    /// The same, from more of their neighbours.
+    Atrous,
+    /// The pixels from that.
+    AtrousEnd,
 }
 
 impl Stage {
     /// Every stage.
-    pub const ALL: [Self; 39] = [
+    pub const ALL: [Self; 43] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -196,6 +207,10 @@ impl Stage {
         Self::CompactRenew,
         Self::Renew,
         Self::Path,
+        Self::Median,
+        Self::AtrousBegin,
+        Self::Atrous,
+        Self::AtrousEnd,
     ];
 
     /// Its name everywhere: GPU label, timing row.
@@ -241,6 +256,10 @@ impl Stage {
             Self::CompactRenew => "compact_renew",
             Self::Renew => "renew",
             Self::Path => "path",
+            Self::Median => "median",
+            Self::AtrousBegin => "atrous_begin",
+            Self::Atrous => "atrous",
+            Self::AtrousEnd => "atrous_end",
         }
     }
 
@@ -283,6 +302,9 @@ impl Stage {
             Self::Reuse => wgsl!("passes/reuse.wgsl"),
             Self::Renew => wgsl!("passes/renew.wgsl"),
             Self::Path => wgsl!("passes/path.wgsl"),
+            Self::Median => wgsl!("passes/median.wgsl"),
+            Self::AtrousBegin => wgsl!("passes/atrous_begin.wgsl"),
+            Self::Atrous | Self::AtrousEnd => wgsl!("passes/atrous.wgsl"),
         }
     }
 }

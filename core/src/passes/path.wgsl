@@ -40,6 +40,7 @@ fn path_end(path: Path) {
         inspect_pixel(path.pixel, ORIGIN_BASE, attributes);
         return;
     }
+    guides_end(path);
     var sum = path.radiance;
     if frame.sample > 0u {
         sum += samples_load(path.pixel);

@@ -2,7 +2,7 @@
 
 use super::{Output, Stage, Variant, wgsl};
 use crate::{
-    Direct, Filter, Inactive, Jitter, Linking, Mip, Sampler, Shining, Stopping, gpu::shader::Source,
+    Denoise, Direct, Filter, Inactive, Jitter, Linking, Mip, Sampler, Shining, Stopping, gpu::shader::Source,
 };
 
 impl Output {
@@ -125,6 +125,14 @@ impl Variant {
                 sources
             }
             Stage::Path => self.path_sources(),
+            Stage::Median => self.noise_sources([stage.entry()]),
+            Stage::AtrousBegin => self.noise_sources([wgsl!("wgsl/filtered.wgsl"), stage.entry()]),
+            Stage::Atrous | Stage::AtrousEnd => self.noise_sources([
+                wgsl!("wgsl/filtered.wgsl"),
+                wgsl!("wgsl/atrous.wgsl"),
+                pick(stage == Stage::Atrous, wgsl!("wgsl/atrous_kept.wgsl"), wgsl!("wgsl/atrous_shown.wgsl")),
+                stage.entry(),
+            ]),
             Stage::Renew => {
                 self.tracing_sources([wgsl!("wgsl/list.wgsl"), wgsl!("wgsl/history.wgsl"), stage.entry()])
             }
@@ -262,7 +270,9 @@ impl Variant {
     /// What a kernel needs that follows paths.
     fn path_sources(&self) -> Vec<Source> {
         let f = &self.features;
-        let one = Self { sampling: 1, ..*self };
+        let guides = self.paths.denoise != Denoise::Off;
+        let output = if guides { Output::Nowhere } else { self.output };
+        let one = Self { sampling: 1, output, ..*self };
         let mut sources = one.scene_sources(wgsl!("wgsl/attributes_planes.wgsl"), self.hit());
         sources.extend([
             wgsl!("wgsl/numbers.wgsl"),
@@ -286,11 +296,31 @@ impl Variant {
                 wgsl!("wgsl/stopping_none.wgsl"),
                 wgsl!("wgsl/stopping.wgsl"),
             ),
+            wgsl!("wgsl/guides.wgsl"),
+            pick(guides && !self.inspect, wgsl!("wgsl/guides_kept.wgsl"), wgsl!("wgsl/guides_none.wgsl")),
             wgsl!("wgsl/path.wgsl"),
             wgsl!("wgsl/samples.wgsl"),
             self.order(),
             Stage::Path.entry(),
         ]);
+        sources
+    }
+
+    /// What a kernel needs that treats noise of paths, and ends in these.
+    fn noise_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
+        let mut sources = vec![
+            self.constants(),
+            wgsl!("wgsl/frame.wgsl"),
+            self.jitter(),
+            wgsl!("wgsl/octahedral.wgsl"),
+            wgsl!("wgsl/samples.wgsl"),
+            wgsl!("wgsl/guides.wgsl"),
+            wgsl!("wgsl/eye_one.wgsl"),
+            wgsl!("wgsl/noise.wgsl"),
+            self.order(),
+        ];
+        sources.extend(self.output.sources());
+        sources.extend(entry);
         sources
     }
 

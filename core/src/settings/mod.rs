@@ -24,7 +24,7 @@ mod paths;
 mod supersampling;
 mod validate;
 
-pub use paths::{Direct, MAX_GAZE, MAX_LIGHT_SAMPLES, Paths, Roulette, Sampler, Shining, Stopping};
+pub use paths::{Denoise, Direct, MAX_GAZE, MAX_LIGHT_SAMPLES, Paths, Roulette, Sampler, Shining, Stopping};
 pub use supersampling::{Filter, Focus, Inactive, Jitter, Preset, Refine, THRESHOLD_NAMES, Thresholds};
 
 names! {

@@ -61,12 +61,29 @@ pub enum Stopping {
     Compensated,
 }
 
+/// What is done about noise in the picture that is shown. What is added up is what paths brought, with or without it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Denoise {
+    /// Nothing.
+    Off,
+    /// Kim & Sung 2021, section 3: a pixel whose last path was [stopped](Stopping) and met diffuse surfaces alone shows,
+    /// channel by channel, the median of its 3x3 pixels. It does so however many samples there are: the picture stays
+    /// darker than the mean, and more samples do not help there.
+    Median,
+    /// An edge-avoiding a-trous wavelet filter (Dammertz et al. 2010) of the light that arrives at the first diffuse
+    /// surface, guided by its position, normal and albedo. Its colour weights narrow as samples are added up: the picture
+    /// tends to the mean.
+    Atrous,
+}
+
 names! {
     Direct: Walk = "walk", Light = "light", Mis = "mis";
     Shining: All = "all", Emitters = "emitters", Punctual = "punctual";
     Sampler: Random = "random", Sobol = "sobol";
     Roulette: On = "on", Off = "off";
     Stopping: Off = "off", Paper = "paper", Compensated = "compensated";
+    Denoise: Off = "off", Median = "median", Atrous = "atrous";
 }
 
 /// Everything that can be wished of paths.
@@ -92,6 +109,8 @@ pub struct Paths {
     pub p_max: f32,
     /// Paths stop behind that many bounces and later.
     pub stop_after: u32,
+    /// What is done about noise.
+    pub denoise: Denoise,
 }
 
 /// The most points on emitters for a surface.
@@ -110,6 +129,7 @@ impl Default for Paths {
             gaze: [0.5; 2],
             p_max: 0.9,
             stop_after: 1,
+            denoise: Denoise::Off,
         }
     }
 }
