@@ -40,6 +40,9 @@ const LANDED_BYTES: u64 = 8;
 /// Bytes of what a path's first diffuse surface is.
 const GUIDE_BYTES: u64 = 16;
 
+/// Bytes of a pixel as the a-trous filter sees it.
+const FILTERED_BYTES: u64 = 16;
+
 /// No buffer of a band is larger: half of what WebGPU lets a storage binding be.
 const BAND_BYTES: u64 = 64 << 20;
 
@@ -137,7 +140,7 @@ impl Targets {
         let denoise = if settings.method == Method::Path { settings.paths.denoise } else { Denoise::Off };
         let guided = if denoise == Denoise::Off { 0 } else { width * rows };
         let filtered_pixels = if denoise == Denoise::Atrous { width * rows } else { 0 };
-        let filtered = || gpu.buffer("filtered", SAMPLE_BYTES * filtered_pixels, storage);
+        let filtered = || gpu.buffer("filtered", FILTERED_BYTES * filtered_pixels, storage);
         let dispatches = DISPATCH_BYTES * u64::from(plan.chunks());
         Ok(Self {
             size,

@@ -10,29 +10,26 @@ fn main(
     if any(pixel >= frame.size) {
         return;
     }
-    let guide = guides[guides_place(pixel)];
-    let kind = guides_kind(guide);
-    if kind == GUIDE_NONE {
+    let words = filtered_before[guides_place(pixel)];
+    if words.y == 0u {
         atrous_unfiltered(pixel);
         return;
     }
-    let own = atrous_pixel(pixel, guide);
-    var sum = 4.0 * own.light;
-    var weights = 4.0;
-    for (var i = 0u; i < 9u; i += 1u) {
-        let offset = vec2i(vec2u(i % 3u, i / 3u)) - 1;
-        let tap = vec2i(pixel) + frame.step * offset;
-        if i == 4u || !noise_reaches(pixel, tap) {
-            continue;
+    let own = atrous_pixel(pixel, words);
+    var sum = vec3f(0.0);
+    var weights = 0.0;
+    for (var y = -1; y <= 1; y += 1) {
+        for (var x = -1; x <= 1; x += 1) {
+            let at = vec2i(pixel) + frame.step * vec2i(x, y);
+            let tap = vec2u(clamp(at, vec2i(0), vec2i(frame.size) - 1));
+            let q = filtered_before[guides_place(tap)];
+            let counts = all(tap == vec2u(at)) && eye_same(pixel, tap);
+            let binomial = f32((2 - abs(x)) * (2 - abs(y)));
+            let weight = select(0.0, binomial * atrous_weight(own, vec2f(vec2i(x, y)), q), counts);
+            sum += weight * bitcast<f32>(q.z) * vec3f(unpack2x16unorm(q.w), 1.0);
+            weights += weight;
         }
-        let other = guides[guides_place(vec2u(tap))];
-        if guides_kind(other) != kind {
-            continue;
-        }
-        let q = atrous_pixel(vec2u(tap), other);
-        let weight = f32((2 - abs(offset.x)) * (2 - abs(offset.y))) * atrous_weight(own, q, kind);
-        sum += weight * q.light;
-        weights += weight;
     }
-    atrous_result(pixel, guide, sum / weights);
+    let light = vec3f(sum.xy, max(sum.z - sum.x - sum.y, 0.0)) / weights;
+    atrous_result(pixel, words, light);
 }

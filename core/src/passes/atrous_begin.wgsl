@@ -4,28 +4,29 @@
 // A pixel may be so many times as bright as those around it are in the mean,
 const ATROUS_BRIGHTER: f32 = 4.0;
 // and from so many samples on as bright as it likes.
-const ATROUS_SETTLED: f32 = 16.0;
+const ATROUS_SETTLED: f32 = 1024.0;
 
-fn atrous_light(pixel: vec2u, guide: vec4u) -> vec3f {
-    return noise_mean(pixel) / filtered_albedo(guide);
+// How bright the light is, up to the surface's hue.
+fn atrous_brightness(pixel: vec2u, guide: vec4u) -> f32 {
+    return filtered_sum(noise_mean(pixel)) / filtered_sum(filtered_albedo(guide));
 }
 
-// The mean luminance of the light around a pixel; negative where nothing like it is there.
-fn atrous_around(pixel: vec2u, kind: u32) -> f32 {
+// The most that counts of a pixel's brightness.
+fn atrous_most(pixel: vec2u, kind: u32, own: f32) -> f32 {
     var sum = 0.0;
     var count = 0.0;
-    for (var i = 0u; i < 9u; i += 1u) {
-        let tap = vec2i(pixel) + vec2i(vec2u(i % 3u, i / 3u)) - 1;
-        if i == 4u || !noise_reaches(pixel, tap) {
-            continue;
-        }
-        let guide = guides[guides_place(vec2u(tap))];
-        if guides_kind(guide) == kind {
-            sum += dot(FILTERED_LUMINANCE, atrous_light(vec2u(tap), guide));
-            count += 1.0;
+    for (var y = -1; y <= 1; y += 1) {
+        for (var x = -1; x <= 1; x += 1) {
+            let at = vec2i(pixel) + vec2i(x, y);
+            let tap = select(pixel, vec2u(at), noise_reaches(pixel, at));
+            let guide = guides[guides_place(tap)];
+            let counts = any(tap != pixel) && guides_kind(guide) == kind;
+            sum += select(0.0, atrous_brightness(tap, guide), counts);
+            count += f32(counts);
         }
     }
-    return select(-1.0, sum / count, count > 0.0);
+    let settled = f32(frame.sample) / ATROUS_SETTLED;
+    return select(own, ATROUS_BRIGHTER * sum / count + settled * settled * own, count > 0.0);
 }
 
 @compute @workgroup_size(256)
@@ -41,14 +42,11 @@ fn main(
     let guide = guides[guides_place(pixel)];
     let kind = guides_kind(guide);
     if kind == GUIDE_NONE {
+        filtered[guides_place(pixel)] = vec4u(0u);
         return;
     }
-    var light = atrous_light(pixel, guide);
-    let own = dot(FILTERED_LUMINANCE, light);
-    let around = atrous_around(pixel, kind);
-    let most = ATROUS_BRIGHTER * around + f32(frame.sample) / ATROUS_SETTLED * own;
-    if around >= 0.0 && own > most {
-        light *= most / own;
-    }
-    filtered_store(pixel, light);
+    let own = atrous_brightness(pixel, guide);
+    let most = atrous_most(pixel, kind, own);
+    let kept = select(1.0, most / own, own > most);
+    filtered[guides_place(pixel)] = vec4u(filtered_guide(guide), filtered_light(kept * noise_mean(pixel) / filtered_albedo(guide)));
 }

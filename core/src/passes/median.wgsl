@@ -1,24 +1,26 @@
 // Pixels whose last path was stopped on diffuse surfaces show the median of their 3x3 pixels, channel by channel (Kim & Sung
 // 2021, Algorithm 5, lines 10 to 14). What lies outside the picture counts as the pixel itself.
 
-// The median of nine by 19 exchanges (Smith 1996, "Implementing median filters in XC4000E FPGAs").
-fn median_of(values: array<vec3f, 9>) -> vec3f {
-    var v = values;
-    for (var i = 0u; i < 19u; i += 1u) {
-        let a = MEDIAN_EXCHANGES[i].x;
-        let b = MEDIAN_EXCHANGES[i].y;
-        let low = min(v[a], v[b]);
-        v[b] = max(v[a], v[b]);
-        v[a] = low;
-    }
-    return v[4];
+struct Sorted {
+    low: vec3f,
+    middle: vec3f,
+    high: vec3f,
 }
 
-const MEDIAN_EXCHANGES: array<vec2u, 19> = array(
-    vec2u(1u, 2u), vec2u(4u, 5u), vec2u(7u, 8u), vec2u(0u, 1u), vec2u(3u, 4u), vec2u(6u, 7u), vec2u(1u, 2u),
-    vec2u(4u, 5u), vec2u(7u, 8u), vec2u(0u, 3u), vec2u(5u, 8u), vec2u(4u, 7u), vec2u(3u, 6u), vec2u(1u, 4u),
-    vec2u(2u, 5u), vec2u(4u, 7u), vec2u(4u, 2u), vec2u(6u, 4u), vec2u(4u, 2u),
-);
+fn median_sorted(a: vec3f, b: vec3f, c: vec3f) -> Sorted {
+    let low = min(a, b);
+    let high = max(a, b);
+    return Sorted(min(low, c), max(low, min(high, c)), max(high, c));
+}
+
+fn median_tap(pixel: vec2u, x: i32, y: i32) -> vec3f {
+    let tap = vec2i(pixel) + vec2i(x, y);
+    return noise_mean(select(pixel, vec2u(tap), noise_reaches(pixel, tap)));
+}
+
+fn median_column(pixel: vec2u, x: i32) -> Sorted {
+    return median_sorted(median_tap(pixel, x, -1), median_tap(pixel, x, 0), median_tap(pixel, x, 1));
+}
 
 @compute @workgroup_size(256)
 fn main(
@@ -30,18 +32,17 @@ fn main(
     if any(pixel >= frame.size) {
         return;
     }
-    let own = noise_mean(pixel);
     if guides[guides_place(pixel)].w == 0u {
-        output(pixel, own);
+        output(pixel, noise_mean(pixel));
         return;
     }
-    var values: array<vec3f, 9>;
-    for (var i = 0u; i < 9u; i += 1u) {
-        let tap = vec2i(pixel) + vec2i(vec2u(i % 3u, i / 3u)) - 1;
-        values[i] = own;
-        if noise_reaches(pixel, tap) {
-            values[i] = noise_mean(vec2u(tap));
-        }
-    }
-    output(pixel, median_of(values));
+    // The median of nine is that of the largest of three columns' least, the middle of their middles and the least of their
+    // largest (Smith 1996).
+    let a = median_column(pixel, -1);
+    let b = median_column(pixel, 0);
+    let c = median_column(pixel, 1);
+    let low = median_sorted(a.low, b.low, c.low).high;
+    let middle = median_sorted(a.middle, b.middle, c.middle).middle;
+    let high = median_sorted(a.high, b.high, c.high).low;
+    output(pixel, median_sorted(low, middle, high).middle);
 }

@@ -1,7 +1,7 @@
 // The last level's light, as the surface shows it.
 
-fn atrous_result(pixel: vec2u, guide: vec4u, light: vec3f) {
-    output(pixel, filtered_albedo(guide) * light);
+fn atrous_result(pixel: vec2u, words: vec4u, light: vec3f) {
+    output(pixel, filtered_albedo(guides[guides_place(pixel)]) * light);
 }
 
 fn atrous_unfiltered(pixel: vec2u) {
