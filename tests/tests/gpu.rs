@@ -9,6 +9,7 @@ mod gpu {
     mod golden;
     mod minray;
     mod mip;
+    mod noise;
     mod path;
     mod postcorrect;
     mod renderer;

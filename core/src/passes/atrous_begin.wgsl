@@ -1,18 +1,18 @@
 // The light that is filtered. Of few samples, pixels that are much brighter than those around them are taken down: a path
 // that meets a small emitter by chance would be spread over all that the filter sees.
 
-// A pixel may be so many times as bright as those around it are in the mean,
+// A pixel of one sample is taken for no brighter than so many times the mean of those around it,
 const ATROUS_BRIGHTER: f32 = 4.0;
-// and from so many samples on as bright as it likes.
-const ATROUS_SETTLED: f32 = 1024.0;
+// and from so many samples on for as bright as it is.
+const ATROUS_SETTLED: f32 = 256.0;
 
 // How bright the light is, up to the surface's hue.
 fn atrous_brightness(pixel: vec2u, guide: vec4u) -> f32 {
     return filtered_sum(noise_mean(pixel)) / filtered_sum(filtered_albedo(guide));
 }
 
-// The most that counts of a pixel's brightness.
-fn atrous_most(pixel: vec2u, kind: u32, own: f32) -> f32 {
+// What counts of a pixel's brightness.
+fn atrous_kept(pixel: vec2u, kind: u32, own: f32) -> f32 {
     var sum = 0.0;
     var count = 0.0;
     for (var y = -1; y <= 1; y += 1) {
@@ -25,8 +25,9 @@ fn atrous_most(pixel: vec2u, kind: u32, own: f32) -> f32 {
             count += f32(counts);
         }
     }
-    let settled = f32(frame.sample) / ATROUS_SETTLED;
-    return select(own, ATROUS_BRIGHTER * sum / count + settled * settled * own, count > 0.0);
+    let most = ATROUS_BRIGHTER * sum / max(count, 1.0);
+    let settled = min(f32(frame.sample) / ATROUS_SETTLED, 1.0);
+    return select(own, mix(most, own, settled * settled), count > 0.0 && own > most);
 }
 
 @compute @workgroup_size(256)
@@ -46,7 +47,7 @@ fn main(
         return;
     }
     let own = atrous_brightness(pixel, guide);
-    let most = atrous_most(pixel, kind, own);
-    let kept = select(1.0, most / own, own > most);
-    filtered[guides_place(pixel)] = vec4u(filtered_guide(guide), filtered_light(kept * noise_mean(pixel) / filtered_albedo(guide)));
+    let kept = atrous_kept(pixel, kind, own) / max(own, FILTERED_BLACK);
+    let light = kept * noise_mean(pixel) / filtered_albedo(guide);
+    filtered[guides_place(pixel)] = vec4u(filtered_guide(guide), filtered_light(light));
 }

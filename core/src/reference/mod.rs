@@ -12,6 +12,7 @@
 //! | [`Frame::ray_in`], [`Frame::presampled`], [`Frame::tested`], [`Frame::supersampled`] | `jitter_*.wgsl`, `presample.wgsl`, `quarters.wgsl`, `extra_samples.wgsl` |
 //! | [`Frame::quincunx`] | `quincunx_*.wgsl` |
 //! | [`Frame::path`], [`Numbers::pair`] | `path.wgsl`, `lobes*.wgsl`, `emitters*.wgsl`, `numbers*.wgsl` |
+//! | [`Guide::followed`], [`Noise::median`], [`Noise::atrous`] | `guides_kept.wgsl`, `median.wgsl`, `atrous_begin.wgsl`, `atrous.wgsl` |
 //! | [`Frame::renews`], [`Frame::reprojected`] | `renewal.wgsl`, `reproject_depth.wgsl`, `reproject_source.wgsl`, `reuse.wgsl` |
 //!
 //! Shared with what it judges: the [`Scene`] in main memory (with its normals in octahedral words, for that is what the
@@ -34,12 +35,14 @@ mod cone;
 mod contrast;
 mod emission;
 mod frame;
+mod guides;
 mod intersection;
 mod jitter;
 mod judge;
 mod lights;
 mod lobes;
 mod material;
+mod noise;
 mod numbers;
 mod path;
 mod postcorrection;
@@ -59,10 +62,12 @@ use glam::DVec3;
 
 pub use attributes::Attributes;
 pub use frame::{Frame, Pixel};
+pub use guides::{Guide, Way};
 pub use intersection::{Crossing, Ray};
 pub use judge::Verdict;
 pub use lights::Arrival;
 pub use material::{Material, fresnel_dielectric};
+pub use noise::Noise;
 pub use numbers::Numbers;
 pub use path::PathSample;
 pub use quincunx::Quincunx;
