@@ -137,6 +137,7 @@ impl Passes {
             ("list", targets.list.as_entire_binding()),
             ("dispatch", targets.dispatch.as_entire_binding()),
             ("samples", targets.samples.as_entire_binding()),
+            ("guides", targets.guides.as_entire_binding()),
         ]);
         let name = match variant.output {
             Output::Display => Some("display"),
@@ -150,7 +151,10 @@ impl Passes {
         for (side, bound) in bound.iter_mut().enumerate() {
             for (index, part) in targets.plan.parts.iter().enumerate() {
                 let mut resources = resources.clone();
+                let filtered = part.filtered();
                 resources.extend([
+                    ("filtered", targets.filtered[filtered].as_entire_binding()),
+                    ("filtered_before", targets.filtered[1 - filtered].as_entire_binding()),
                     ("frame", targets.constants(index)),
                     ("history", targets.histories[side].as_entire_binding()),
                     ("history_before", targets.histories[1 - side].as_entire_binding()),

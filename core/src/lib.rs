@@ -28,6 +28,8 @@
 //! - *Edelsbrunner 1990*: Edelsbrunner, Muecke, "Simulation of Simplicity", ACM Transactions on Graphics 9(1).
 //! - *Kim & Sung 2021*: Kim, Sung, "Efficient Path Tracer for the Presence of Mobile Virtual Reality", Human-centric
 //!   Computing and Information Sciences 11.
+//! - *Dammertz et al. 2010*: Dammertz, Sewtz, Hanika, Lensch, "Edge-Avoiding A-Trous Wavelet Transform for Fast Global
+//!   Illumination Filtering", High Performance Graphics.
 //! - *lecture*: Akenine-Moller, Assarsson, "Ray Tracing I", Chalmers; with Heckbert's minimal ray tracer.
 
 mod atlas;
@@ -67,9 +69,9 @@ pub use pose::{Lens, Pose};
 pub use renderer::Renderer;
 pub use scene::{Features, Scene};
 pub use settings::{
-    Crossing, Direct, Filter, Focus, Inactive, Jitter, Linking, MAX_DEPTH, MAX_GAZE, MAX_LIGHT_SAMPLES,
-    MAX_RAYS, MAX_SAMPLING, Method, Mip, Paths, Postcorrect, Preset, Refine, Robustness, Roulette, Sampler,
-    Settings, Shining, Stopping, THRESHOLD_NAMES, Thresholds, Tolerances,
+    Crossing, Denoise, Direct, Filter, Focus, Inactive, Jitter, Linking, MAX_DEPTH, MAX_GAZE,
+    MAX_LIGHT_SAMPLES, MAX_RAYS, MAX_SAMPLING, Method, Mip, Paths, Postcorrect, Preset, Refine, Robustness,
+    Roulette, Sampler, Settings, Shining, Stopping, THRESHOLD_NAMES, Thresholds, Tolerances,
 };
 pub use show::Show;
 pub use stats::{

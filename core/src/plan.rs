@@ -6,7 +6,7 @@
 //! shadows, one or two bounces). [`SAMPLES_PER_SUBMISSION`] of them take 0.1 s there: a fifth of the strictest limit.
 
 use crate::{
-    Filter, Method, Postcorrect,
+    Denoise, Filter, Method, Postcorrect,
     passes::{Stage, TRACE_GROUP},
 };
 
@@ -76,7 +76,7 @@ pub struct Part {
     pub pass: usize,
     /// Where its pass goes on: a row of workgroups, or a place in the list.
     pub first: u32,
-    /// From one sample to the next of a scan.
+    /// From one sample to the next of a scan, or of what a filter looks at.
     pub step: [i32; 2],
     /// The most samples that a thread of the postcorrection traces.
     pub walk: u32,
@@ -86,6 +86,14 @@ pub struct Part {
     pub bounds: [bool; 2],
     /// The most samples that it traces, or as many as take its time.
     pub samples: u32,
+}
+
+impl Part {
+    /// Which of the two filtered pictures it writes, by its level's step.
+    pub fn filtered(&self) -> usize {
+        // The first level reads what a part without a step has begun.
+        usize::from(self.step[0] != 0 && self.step[0].trailing_zeros().is_multiple_of(2))
+    }
 }
 
 /// How much a dispatch does.
@@ -128,6 +136,8 @@ pub struct Shape {
     pub refines: bool,
     /// How a pixel follows from several samples.
     pub filter: Filter,
+    /// What is done about noise of paths.
+    pub denoise: Denoise,
     /// Points of thin things.
     pub landmarks: u32,
     /// Samples of one eye count for the other.
@@ -152,13 +162,7 @@ impl Plan {
                     plan.push(tiles(Stage::Fill, width, rows));
                 }
                 Method::Frameless => plan.frameless(shape, band.rows(1, band.own)),
-                Method::Path | Method::Vr => {
-                    let (width, rows) = (shape.grid[0], band.rows(1, band.own));
-                    plan.push(tiles(Stage::Path, width, rows));
-                    if shape.crosses {
-                        plan.push(tiles(Stage::Cross, width, rows));
-                    }
-                }
+                Method::Path | Method::Vr => plan.paths(shape, band.rows(1, band.own)),
                 Method::Reproject => plan.reproject(shape, band.rows(1, band.own)),
                 Method::Adaptive => {
                     plan.adaptive(shape, &band);

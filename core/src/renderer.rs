@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use crate::{
-    Camera, Cost, Counts, DisplayImage, Error, FailedChecks, FrameTime, Gpu, GpuScene, Inspection,
+    Camera, Cost, Counts, Denoise, DisplayImage, Error, FailedChecks, FrameTime, Gpu, GpuScene, Inspection,
     LinearImage, Memory, Method, Origin, Paths, PixelRecord, Postcorrect, Rays, Result, Samples, Settings,
     frame::{self, Frame, Passes},
     gpu::Kernels,
@@ -221,6 +221,19 @@ impl<'a> Renderer<'a> {
         let texels: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);
         let rgb = texels.iter().flat_map(|t| [t[0], t[1], t[2]]).collect();
         LinearImage::from_raw(width, height, rgb).ok_or_else(|| Error::Device("short readback".into()))
+    }
+
+    /// What guides the removal of noise in each pixel of the last frame, row by row: the words that
+    /// [`Guide::unpacked`](crate::reference::Guide::unpacked) takes. None where nothing is done about noise.
+    ///
+    /// # Errors
+    /// A device that failed.
+    pub fn guides(&self) -> Result<Vec<[u32; 4]>> {
+        let settings = &self.settings;
+        if !settings.method.follows_paths() || settings.paths.denoise == Denoise::Off {
+            return Ok(Vec::new());
+        }
+        Ok(bytemuck::pod_collect_to_vec(&self.gpu.read_buffer(&self.targets.guides)?))
     }
 
     /// Bytes on the device for timed frames.

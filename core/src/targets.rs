@@ -1,7 +1,7 @@
 //! The buffers and images of a frame.
 
 use crate::{
-    Error, Gpu, GpuScene, Memory, Method, Result, Settings,
+    Denoise, Error, Gpu, GpuScene, Memory, Method, Result, Settings,
     frame::{FRAME_STRIDE, Frame, PixelRecord},
     passes::{COUNTER_WORDS, REFINE_MOST, REFINE_STEP, REFINE_WORDS, Variant},
     plan::{self, Plan, Shape},
@@ -40,6 +40,12 @@ const HISTORY_BYTES: u64 = 24;
 /// Bytes of what landed in a pixel: a key and where it came from.
 const LANDED_BYTES: u64 = 8;
 
+/// Bytes of what a path's first diffuse surface is.
+const GUIDE_BYTES: u64 = 16;
+
+/// Bytes of a pixel as the a-trous filter sees it.
+const FILTERED_BYTES: u64 = 16;
+
 /// No buffer of a band is larger: half of what WebGPU lets a storage binding be.
 const BAND_BYTES: u64 = 64 << 20;
 
@@ -60,6 +66,10 @@ pub struct Targets {
     pub histories: [wgpu::Buffer; 2],
     /// Where that is seen from the next camera.
     pub landed: wgpu::Buffer,
+    /// What guides the removal of noise.
+    pub guides: wgpu::Buffer,
+    /// What is filtered, from one level to the next in turn.
+    pub filtered: [wgpu::Buffer; 2],
 }
 
 impl Targets {
@@ -121,6 +131,7 @@ impl Targets {
             supersamples,
             refines: settings.refines(),
             filter: settings.filter,
+            denoise: settings.paths.denoise,
             landmarks: scene.landmark_count(),
             crosses: settings.crosses(),
         };
@@ -132,6 +143,10 @@ impl Targets {
         let storage = wgpu::BufferUsages::STORAGE;
         let moved = if settings.method == Method::Reproject { width * rows } else { 0 };
         let history = || gpu.buffer("history", HISTORY_BYTES * moved, storage);
+        let denoise = if settings.method.follows_paths() { settings.paths.denoise } else { Denoise::Off };
+        let guided = if denoise == Denoise::Off { 0 } else { width * rows };
+        let filtered_pixels = if denoise == Denoise::Atrous { width * rows } else { 0 };
+        let filtered = || gpu.buffer("filtered", FILTERED_BYTES * filtered_pixels, storage);
         let dispatches = DISPATCH_BYTES * u64::from(plan.chunks());
         Ok(Self {
             size,
@@ -144,6 +159,8 @@ impl Targets {
             attributes: gpu.buffer("attributes", attribute_bytes * width * rows.div_ceil(2), storage)?,
             list: gpu.buffer("list", LIST_HEADER + list_bytes * width * rows, storage)?,
             samples: gpu.buffer("samples", sample_bytes * width * rows, storage)?,
+            guides: gpu.buffer("guides", GUIDE_BYTES * guided, storage | wgpu::BufferUsages::COPY_SRC)?,
+            filtered: [filtered()?, filtered()?],
             dispatch: gpu.buffer("dispatch", dispatches, storage | wgpu::BufferUsages::INDIRECT)?,
             display: texture(gpu, "display", size, wgpu::TextureFormat::Rgba8Unorm)?,
             histories: [history()?, history()?],
@@ -170,8 +187,9 @@ impl Targets {
 
     /// Bytes on the device.
     pub fn bytes(&self) -> u64 {
-        let [one, other] = &self.histories;
-        let kept = [one, other, &self.landed];
+        let [history, history_before] = &self.histories;
+        let [filtered, filtered_before] = &self.filtered;
+        let kept = [history, history_before, &self.landed, &self.guides, filtered, filtered_before];
         let buffers = [&self.frame, &self.attributes, &self.list, &self.samples, &self.dispatch];
         let pixels = u64::from(self.size[0]) * u64::from(self.size[1]);
         buffers.iter().chain(&kept).map(|b| b.size()).sum::<u64>() + 4 * pixels

@@ -4,6 +4,7 @@ use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
 use glimpse::{Crossing, Direct, Paths, Roulette, Sampler, Shining, Stopping};
+use glimpse::{Denoise, Direct, Paths, Roulette, Sampler, Shining, Stopping};
 
 /// What paths do.
 #[derive(Clone, Debug, PartialEq, Args)]
@@ -47,6 +48,9 @@ pub struct PathOptions {
     /// From the eyes to where both see the same in the middle, in the scene's units [default: they look in parallel]
     #[arg(long, value_name = "D", allow_negative_numbers = true)]
     pub convergence: Option<f32>,
+    /// What is done about noise in path-traced pictures
+    #[arg(long, value_enum, default_value = "off", ignore_case = true)]
+    pub denoise: DenoiseName,
 }
 
 impl Default for PathOptions {
@@ -66,6 +70,7 @@ impl Default for PathOptions {
             crossing: CrossingName::Weighted,
             eye_distance: paths.eye_distance,
             convergence: paths.convergence,
+            denoise: DenoiseName::Off,
         }
     }
 }
@@ -93,6 +98,7 @@ impl PathOptions {
             crossing: self.crossing.into(),
             eye_distance: self.eye_distance,
             convergence: self.convergence,
+            denoise: self.denoise.into(),
         }
     }
 }
@@ -172,6 +178,17 @@ pub enum CrossingName {
     Weighted,
 }
 
+/// `--denoise`
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DenoiseName {
+    /// Nothing
+    Off,
+    /// Stopped paths that met diffuse surfaces alone show the median of their 3x3 pixels
+    Median,
+    /// Light is averaged along surfaces, less with every sample
+    Atrous,
+}
+
 same_names! {
     CrossingName => Crossing: Off, Paper, Weighted;
     DirectName => Direct: Walk, Light, Mis;
@@ -179,4 +196,5 @@ same_names! {
     SamplerName => Sampler: Random, Sobol;
     RouletteName => Roulette: On, Off;
     StoppingName => Stopping: Off, Paper, Compensated;
+    DenoiseName => Denoise: Off, Median, Atrous;
 }

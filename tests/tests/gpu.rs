@@ -10,6 +10,7 @@ mod gpu {
     mod golden;
     mod minray;
     mod mip;
+    mod noise;
     mod path;
     mod postcorrect;
     mod renderer;

@@ -51,6 +51,7 @@ impl Linked {
             supersamples: false,
             refines: false,
             filter: settings.filter,
+            denoise: settings.paths.denoise,
             landmarks: thinness.landmarks().len().max(usize::from(everything)) as u32,
             crosses: false,
         };

@@ -38,6 +38,9 @@
 //! | compact_renew | Kim 2016, 5 | `passes/compact.wgsl` |
 //! | renew | lecture, "Reprojection" | `passes/renew.wgsl` |
 //! | path | Kajiya 1986; Kim & Sung 2021, equation 7 | `passes/path.wgsl` |
+//! | median | Kim & Sung 2021, "Noise Removal for the Stopped Ray" | `passes/median.wgsl` |
+//! | atrous_begin | ours | `passes/atrous_begin.wgsl` |
+//! | atrous, atrous_end | Dammertz et al. 2010, section 2.2 | `passes/atrous.wgsl` |
 
 mod constants;
 mod demand;
@@ -154,11 +157,19 @@ pub enum Stage {
     Path,
     /// What landed in a pixel of one eye from the other.
     Cross,
+    /// Pixels whose path was stopped, from their neighbours.
+    Median,
+    /// The light of all pixels that is filtered.
+    AtrousBegin,
+    /// The same, from more of their neighbours.
+    Atrous,
+    /// The pixels from that.
+    AtrousEnd,
 }
 
 impl Stage {
     /// Every stage.
-    pub const ALL: [Self; 40] = [
+    pub const ALL: [Self; 44] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -199,6 +210,10 @@ impl Stage {
         Self::Renew,
         Self::Path,
         Self::Cross,
+        Self::Median,
+        Self::AtrousBegin,
+        Self::Atrous,
+        Self::AtrousEnd,
     ];
 
     /// Its name everywhere: GPU label, timing row.
@@ -245,6 +260,10 @@ impl Stage {
             Self::Renew => "renew",
             Self::Path => "path",
             Self::Cross => "cross",
+            Self::Median => "median",
+            Self::AtrousBegin => "atrous_begin",
+            Self::Atrous => "atrous",
+            Self::AtrousEnd => "atrous_end",
         }
     }
 
@@ -288,6 +307,9 @@ impl Stage {
             Self::Renew => wgsl!("passes/renew.wgsl"),
             Self::Path => wgsl!("passes/path.wgsl"),
             Self::Cross => wgsl!("passes/cross.wgsl"),
+            Self::Median => wgsl!("passes/median.wgsl"),
+            Self::AtrousBegin => wgsl!("passes/atrous_begin.wgsl"),
+            Self::Atrous | Self::AtrousEnd => wgsl!("passes/atrous.wgsl"),
         }
     }
 }

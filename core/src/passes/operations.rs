@@ -20,8 +20,18 @@ use crate::gpu::shader::Linked;
 pub type ByLoops = [Demand; 3];
 
 /// Buffers that hold something of each sample. All others hold the scene.
-const OF_SAMPLES: [&str; 7] =
-    ["attributes", "list", "dispatch", "samples", "history", "history_before", "landed"];
+const OF_SAMPLES: [&str; 10] = [
+    "attributes",
+    "list",
+    "dispatch",
+    "samples",
+    "history",
+    "history_before",
+    "landed",
+    "guides",
+    "filtered",
+    "filtered_before",
+];
 
 /// Operations of what takes a special unit, of which devices have a quarter as many.
 const SPECIAL: f64 = 4.0;

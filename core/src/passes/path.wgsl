@@ -40,5 +40,6 @@ fn path_end(path: Path) {
         inspect_pixel(path.pixel, ORIGIN_BASE, attributes);
         return;
     }
+    guides_end(path);
     samples_add(path.pixel, path.crossing, path.radiance);
 }

@@ -2,7 +2,8 @@
 
 use super::{Output, Stage, Variant, wgsl};
 use crate::{
-    Crossing, Direct, Filter, Inactive, Jitter, Linking, Mip, Sampler, Shining, Stopping, gpu::shader::Source,
+    Crossing, Denoise, Direct, Filter, Inactive, Jitter, Linking, Mip, Sampler, Shining, Stopping,
+    gpu::shader::Source,
 };
 
 impl Output {
@@ -126,6 +127,14 @@ impl Variant {
             }
             Stage::Path => self.path_sources(),
             Stage::Cross => self.cross_sources(),
+            Stage::Median => self.noise_sources([stage.entry()]),
+            Stage::AtrousBegin => self.noise_sources([wgsl!("wgsl/filtered.wgsl"), stage.entry()]),
+            Stage::Atrous | Stage::AtrousEnd => self.noise_sources([
+                wgsl!("wgsl/filtered.wgsl"),
+                wgsl!("wgsl/atrous.wgsl"),
+                pick(stage == Stage::Atrous, wgsl!("wgsl/atrous_kept.wgsl"), wgsl!("wgsl/atrous_shown.wgsl")),
+                stage.entry(),
+            ]),
             Stage::Renew => {
                 self.tracing_sources([wgsl!("wgsl/list.wgsl"), wgsl!("wgsl/history.wgsl"), stage.entry()])
             }
@@ -263,7 +272,9 @@ impl Variant {
     /// What a kernel needs that follows paths.
     fn path_sources(&self) -> Vec<Source> {
         let f = &self.features;
-        let one = Self { sampling: 1, ..*self };
+        let guides = self.paths.denoise != Denoise::Off;
+        let output = if guides { Output::Nowhere } else { self.output };
+        let one = Self { sampling: 1, output, ..*self };
         let mut sources = one.scene_sources(wgsl!("wgsl/attributes_planes.wgsl"), self.hit());
         sources.extend([
             wgsl!("wgsl/numbers.wgsl"),
@@ -287,12 +298,18 @@ impl Variant {
                 wgsl!("wgsl/stopping_none.wgsl"),
                 wgsl!("wgsl/stopping.wgsl"),
             ),
-            pick(self.two_eyes, wgsl!("wgsl/eyes_two.wgsl"), wgsl!("wgsl/eyes_one.wgsl")),
+            self.eyes(),
+            wgsl!("wgsl/guides.wgsl"),
+            pick(guides && !self.inspect, wgsl!("wgsl/guides_kept.wgsl"), wgsl!("wgsl/guides_none.wgsl")),
             wgsl!("wgsl/path.wgsl"),
         ]);
         sources.extend(self.crossing_sources());
         sources.extend([self.order(), Stage::Path.entry()]);
         sources
+    }
+
+    fn eyes(&self) -> Source {
+        pick(self.two_eyes, wgsl!("wgsl/eyes_two.wgsl"), wgsl!("wgsl/eyes_one.wgsl"))
     }
 
     /// Where samples of one eye count for the other.
@@ -307,6 +324,7 @@ impl Variant {
                 return vec![
                     wgsl!("wgsl/crossing_none.wgsl"),
                     wgsl!("wgsl/samples.wgsl"),
+                    wgsl!("wgsl/samples_mean.wgsl"),
                     wgsl!("wgsl/samples_alone.wgsl"),
                 ];
             }
@@ -327,8 +345,30 @@ impl Variant {
     fn cross_sources(&self) -> Vec<Source> {
         let one = Self { sampling: 1, ..*self };
         let mut sources = one.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
-        sources.extend(self.output.sources());
+        let output = if self.paths.denoise == Denoise::Off { self.output } else { Output::Nowhere };
+        sources.extend(output.sources());
         sources.extend([wgsl!("wgsl/samples_crossing.wgsl"), Stage::Cross.entry()]);
+        sources
+    }
+
+    /// What a kernel needs that treats noise of paths, and ends in these.
+    fn noise_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
+        let mut sources = vec![
+            self.constants(),
+            wgsl!("wgsl/frame.wgsl"),
+            self.jitter(),
+            wgsl!("wgsl/octahedral.wgsl"),
+            wgsl!("wgsl/guides.wgsl"),
+            self.eyes(),
+            wgsl!("wgsl/noise.wgsl"),
+            self.order(),
+        ];
+        sources.extend(match self.crossing() {
+            Crossing::Off => vec![wgsl!("wgsl/samples.wgsl"), wgsl!("wgsl/samples_mean.wgsl")],
+            Crossing::Paper | Crossing::Weighted => vec![wgsl!("wgsl/samples_crossing.wgsl")],
+        });
+        sources.extend(self.output.sources());
+        sources.extend(entry);
         sources
     }
 

@@ -4,8 +4,8 @@ use wgpu::naga::{AddressSpace, proc::Layouter};
 
 use super::{Output, Stage, Variant};
 use crate::{
-    Crossing, Direct, Features, Filter, Inactive, Jitter, Linking, Mip, Paths, Postcorrect, Robustness,
-    Roulette, Sampler, Shining, Stopping, frame, gpu,
+    Crossing, Denoise, Direct, Features, Filter, Inactive, Jitter, Linking, Mip, Paths, Postcorrect,
+    Robustness, Roulette, Sampler, Shining, Stopping, frame, gpu,
     gpu::{mirror::differences, shader::link},
     gpu_scene, probe,
 };
@@ -58,6 +58,7 @@ fn variants() -> impl Iterator<Item = Variant> {
             shining: Shining::ALL[bits as usize / 8 % 3],
             sampler: if bits & 1 != 0 { Sampler::Random } else { Sampler::Sobol },
             stopping: Stopping::ALL[bits as usize % 3],
+            denoise: Denoise::ALL[bits as usize / 2 % 3],
             roulette: if bits & 16 != 0 { Roulette::Off } else { Roulette::On },
             crossing: Crossing::ALL[bits as usize / 2 % 3],
             ..Paths::default()

@@ -1,7 +1,10 @@
 //! Frames with several samples a pixel that are no even grids, or are more than averaged.
 
 use super::{Band, Part, Plan, Rows, Shape, chunks, once, tiles};
-use crate::passes::{REFINE_MOST, REFINE_STEP, Stage};
+use crate::{
+    Denoise,
+    passes::{REFINE_MOST, REFINE_STEP, Stage},
+};
 
 /// The most samples that a pixel gets besides its own.
 const EXTRA_SAMPLES: u32 = 16;
@@ -15,7 +18,31 @@ const REFINE_LONG_ROUNDS: u32 = 4;
 /// What is refined later is this part of the frame at most.
 const REFINE_LATER: u32 = 8;
 
+/// Levels of the a-trous filter, each of which looks twice as far as the one before.
+const ATROUS_LEVELS: u32 = 5;
+
 impl Plan {
+    /// A path through every pixel, and what is done about their noise.
+    pub(super) fn paths(&mut self, shape: &Shape, rows: Rows) {
+        let width = shape.grid[0];
+        self.push(tiles(Stage::Path, width, rows));
+        if shape.crosses {
+            self.push(tiles(Stage::Cross, width, rows));
+        }
+        match shape.denoise {
+            Denoise::Off => {}
+            Denoise::Median => self.push(tiles(Stage::Median, width, rows)),
+            Denoise::Atrous => {
+                self.push(tiles(Stage::AtrousBegin, width, rows));
+                for level in 0..ATROUS_LEVELS {
+                    let stage = if level + 1 < ATROUS_LEVELS { Stage::Atrous } else { Stage::AtrousEnd };
+                    let parts = tiles(stage, width, rows).into_iter();
+                    self.push(parts.map(|part| Part { step: [1 << level; 2], ..part }).collect());
+                }
+            }
+        }
+    }
+
     /// Jin 2009, 4.1.3 and 4.1.4, for pixels that are there.
     pub(super) fn supersample(&mut self, shape: &Shape, rows: Rows) {
         if shape.refines {

@@ -70,10 +70,10 @@ impl Frame<'_> {
         self.camera.origin.as_dvec3() + side * self.eyes()[0]
     }
 
-    /// The ray of a path through a place in a pixel.
-    pub(super) fn eye_ray(&self, pixel: [u32; 2], place: [f64; 2]) -> Ray {
+    /// The ray of a path through a place in a pixel, and the length of its direction, in whose units depths are.
+    pub(super) fn eye_ray(&self, pixel: [u32; 2], place: [f64; 2]) -> (Ray, f64) {
         if self.settings.method != Method::Vr {
-            return self.ray_at([0, 1].map(|i| f64::from(pixel[i]) + place[i]), 1.0).0;
+            return self.ray_at([0, 1].map(|i| f64::from(pixel[i]) + place[i]), 1.0);
         }
         let size = self.eye_size();
         let (side, pixel) = Self::eye(pixel, size);
@@ -82,12 +82,9 @@ impl Frame<'_> {
             self.ray_at([f64::from(pixel[0]) + aside + place[0], f64::from(pixel[1]) + place[1]], 1.0);
         let [_, shift] = self.eyes();
         let along = middle.direction * length - side * shift;
-        Ray {
-            origin: self.eye_origin(side),
-            direction: along.normalize(),
-            growth: middle.growth * length / along.length(),
-            ..middle
-        }
+        let growth = middle.growth * length / along.length();
+        let (origin, direction) = (self.eye_origin(side), along.normalize());
+        (Ray { origin, direction, growth, ..middle }, along.length())
     }
 
     /// The pixel in which that eye sees a point.

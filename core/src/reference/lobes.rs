@@ -63,6 +63,12 @@ impl Lobes {
         if sum > 0.0 { self.largest[0] / sum } else { 0.0 }
     }
 
+    /// Do at least as many paths go on by the diffuse lobe as by the others?
+    pub fn is_diffuse(&self) -> bool {
+        let [diffuse, mirror, refraction] = self.largest;
+        diffuse >= mirror + refraction
+    }
+
     /// The lobe that a number in [0, 1) chooses, each as often as its largest channel is of their sum; none where nothing
     /// goes on.
     pub fn choose(&self, number: f64, rounding: &mut Rounding) -> Option<Chosen> {

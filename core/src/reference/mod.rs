@@ -13,6 +13,7 @@
 //! | [`Frame::quincunx`] | `quincunx_*.wgsl` |
 //! | [`Frame::path`], [`Numbers::pair`] | `path.wgsl`, `lobes*.wgsl`, `emitters*.wgsl`, `numbers*.wgsl` |
 //! | [`PathSample::own`], [`PathSample::landing`] | `eyes_two.wgsl`, `crossing*.wgsl` |
+//! | [`Guide::followed`], [`Noise::median`], [`Noise::atrous`] | `guides_kept.wgsl`, `median.wgsl`, `atrous_begin.wgsl`, `atrous.wgsl` |
 //! | [`Frame::renews`], [`Frame::reprojected`] | `renewal.wgsl`, `reproject_depth.wgsl`, `reproject_source.wgsl`, `reuse.wgsl` |
 //!
 //! Shared with what it judges: the [`Scene`] in main memory (with its normals in octahedral words, for that is what the
@@ -36,12 +37,14 @@ mod contrast;
 mod crossing;
 mod emission;
 mod frame;
+mod guides;
 mod intersection;
 mod jitter;
 mod judge;
 mod lights;
 mod lobes;
 mod material;
+mod noise;
 mod numbers;
 mod path;
 mod postcorrection;
@@ -62,10 +65,12 @@ use glam::DVec3;
 pub use attributes::Attributes;
 pub use crossing::Landing;
 pub use frame::{Frame, Pixel};
+pub use guides::{Guide, Way};
 pub use intersection::{Crossing, Ray};
 pub use judge::Verdict;
 pub use lights::Arrival;
 pub use material::{Material, fresnel_dielectric};
+pub use noise::Noise;
 pub use numbers::Numbers;
 pub use path::PathSample;
 pub use quincunx::Quincunx;

@@ -10,8 +10,9 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use super::{
-    Cause, Frame, Numbers, Ray, Rounding, Surface,
+    Cause, Frame, Guide, Numbers, Ray, Rounding, Surface,
     crossing::{Landing, Mirror},
+    guides::Search,
     lobes::{Lobes, cosine_weighted},
 };
 use crate::{Direct, Roulette, Shining, Stopping};
@@ -46,6 +47,8 @@ pub struct PathSample {
     pub own: f64,
     /// The pixel of the other eye that it counts for too.
     pub landing: Option<Landing>,
+    /// Its first diffuse surface.
+    pub guide: Guide,
 }
 
 /// A path on its way.
@@ -64,9 +67,14 @@ struct Path<'a> {
     level: u32,
     /// How densely the ray was drawn about a diffuse surface, per unit of solid angle.
     density: Option<f64>,
-    /// The first hit, if that is a plane mirror and both eyes look into it.
+    /// The first hit, if that is a plane mirror.
     mirror: Option<Mirror>,
-    found: PathSample,
+    /// What the sample counts for in its own pixel, and where else.
+    crossed: Option<(f64, Landing)>,
+    search: Search,
+    radiance: DVec3,
+    stopped: bool,
+    diffuse_only: bool,
 }
 
 impl Frame<'_> {
@@ -75,27 +83,29 @@ impl Frame<'_> {
     pub fn path(&self, pixel: [u32; 2], sample: u32, rounding: &mut Rounding) -> PathSample {
         let numbers = Numbers::of(&self.settings, pixel, sample);
         let place = numbers.pair(PLACE_IN_PIXEL);
+        let (ray, length) = self.eye_ray(pixel, place);
         let mut path = Path {
             frame: self,
             pixel,
             numbers,
             stop: self.stop(pixel),
-            ray: self.eye_ray(pixel, place),
+            ray,
             left: None,
             throughput: DVec3::ONE,
             level: 1,
             density: None,
             mirror: None,
-            found: PathSample {
-                radiance: DVec3::ZERO,
-                stopped: false,
-                diffuse_only: true,
-                own: 1.0,
-                landing: None,
-            },
+            crossed: None,
+            search: Search::new(length),
+            radiance: DVec3::ZERO,
+            stopped: false,
+            diffuse_only: true,
         };
         while path.step(rounding).is_some() {}
-        path.found
+        let Path { radiance, stopped, diffuse_only, .. } = path;
+        let (own, landing) = path.crossed.map_or((1.0, None), |(own, landing)| (own, Some(landing)));
+        let guide = path.search.guide(stopped && diffuse_only);
+        PathSample { radiance, stopped, diffuse_only, guide, own, landing }
     }
 
     /// The probability of stopping in a pixel (Kim & Sung 2021, equation 7).
@@ -115,31 +125,30 @@ impl Path<'_> {
     fn step(&mut self, rounding: &mut Rounding) -> Option<()> {
         let reference = self.frame.reference;
         let Some(crossing) = reference.first(&self.ray, self.left, false, rounding) else {
-            self.found.radiance += self.throughput * reference.scene.environment.background.as_dvec3();
+            self.radiance += self.throughput * reference.scene.environment.background.as_dvec3();
             return None;
         };
         let s = reference.surface(&self.ray, &crossing, rounding);
         let m = reference.material(s.object, s.texcoord, s.footprint, s.color);
+        self.search.arrive(crossing.t, m.emission);
         if m.unlit {
-            self.found.radiance += self.throughput * m.base;
+            self.radiance += self.throughput * m.base;
             return None;
         }
         if m.emission != DVec3::ZERO {
-            self.found.radiance += self.throughput * m.emission * self.weight(&s, crossing.t);
+            self.radiance += self.throughput * m.emission * self.weight(&s, crossing.t);
         }
         if self.level == self.frame.settings.depth {
             return None;
         }
         let lobes = Lobes::of(reference, &s, &m, self.ray.direction, rounding);
         let place = (self.pixel, self.level);
-        if let Some((own, landing)) =
-            self.frame.crossed(place, &self.ray, (&s, &m, &lobes), &mut self.mirror, rounding)
-        {
-            (self.found.own, self.found.landing) = (own, Some(landing));
-        }
+        let met = (&s, &m, &lobes);
+        self.crossed = self.crossed.or(self.frame.crossed(place, &self.ray, met, &mut self.mirror, rounding));
+        self.search.meet(&s, &lobes, self.throughput, self.level);
         if lobes.diffuse != DVec3::ZERO {
             let irradiance = self.punctual(&s, rounding) + self.emitters(&s, &lobes, rounding);
-            self.found.radiance += self.throughput * lobes.diffuse / PI * irradiance;
+            self.radiance += self.throughput * lobes.diffuse / PI * irradiance;
         }
         self.foveate(rounding)?;
         self.leave(&s, &lobes, rounding)
@@ -212,7 +221,7 @@ impl Path<'_> {
         }
         let [_, number] = self.pair(EMITTER);
         if rounding.number(Cause::Branch, number, 1.0) < self.stop {
-            self.found.stopped = true;
+            self.stopped = true;
             return None;
         }
         if paths.stopping == Stopping::Compensated {
@@ -225,6 +234,9 @@ impl Path<'_> {
     fn leave(&mut self, s: &Surface, lobes: &Lobes, rounding: &mut Rounding) -> Option<()> {
         let [lobe, survival] = self.pair(LOBE);
         let chosen = lobes.choose(lobe, rounding)?;
+        if chosen.leaving.is_none() {
+            self.search.leave(s, lobes, self.throughput, self.level);
+        }
         self.throughput *= chosen.weight;
         if self.frame.settings.paths.roulette == Roulette::On && self.level >= ROULETTE_LEVEL {
             let survivors = self.throughput.max_element().min(1.0);
@@ -235,7 +247,7 @@ impl Path<'_> {
         }
         let (direction, cone) = match chosen.leaving {
             Some(leaving) => {
-                (self.density, self.found.diffuse_only) = (None, false);
+                (self.density, self.diffuse_only) = (None, false);
                 (leaving.direction, leaving.cone)
             }
             None => {

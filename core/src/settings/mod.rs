@@ -24,7 +24,9 @@ mod paths;
 mod supersampling;
 mod validate;
 
-pub use paths::{Crossing, Direct, MAX_GAZE, MAX_LIGHT_SAMPLES, Paths, Roulette, Sampler, Shining, Stopping};
+pub use paths::{
+    Crossing, Denoise, Direct, MAX_GAZE, MAX_LIGHT_SAMPLES, Paths, Roulette, Sampler, Shining, Stopping,
+};
 pub use supersampling::{Filter, Focus, Inactive, Jitter, Preset, Refine, THRESHOLD_NAMES, Thresholds};
 
 names! {

@@ -75,6 +75,22 @@ pub enum Crossing {
     Weighted,
 }
 
+/// What is done about noise in the picture that is shown. What is added up is what paths brought, with or without it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Denoise {
+    /// Nothing.
+    Off,
+    /// Kim & Sung 2021, section 3: a pixel whose last path was [stopped](Stopping) and met diffuse surfaces alone shows,
+    /// channel by channel, the median of its 3x3 pixels. It does so however many samples there are: the picture stays
+    /// darker than the mean, and more samples do not help there.
+    Median,
+    /// An edge-avoiding a-trous wavelet filter (Dammertz et al. 2010) of the light that arrives at the first diffuse
+    /// surface, guided by its position, normal and albedo. Its colour weights narrow as samples are added up: the picture
+    /// tends to the mean.
+    Atrous,
+}
+
 names! {
     Crossing: Off = "off", Paper = "paper", Weighted = "weighted";
     Direct: Walk = "walk", Light = "light", Mis = "mis";
@@ -82,6 +98,7 @@ names! {
     Sampler: Random = "random", Sobol = "sobol";
     Roulette: On = "on", Off = "off";
     Stopping: Off = "off", Paper = "paper", Compensated = "compensated";
+    Denoise: Off = "off", Median = "median", Atrous = "atrous";
 }
 
 /// Everything that can be wished of paths.
@@ -114,6 +131,8 @@ pub struct Paths {
     /// From the eyes to where both see the same in the middle of their pictures, in the scene's units; none for eyes that
     /// look in parallel.
     pub convergence: Option<f32>,
+    /// What is done about noise.
+    pub denoise: Denoise,
 }
 
 /// The most points on emitters for a surface.
@@ -135,6 +154,7 @@ impl Default for Paths {
             crossing: Crossing::Weighted,
             eye_distance: 0.064,
             convergence: None,
+            denoise: Denoise::Off,
         }
     }
 }

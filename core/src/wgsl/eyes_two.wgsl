@@ -13,6 +13,11 @@ fn eyes_of(pixel: vec2u) -> u32 {
     return select(EYES_LEFT, EYES_RIGHT, pixel.x >= eyes_width());
 }
 
+// Does one eye see both pixels?
+fn eyes_same(a: vec2u, b: vec2u) -> bool {
+    return eyes_of(a) == eyes_of(b);
+}
+
 // The pixel in the eye's own picture.
 fn eyes_pixel(pixel: vec2u) -> vec2u {
     return vec2u(pixel.x - eyes_of(pixel) * eyes_width(), pixel.y);

@@ -34,13 +34,14 @@ struct Path {
     object: u32,
     depth: f32,
     normal: vec3f,
+    guide: Guide,
 }
 
 fn path_begin(pixel: vec2u) -> Path {
     let place = numbers_pair(pixel, PATH_PLACE_IN_PIXEL);
     let ray = eyes_ray(pixel, place);
     return Path(
-        pixel, ray, RAY_PRIMARY, vec3f(1.0), 1u, 0.0, vec3f(0.0), crossing_begin(), 0u, FAR, vec3f(0.0)
+        pixel, ray, RAY_PRIMARY, vec3f(1.0), 1u, 0.0, vec3f(0.0), crossing_begin(), 0u, FAR, vec3f(0.0), guides_begin(ray)
     );
 }
 
@@ -61,11 +62,13 @@ fn path_step(path: ptr<function, Path>) -> bool {
         (*path).depth = hit.t;
         (*path).normal = s.normal;
     }
+    guides_arrive(path, hit.t);
     if lobes_unlit(m) {
         (*path).radiance += (*path).throughput * m.base;
         return false;
     }
     let emission = lobes_emission(m);
+    guides_shine(path, emission);
     if any(emission != vec3f(0.0)) {
         (*path).radiance += (*path).throughput * emission * emitters_weight((*path).density, s, direction);
     }
@@ -75,6 +78,7 @@ fn path_step(path: ptr<function, Path>) -> bool {
     let pixel = (*path).pixel;
     let dimension = PATH_DIMENSIONS * (*path).level;
     let lobes = lobes_at(s, m, direction);
+    guides_surface(path, s, lobes);
     if lobes.sum <= 0.0 {
         return false;
     }
@@ -87,6 +91,7 @@ fn path_step(path: ptr<function, Path>) -> bool {
     // The first hit is no bounce.
     if (*path).level - 1u > STOP_AFTER {
         if stopping_stops(pixel, numbers_pair(pixel, dimension + PATH_EMITTER).y) {
+            guides_stop(path);
             return false;
         }
         (*path).throughput *= stopping_weight(pixel);
@@ -102,6 +107,7 @@ fn path_leave(path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes, 
     let number = numbers.x * lobes.sum;
     var leaving: Leaving;
     var density = 0.0;
+    guides_leave(path, s, lobes, number < lobes.chances.x);
     if number < lobes.chances.x {
         let drawn = path_scattered(s.normal, numbers_pair(pixel, dimension + PATH_DIRECTION));
         density = max(dot(drawn, s.normal), 0.0) / PI * (lobes.chances.x / lobes.sum);

@@ -6,5 +6,5 @@ fn samples_add(pixel: vec2u, crossing: Crossing, radiance: vec3f) {
         sum += samples_load(pixel);
     }
     samples_store(pixel, sum);
-    output(pixel, sum / f32(frame.sample + 1u));
+    output(pixel, samples_mean(pixel));
 }

@@ -1,0 +1,53 @@
+// The light that is filtered. Of few samples, pixels that are much brighter than those around them are taken down: a path
+// that meets a small emitter by chance would be spread over all that the filter sees.
+
+// A pixel of one sample is taken for no brighter than so many times the mean of those around it,
+const ATROUS_BRIGHTER: f32 = 4.0;
+// and from so many samples on for as bright as it is.
+const ATROUS_SETTLED: f32 = 256.0;
+
+// How bright the light is, up to the surface's hue.
+fn atrous_brightness(pixel: vec2u, guide: vec4u) -> f32 {
+    return filtered_sum(samples_mean(pixel)) / filtered_sum(filtered_albedo(guide));
+}
+
+// What counts of a pixel's brightness.
+fn atrous_kept(pixel: vec2u, kind: u32, own: f32) -> f32 {
+    var sum = 0.0;
+    var count = 0.0;
+    for (var y = -1; y <= 1; y += 1) {
+        for (var x = -1; x <= 1; x += 1) {
+            let at = vec2i(pixel) + vec2i(x, y);
+            let tap = select(pixel, vec2u(at), noise_reaches(pixel, at));
+            let guide = guides[guides_place(tap)];
+            let counts = any(tap != pixel) && guides_kind(guide) == kind;
+            sum += select(0.0, atrous_brightness(tap, guide), counts);
+            count += f32(counts);
+        }
+    }
+    let most = ATROUS_BRIGHTER * sum / max(count, 1.0);
+    let settled = min(f32(frame.sample) / ATROUS_SETTLED, 1.0);
+    return select(own, mix(most, own, settled * settled), count > 0.0 && own > most);
+}
+
+@compute @workgroup_size(256)
+fn main(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(num_workgroups) groups: vec3u,
+    @builtin(local_invocation_index) local: u32,
+) {
+    let pixel = 16u * order_tile(group, groups, ORDER_RUNS) + frame_tile(local);
+    if any(pixel >= frame.size) {
+        return;
+    }
+    let guide = guides[guides_place(pixel)];
+    let kind = guides_kind(guide);
+    if kind == GUIDE_NONE {
+        filtered[guides_place(pixel)] = vec4u(0u);
+        return;
+    }
+    let own = atrous_brightness(pixel, guide);
+    let kept = atrous_kept(pixel, kind, own) / max(own, FILTERED_BLACK);
+    let light = kept * samples_mean(pixel) / filtered_albedo(guide);
+    filtered[guides_place(pixel)] = vec4u(filtered_guide(guide), filtered_light(light));
+}

@@ -1,0 +1,105 @@
+//! What guides the removal of noise: the first diffuse surface of each pixel's paths.
+
+use glam::DVec3;
+
+use super::{Surface, lobes::Lobes};
+use crate::scene::octahedral_decode_exact;
+
+/// How a pixel's paths come to their first diffuse surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// Some did not, or met light before they left it: the pixel is not filtered.
+    None,
+    /// It is seen directly.
+    Direct,
+    /// By mirrors or glass.
+    Mirrored,
+}
+
+/// What is known of a pixel's first diffuse surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Guide {
+    /// How it is seen.
+    pub way: Way,
+    /// Its unit normal, of the first sample.
+    pub normal: DVec3,
+    /// How far it lies along the way from the eye, in lengths of the primary ray's direction, of the first sample.
+    pub depth: f64,
+    /// What it scatters of the light that arrives there, times what mirrors and glass leave of it: the mean of all samples.
+    pub albedo: DVec3,
+    /// The last path was stopped and had left every surface by the diffuse lobe.
+    pub smoothed: bool,
+}
+
+/// Steps of a channel of the albedo.
+const ALBEDO_STEPS: f64 = 1023.0;
+
+impl Guide {
+    /// As the shaders store it, in the words of [`crate::Renderer::guides`].
+    #[must_use]
+    pub fn unpacked([normal, depth, albedo, smoothed]: [u32; 4]) -> Self {
+        let channel = |shift: u32| f64::from(albedo >> shift & 1023) / ALBEDO_STEPS;
+        Self {
+            way: [Way::None, Way::Direct, Way::Mirrored][(albedo >> 30).min(2) as usize],
+            normal: octahedral_decode_exact(normal),
+            depth: f64::from(f32::from_bits(depth)),
+            albedo: DVec3::new(channel(0), channel(10), channel(20)),
+            smoothed: smoothed != 0,
+        }
+    }
+
+    /// With another sample of the pixel, which has had so many before.
+    #[must_use]
+    pub fn followed(self, sample: &Self, before: u32) -> Self {
+        let way = if sample.way == Way::None { Way::None } else { self.way };
+        let albedo = self.albedo.lerp(sample.albedo, 1.0 / (f64::from(before) + 1.0));
+        Self { way, albedo, smoothed: sample.smoothed, ..self }
+    }
+}
+
+/// A path on its way to its first diffuse surface.
+pub(super) struct Search {
+    guide: Guide,
+    /// Of the primary ray's direction, before it was made a unit.
+    length: f64,
+    shone: bool,
+}
+
+impl Search {
+    /// From the eye.
+    pub fn new(length: f64) -> Self {
+        let guide =
+            Guide { way: Way::None, normal: DVec3::ZERO, depth: 0.0, albedo: DVec3::ZERO, smoothed: false };
+        Self { guide, length, shone: false }
+    }
+
+    /// A surface at that distance from the last one.
+    pub fn arrive(&mut self, distance: f64, emission: DVec3) {
+        if self.guide.way == Way::None {
+            self.guide.depth += distance / self.length;
+            self.shone |= emission != DVec3::ZERO;
+        }
+    }
+
+    /// It counts as diffuse if more paths leave it by the diffuse lobe than not.
+    pub fn meet(&mut self, s: &Surface, lobes: &Lobes, throughput: DVec3, level: u32) {
+        if lobes.is_diffuse() {
+            self.leave(s, lobes, throughput, level);
+        }
+    }
+
+    /// Or if this one does.
+    pub fn leave(&mut self, s: &Surface, lobes: &Lobes, throughput: DVec3, level: u32) {
+        if self.guide.way == Way::None {
+            self.guide.way = if level == 1 { Way::Direct } else { Way::Mirrored };
+            self.guide.normal = s.normal;
+            self.guide.albedo = (throughput * lobes.diffuse).clamp(DVec3::ZERO, DVec3::ONE);
+        }
+    }
+
+    /// What was found.
+    pub fn guide(&self, smoothed: bool) -> Guide {
+        let way = if self.shone { Way::None } else { self.guide.way };
+        Guide { way, smoothed, ..self.guide }
+    }
+}

@@ -1,0 +1,172 @@
+//! The removal of noise from a picture of paths.
+
+use glam::DVec3;
+
+use super::{Frame, Guide, guides::Way};
+
+/// A picture of paths with what guides the removal of its noise.
+pub struct Noise<'a> {
+    /// How it was made.
+    pub frame: &'a Frame<'a>,
+    /// Of each pixel.
+    pub samples: u32,
+    /// Means of each pixel's samples, row by row.
+    pub means: &'a [DVec3],
+    /// Of each pixel, row by row.
+    pub guides: &'a [Guide],
+}
+
+/// Surfaces are taken for no darker.
+const LEAST_ALBEDO: f64 = 0.01;
+/// A pixel of one sample counts for no more than so many times the mean brightness of those around it.
+const BRIGHTER: f64 = 4.0;
+/// From so many samples on a pixel counts for as bright as it is.
+const SETTLED: f64 = 256.0;
+/// Widths of the weights: the first level's of differences of light over their sum, of one sample; of the distance from the
+/// plane, in pixels there; of what mirrors show, of the difference of distances over them; of unit normals; of albedos.
+const LIGHT: f64 = 4.0;
+const PLANE: f64 = 2.0;
+const DEPTH: f64 = 0.125;
+const NORMAL: f64 = 0.25;
+const ALBEDO: f64 = 0.5;
+/// Steps that guides are compared in: of a component of the normal and of the mean albedo.
+const STEPS: f64 = 127.0;
+/// Levels of the a-trous filter.
+const LEVELS: u32 = 5;
+
+impl Noise<'_> {
+    /// Kim & Sung 2021, Algorithm 5: what a pixel shows.
+    #[must_use]
+    pub fn median(&self, pixel: [u32; 2]) -> DVec3 {
+        let own = self.means[self.index(pixel)];
+        if !self.guides[self.index(pixel)].smoothed {
+            return own;
+        }
+        let around: Vec<_> =
+            offsets().map(|o| self.tap(pixel, o, 1).map_or(own, |i| self.means[i])).collect();
+        let channel = |i: usize| {
+            let mut values: Vec<_> = around.iter().map(|v| v[i]).collect();
+            values.sort_by(f64::total_cmp);
+            values[values.len() / 2]
+        };
+        DVec3::new(channel(0), channel(1), channel(2))
+    }
+
+    /// The picture filtered as in Dammertz et al. 2010, row by row.
+    #[must_use]
+    pub fn atrous(&self) -> Vec<DVec3> {
+        let mut lights: Vec<_> = self.pixels().map(|pixel| self.light(pixel)).collect();
+        for level in 0..LEVELS {
+            lights = self.pixels().map(|pixel| self.filtered(pixel, 1 << level, &lights)).collect();
+        }
+        let shown = |(i, light): (usize, &DVec3)| match self.guides[i].way {
+            Way::None => self.means[i],
+            _ => *light * self.albedo(i),
+        };
+        lights.iter().enumerate().map(shown).collect()
+    }
+
+    fn pixels(&self) -> impl Iterator<Item = [u32; 2]> + use<> {
+        let [width, height] = self.frame.size;
+        (0..height).flat_map(move |y| (0..width).map(move |x| [x, y]))
+    }
+
+    fn index(&self, [x, y]: [u32; 2]) -> usize {
+        (y * self.frame.size[0] + x) as usize
+    }
+
+    /// The pixel so many steps away, unless that is outside of what the eye sees.
+    fn tap(&self, pixel: [u32; 2], offset: [i32; 2], step: i32) -> Option<usize> {
+        let at = [0, 1].map(|i| pixel[i].checked_add_signed(step * offset[i]));
+        let inside = |i: usize| at[i].filter(|place| *place < self.frame.size[i]);
+        let tap = [inside(0)?, inside(1)?];
+        let eye = |pixel| Frame::eye(pixel, self.frame.eye_size()).0;
+        (eye(tap) == eye(pixel)).then(|| self.index(tap))
+    }
+
+    fn albedo(&self, i: usize) -> DVec3 {
+        self.guides[i].albedo.max(DVec3::splat(LEAST_ALBEDO))
+    }
+
+    /// What arrives at the surface over pi, less what makes a pixel much brighter than those around it.
+    fn light(&self, pixel: [u32; 2]) -> DVec3 {
+        let own = self.index(pixel);
+        let brightness = |i: usize| self.means[i].element_sum() / self.albedo(i).element_sum();
+        let taps = offsets().filter(|o| *o != [0, 0]).filter_map(|o| self.tap(pixel, o, 1));
+        let around: Vec<_> =
+            taps.filter(|i| self.guides[*i].way == self.guides[own].way).map(brightness).collect();
+        let light = self.means[own] / self.albedo(own);
+        let bright = brightness(own);
+        let most = BRIGHTER * around.iter().sum::<f64>() / around.len() as f64;
+        // Without any around it the most is no number.
+        if bright > most {
+            let settled = (f64::from(self.samples - 1) / SETTLED).min(1.0);
+            return light * (most + (bright - most) * settled * settled) / bright;
+        }
+        light
+    }
+
+    /// A level of the filter.
+    fn filtered(&self, pixel: [u32; 2], step: i32, lights: &[DVec3]) -> DVec3 {
+        let own = self.index(pixel);
+        if self.guides[own].way == Way::None {
+            return DVec3::ZERO;
+        }
+        let (mut sum, mut weights) = (DVec3::ZERO, 0.0);
+        for offset in offsets() {
+            let Some(other) = self.tap(pixel, offset, step) else { continue };
+            let binomial = f64::from(offset.map(|o| 2 - o.abs()).iter().product::<i32>());
+            let weight = binomial * self.alike(own, other) * self.of_light(step, lights[own], lights[other]);
+            sum += weight * lights[other];
+            weights += weight;
+        }
+        sum / weights
+    }
+
+    /// How much two pixels see of one surface.
+    fn alike(&self, own: usize, other: usize) -> f64 {
+        let [p, q] = [own, other].map(|i| &self.guides[i]);
+        if p.way != q.way {
+            return 0.0;
+        }
+        let [normal, other_normal] = [p, q].map(|guide| (guide.normal * STEPS).round() / STEPS);
+        let away = match p.way {
+            Way::Mirrored => (q.depth - p.depth) / (DEPTH * p.depth),
+            _ => {
+                let [point, other] = [(own, p), (other, q)].map(|(i, g)| self.point(i, g.depth));
+                normal.dot(other - point) / (PLANE * self.footprint(p.depth))
+            }
+        };
+        let grey = |guide: &Guide| (guide.albedo.element_sum() / 3.0 * STEPS).round() / STEPS;
+        let albedo = (grey(p) - grey(q)) / ALBEDO;
+        let bent = (normal - other_normal) / NORMAL;
+        (-(albedo * albedo + bent.length_squared() + away * away)).exp2()
+    }
+
+    /// How much light may differ by chance.
+    fn of_light(&self, step: i32, a: DVec3, b: DVec3) -> f64 {
+        let [a, b] = [a, b].map(DVec3::element_sum);
+        if a + b == 0.0 {
+            return 1.0;
+        }
+        let width = LIGHT / f64::from(self.samples).sqrt() / f64::from(step);
+        (-((a - b) / (a + b) / width).powi(2)).exp2()
+    }
+
+    fn point(&self, i: usize, depth: f64) -> DVec3 {
+        let pixel = [i as u32 % self.frame.size[0], i as u32 / self.frame.size[0]];
+        let (ray, length) = self.frame.eye_ray(pixel, [0.5; 2]);
+        ray.origin + depth * length * ray.direction
+    }
+
+    /// Side of a pixel at that depth.
+    fn footprint(&self, depth: f64) -> f64 {
+        let side = 2.0 * self.frame.camera.up.as_dvec3().length() / f64::from(self.frame.size[1]);
+        if self.frame.camera.orthographic { side } else { side * depth }
+    }
+}
+
+/// Of 3x3 pixels.
+fn offsets() -> impl Iterator<Item = [i32; 2]> {
+    (-1..=1).flat_map(|y| (-1..=1).map(move |x| [x, y]))
+}

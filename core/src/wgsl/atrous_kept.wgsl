@@ -1,0 +1,9 @@
+// Another level follows.
+
+fn atrous_result(pixel: vec2u, words: vec4u, light: vec3f) {
+    filtered[guides_place(pixel)] = vec4u(words.xy, filtered_light(light));
+}
+
+fn atrous_unfiltered(pixel: vec2u) {
+    filtered[guides_place(pixel)] = vec4u(0u);
+}
