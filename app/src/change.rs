@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use glimpse::{Method, Mip, Postcorrect, Preset, Settings, Show};
+use glimpse::{Denoise, Method, Mip, Postcorrect, Preset, Settings, Show, Stopping};
 
 use crate::{Choices, FrameRate, Overlay, SCALES};
 
@@ -56,6 +56,12 @@ pub enum Setting {
     Similar(f32),
     /// `share`
     Share(f32),
+    /// `samples`
+    Samples(u32),
+    /// `stopping`
+    Stopping(Stopping),
+    /// `denoise`
+    Denoise(Denoise),
 }
 
 impl Setting {
@@ -77,6 +83,9 @@ impl Setting {
             Self::Supersample(supersample) => settings.supersample = supersample,
             Self::Preset(preset) => settings.thresholds = preset.thresholds(),
             Self::Similar(value) => settings.similar = value,
+            Self::Samples(samples) => settings.paths.samples = samples,
+            Self::Stopping(stopping) => settings.paths.stopping = stopping,
+            Self::Denoise(denoise) => settings.paths.denoise = denoise,
         }
     }
 }
@@ -154,6 +163,11 @@ fn setting(name: &str, value: &str) -> Result<Setting, String> {
         "preset" => Setting::Preset(one_of(value, &Preset::ALL.map(|preset| (preset.name(), preset)))?),
         "similar" => Setting::Similar(number(value)?),
         "share" => Setting::Share(number(value)?),
+        "samples" => Setting::Samples(number(value)?),
+        "stopping" => {
+            Setting::Stopping(one_of(value, &Stopping::ALL.map(|stopping| (stopping.name(), stopping)))?)
+        }
+        "denoise" => Setting::Denoise(one_of(value, &Denoise::ALL.map(|denoise| (denoise.name(), denoise)))?),
         _ => return Err(format!("expected the name of a choice, found `{name}`")),
     })
 }
@@ -189,7 +203,7 @@ mod tests {
             ("t-norm x", "expected a number, found `x`"),
             (
                 "method maybe",
-                "expected full, adaptive, checkerboard, supersample, quincunx, frameless, reproject, path, found `maybe`",
+                "expected full, adaptive, checkerboard, supersample, quincunx, frameless, reproject, path, vr, found `maybe`",
             ),
             ("share 0", "above 0 and at most 1"),
             ("split 1.5", "expected a number from 0 to 1, found `1.5`"),

@@ -1,6 +1,6 @@
 //! What a person has chosen: everything that the overlay changes and a frame is made by.
 
-use glimpse::{Settings, Show};
+use glimpse::{Paths, Settings, Show};
 
 /// Everything that can be chosen while a scene is shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +27,9 @@ pub struct Choices {
     pub text_scale: f32,
 }
 
+/// Samples of paths that a resting picture is to have.
+const SAMPLES: u32 = 64;
+
 /// The least and the largest [`Choices::scale`].
 pub const SCALES: [f32; 2] = [0.125, 1.0];
 
@@ -36,7 +39,10 @@ pub const TEXT_SCALES: [f32; 2] = [0.75, 2.0];
 impl Default for Choices {
     fn default() -> Self {
         Self {
-            settings: Settings::default(),
+            settings: Settings {
+                paths: Paths { samples: SAMPLES, ..Paths::default() },
+                ..Settings::default()
+            },
             show: Show::Final,
             split: None,
             scale: 1.0,

@@ -6,7 +6,7 @@ use crate::Job;
 
 /// The command for this frame of a scene. `camera` are options of the command line.
 pub fn command(scene: &str, camera: &str, job: &Job) -> String {
-    let [width, height] = job.size;
+    let [width, height] = job.settings.method.eye(job.size);
     let mut words = vec![format!("glimpse render {} -o glimpse.png --size {width}x{height}", quoted(scene))];
     if !camera.is_empty() {
         words.push(camera.to_owned());
@@ -32,7 +32,7 @@ fn options(settings: &Settings) -> Vec<String> {
         (tolerances.norm != usual_tolerances.norm, "t-norm", tolerances.norm.to_string()),
         (tolerances.tex != usual_tolerances.tex, "t-tex", tolerances.tex.to_string()),
         (tolerances.gcol != usual_tolerances.gcol, "t-gcol", tolerances.gcol.to_string()),
-        (settings.depth != usual.depth, "depth", settings.depth.to_string()),
+        (settings.depth != settings.method.usual_depth(), "depth", settings.depth.to_string()),
         (settings.min_weight != usual.min_weight, "min-weight", settings.min_weight.to_string()),
         (settings.share != usual.share, "share", settings.share.to_string()),
     ];
@@ -40,6 +40,7 @@ fn options(settings: &Settings) -> Vec<String> {
         .into_iter()
         .map(owned)
         .chain(samples(settings, &usual))
+        .chain(paths(settings, &usual))
         .filter(|(differs, ..)| *differs)
         .map(|(_, name, value)| format!("--{name}={value}"))
         .collect()
@@ -67,6 +68,23 @@ fn samples(settings: &Settings, usual: &Settings) -> Vec<(bool, String, String)>
         words.extend(thresholds.map(|(name, value)| (true, format!("tau-{name}"), value.to_string())));
     }
     words
+}
+
+/// Those about paths, where there are any.
+fn paths(settings: &Settings, usual: &Settings) -> Vec<(bool, String, String)> {
+    if !settings.method.follows_paths() {
+        return Vec::new();
+    }
+    let (paths, usual) = (&settings.paths, &usual.paths);
+    let [x, y] = paths.gaze;
+    let words = [
+        (paths.samples != usual.samples, "samples", paths.samples.to_string()),
+        (paths.stopping != usual.stopping, "stopping", paths.stopping.name().to_owned()),
+        (paths.gaze != usual.gaze, "gaze", format!("{x},{y}")),
+        (paths.crossing != usual.crossing, "crossing", paths.crossing.name().to_owned()),
+        (paths.denoise != usual.denoise, "denoise", paths.denoise.name().to_owned()),
+    ];
+    words.into_iter().map(owned).collect()
 }
 
 fn owned((differs, name, value): (bool, &str, String)) -> (bool, String, String) {

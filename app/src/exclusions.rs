@@ -43,7 +43,15 @@ impl Choices {
     /// Why the share of renewed pixels changes nothing; `None` if it does.
     #[must_use]
     pub fn share_rests(&self) -> Option<&'static str> {
-        (!self.settings.method.keeps_frames()).then_some("Only frameless and reproject keep pixels.")
+        let method = self.settings.method;
+        let renews = method.keeps_frames() && !method.follows_paths();
+        (!renews).then_some("Only frameless and reproject keep pixels.")
+    }
+
+    /// Why what concerns paths changes nothing; `None` if it does.
+    #[must_use]
+    pub fn paths_rest(&self) -> Option<&'static str> {
+        (!self.settings.method.follows_paths()).then_some("The methods path and vr follow paths.")
     }
 
     /// Why the knobs of the adaptive method change nothing; `None` if they do.

@@ -2,12 +2,16 @@
 
 use std::time::Duration;
 
-use egui::{Rect, Sense, Ui};
+use egui::{Context, Rect, Sense, Ui};
+use glimpse::{Method, Stopping};
 
 use crate::{
     App, CameraControl, Hud, Motion, Request, Wish,
     app::{Device, Shown},
 };
+
+/// The gaze moves by so many steps across a picture: each begins another one.
+const GAZE_STEPS: f32 = 32.0;
 
 impl App {
     /// Shows the picture and the overlay, and lets the camera follow; returns what is wished.
@@ -31,8 +35,24 @@ impl App {
             touch: self.touch,
         };
         let wishes = hud.show(&context);
+        self.gaze(&context, picture);
         self.steer(motions, passed);
         wishes
+    }
+
+    /// Where paths stop far from, the gaze follows the pointer: of two eyes, in the picture of either.
+    fn gaze(&mut self, context: &Context, picture: Rect) {
+        let paths = &mut self.choices.settings.paths;
+        let method = self.choices.settings.method;
+        let at = context.input(|input| input.pointer.hover_pos()).filter(|at| picture.contains(*at));
+        let Some(at) = at.filter(|_| method.follows_paths() && paths.stopping != Stopping::Off) else {
+            return;
+        };
+        let eyes = if method == Method::Vr { 2.0 } else { 1.0 };
+        let [x, y] =
+            [eyes * (at.x - picture.left()) / picture.width(), (at.y - picture.top()) / picture.height()];
+        let steps = |share: f32| (share * GAZE_STEPS).round() / GAZE_STEPS;
+        paths.gaze = [steps(x % 1.0), steps(y)];
     }
 
     /// Shows every pixel of the frame as it is where the picture has as many on the screen.
@@ -81,7 +101,7 @@ impl App {
         control.advance(passed);
     }
 
-    pub(crate) fn grant(&mut self, wish: Wish, context: &egui::Context) {
+    pub(crate) fn grant(&mut self, wish: Wish, context: &Context) {
         match wish {
             Wish::Open(name) => self.open(&name),
             Wish::OpenDialog => self.requests.push(Request::OpenDialog),

@@ -1,7 +1,7 @@
 //! The frame: its passes in order and its constants.
 
 use crate::{
-    Camera, Gpu, GpuScene, Method, Paths, Result, Settings, Tolerances,
+    Camera, Gpu, GpuScene, Paths, Result, Settings, Tolerances,
     gpu::{Bound, Kernels, Timer, mirror::gpu_struct},
     passes::{Output, Stage, TRACE_GROUP, Variant},
     plan::{Extent, Part, Rows},
@@ -44,8 +44,7 @@ impl Frame {
     pub fn new(scene: &GpuScene, settings: &Settings, size: [u32; 2], camera: &Camera) -> Self {
         let environment = &scene.environment;
         let t = &settings.thresholds;
-        let eye = if settings.method == Method::Vr { [size[0].div_ceil(2), size[1]] } else { size };
-        let extent = eye.map(|side| side as f32);
+        let extent = settings.method.eye(size).map(|side| side as f32);
         let gaze = [0, 1].map(|axis| settings.paths.gaze[axis] * extent[axis]);
         Self {
             origin: camera.origin.into(),

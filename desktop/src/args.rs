@@ -260,6 +260,9 @@ pub enum TableName {
     /// One threshold for extra samples against several (Jin 2009, Figure 7)
     #[value(name = "jin7")]
     Thresholds,
+    /// Paths for two eyes, 640x480 each (Kim & Sung 2021, Tables 2 and 3)
+    #[value(name = "vr")]
+    Eyes,
 }
 
 /// `glimpse stress`

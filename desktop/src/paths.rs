@@ -3,8 +3,7 @@
 use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
-use glimpse::{Crossing, Direct, Paths, Roulette, Sampler, Shining, Stopping};
-use glimpse::{Denoise, Direct, Paths, Roulette, Sampler, Shining, Stopping};
+use glimpse::{Crossing, Denoise, Direct, Paths, Roulette, Sampler, Shining, Stopping};
 
 /// What paths do.
 #[derive(Clone, Debug, PartialEq, Args)]

@@ -13,7 +13,7 @@ pub mod minray;
 use std::{
     io::Write,
     path::{Path, PathBuf},
-    sync::{Mutex, MutexGuard, OnceLock, PoisonError},
+    sync::{Mutex, PoisonError},
 };
 
 use glam::DVec3;
@@ -21,28 +21,43 @@ use glimpse::{
     Camera, DisplayImage, Gpu, GpuScene, Inspection, LinearImage, Method, Renderer, Scene, Settings,
 };
 
-/// The device of this test run.
+/// The device of this thread: no other test has it until the thread ends. Drivers compile kernels one by one for each
+/// device, and that is most of what tests wait for.
 ///
 /// # Panics
 /// Where there is no adapter: a run that cannot render has not passed.
 pub fn gpu() -> &'static Gpu {
-    static GPU: OnceLock<Gpu> = OnceLock::new();
-    GPU.get_or_init(|| match Gpu::headless(None) {
-        Ok(gpu) => {
-            let info = &gpu.facts().info;
-            note(&format!("adapter: {} ({:?}, {})", info.name, info.backend, info.driver_info));
-            gpu
-        }
-        Err(error) => {
-            panic!("{error}\nrun `sh desktop/setup.sh`: it installs Mesa's lavapipe where there is no driver")
-        }
-    })
+    thread_local!(static DEVICE: Lent = Lent::new());
+    DEVICE.with(|device| device.0)
 }
 
-/// The right to use the device: one test at a time, for a frame takes all of it.
-pub fn turn() -> MutexGuard<'static, ()> {
-    static TURN: Mutex<()> = Mutex::new(());
-    TURN.lock().unwrap_or_else(PoisonError::into_inner)
+/// A device that goes back to the others when its thread ends.
+struct Lent(&'static Gpu);
+
+static FREE: Mutex<Vec<&'static Gpu>> = Mutex::new(Vec::new());
+
+impl Lent {
+    fn new() -> Self {
+        let free = FREE.lock().unwrap_or_else(PoisonError::into_inner).pop();
+        Self(free.unwrap_or_else(|| match Gpu::headless(None) {
+            Ok(gpu) => {
+                let info = &gpu.facts().info;
+                note(&format!("adapter: {} ({:?}, {})", info.name, info.backend, info.driver_info));
+                Box::leak(Box::new(gpu))
+            }
+            Err(error) => {
+                panic!(
+                    "{error}\nrun `sh desktop/setup.sh`: it installs Mesa's lavapipe where there is no driver"
+                )
+            }
+        }))
+    }
+}
+
+impl Drop for Lent {
+    fn drop(&mut self) {
+        FREE.lock().unwrap_or_else(PoisonError::into_inner).push(self.0);
+    }
 }
 
 /// One frame, both ways of reading it.
@@ -69,7 +84,6 @@ impl Stage {
     #[must_use]
     pub fn new(scene: Scene) -> Self {
         let camera = *scene.camera(None).expect("the scene has a camera");
-        let _turn = turn();
         Self { scene: GpuScene::upload(gpu(), scene).expect("the scene fits the device"), camera }
     }
 
@@ -88,7 +102,6 @@ impl Stage {
     /// Where the renderer fails.
     #[must_use]
     pub fn frame(&self, size: [u32; 2], settings: &Settings) -> Frame {
-        let _turn = turn();
         let mut renderer = self.renderer(size, settings);
         renderer.render(&self.camera).expect("the frame renders");
         let display = renderer.display_image().expect("the frame can be read");
@@ -110,7 +123,6 @@ impl Stage {
     /// Where the renderer fails.
     #[must_use]
     pub fn inspect(&self, size: [u32; 2], settings: &Settings) -> Inspection {
-        let _turn = turn();
         let inspection = self.renderer(size, settings).inspect(&self.camera).expect("the frame is counted");
         let records = if settings.sampling == 1 { size[0] * size[1] } else { 0 };
         assert_eq!(inspection.pixels.len(), records as usize, "one record a pixel of one sample");

@@ -1,7 +1,7 @@
 //! The choices between a few values: one table for the buttons and for the keys.
 
 use egui::{Button, Ui, vec2};
-use glimpse::{Method, Mip, Postcorrect, Preset};
+use glimpse::{Denoise, Method, Mip, Postcorrect, Preset, Stopping};
 
 use super::actions::Action;
 use super::{keys, style};
@@ -82,13 +82,19 @@ pub const METHOD: Options<Method> = Options {
             Method::Frameless,
             Method::Reproject,
             Method::Checkerboard,
+            Method::Path,
+            Method::Vr,
         ];
         named(&order.map(|method| (method, method.name())))
     },
     action: Some(Action::Method),
     get: |choices| choices.settings.method,
     set: |choices, method| {
-        choices.settings.method = method;
+        let before = std::mem::replace(&mut choices.settings.method, method);
+        // Paths end by themselves.
+        if method.follows_paths() != before.follows_paths() {
+            choices.settings.depth = method.usual_depth();
+        }
         // No other is added to.
         choices.settings.supersample &= method == Method::Adaptive;
     },
@@ -112,6 +118,28 @@ pub const PRESET: Options<Option<Preset>> = Options {
             choices.settings.thresholds = preset.thresholds();
         }
     },
+};
+
+pub const STOPPING: Options<Stopping> = Options {
+    name: "away from the gaze",
+    values: || {
+        named(&[
+            (Stopping::Off, "all paths"),
+            (Stopping::Compensated, "fewer, compensated"),
+            (Stopping::Paper, "fewer"),
+        ])
+    },
+    action: None,
+    get: |choices| choices.settings.paths.stopping,
+    set: |choices, stopping| choices.settings.paths.stopping = stopping,
+};
+
+pub const DENOISE: Options<Denoise> = Options {
+    name: "noise",
+    values: || named(&Denoise::ALL.map(|denoise| (denoise, denoise.name()))),
+    action: None,
+    get: |choices| choices.settings.paths.denoise,
+    set: |choices, denoise| choices.settings.paths.denoise = denoise,
 };
 
 pub const BLOCK: Options<u32> = Options {

@@ -127,6 +127,9 @@ fn method(ui: &mut Ui, hud: &mut Hud<'_>) {
     }
     let rests = hud.choices.share_rests();
     knobs::SHARE.show(ui, hud.choices, rests);
+    let rests = hud.choices.paths_rest();
+    options::STOPPING.buttons(ui, hud.choices, rests);
+    options::DENOISE.buttons(ui, hud.choices, rests);
 }
 
 fn shown(ui: &mut Ui, hud: &mut Hud<'_>) {

@@ -46,8 +46,7 @@ impl Mirror {
 impl Frame<'_> {
     /// Width and height of what one eye sees.
     pub(super) fn eye_size(&self) -> [u32; 2] {
-        let [width, height] = self.size;
-        [if self.settings.method == Method::Vr { width.div_ceil(2) } else { width }, height]
+        self.settings.method.eye(self.size)
     }
 
     /// Of the eye that sees a pixel: -1 on the left, 1 on the right; and the pixel in its own picture.

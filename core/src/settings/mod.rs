@@ -83,6 +83,12 @@ impl Method {
         [if self == Self::Vr { width.saturating_mul(2) } else { width }, height]
     }
 
+    /// What an eye sees of such a picture.
+    #[must_use]
+    pub fn eye(self, [width, height]: [u32; 2]) -> [u32; 2] {
+        [if self == Self::Vr { width.div_ceil(2) } else { width }, height]
+    }
+
     /// Levels of rays where nothing else is wished: all of them for paths, which end by themselves.
     #[must_use]
     pub fn usual_depth(self) -> u32 {

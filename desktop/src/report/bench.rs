@@ -164,6 +164,7 @@ impl Bench<'_> {
                 } else {
                     frame.into()
                 };
+                let frame = frame.times(job.rungs[index].frames() as f64);
                 let peak = job.counts_work().then(|| probe::peak_gflops(self.gpu)).transpose()?;
                 Ok(Frame { peak_gflops: peak.flatten(), ..frame })
             },
@@ -188,7 +189,9 @@ impl Bench<'_> {
         let name = || format!("{}: {}", scene.name, rung.name);
         let mut renderer =
             Renderer::new(self.gpu, &subject.scene, rung.rendered, &rung.settings).with_context(name)?;
-        renderer.render(&job.camera(scene)).with_context(name)?;
+        for _ in 0..rung.frames() {
+            renderer.render(&job.camera(scene)).with_context(name)?;
+        }
         Ok(renderer)
     }
 }

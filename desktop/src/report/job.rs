@@ -5,6 +5,7 @@ mod tests;
 
 use glimpse::{Camera, Method, Settings};
 
+use super::eyes;
 use super::identity::Identity;
 use super::jin::{figure7, table2};
 use super::ladder::{self, Family, Rung};
@@ -84,6 +85,7 @@ impl Job {
             TableName::Phones => vec![as_is(prediction::SIZE, prediction::rungs(base))],
             TableName::Supersampling => vec![as_is(size, table2::rungs(base, size))],
             TableName::Thresholds => vec![as_is(size, figure7::rungs(base, size))],
+            TableName::Eyes => vec![as_is(eyes::SIZE, eyes::rungs(base, scene))],
         }
     }
 
@@ -99,7 +101,8 @@ impl Job {
 
     /// Errors are measured against the converged frame.
     pub fn is_against_converged(&self) -> bool {
-        self.is_ladder() || self.shows(TableName::Supersampling) || self.shows(TableName::Thresholds)
+        let tables = [TableName::Supersampling, TableName::Thresholds, TableName::Eyes];
+        self.is_ladder() || tables.into_iter().any(|table| self.shows(table))
     }
 
     fn shows(&self, table: TableName) -> bool {
@@ -135,6 +138,7 @@ impl Job {
                 // What several parts show is measured in each, interleaved with what it is compared with there.
                 _ if self.shows(TableName::Supersampling) => "converged, of table 2",
                 _ if self.shows(TableName::Thresholds) => "converged, of figure 7",
+                _ if self.shows(TableName::Eyes) => "converged paths",
                 _ if self.counts_missing() => "full and its objects",
                 0 => "nothing",
                 _ => "full",
@@ -151,10 +155,12 @@ impl Job {
         scene: &Prepared,
         base: &Settings,
     ) -> anyhow::Result<(Rung, String)> {
+        let eyes = self.shows(TableName::Eyes);
+        let settings = if eyes { eyes::converged(base, scene) } else { ladder::converged(base) };
         let rung = Rung {
             name: "converged".to_owned(),
             family: Family::Fixed,
-            settings: ladder::converged(base),
+            settings,
             rendered: self.shown,
             keeps_picture: true,
         };
@@ -200,11 +206,16 @@ fn pair(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
 }
 
 impl Rung {
+    /// Frames that a picture takes.
+    pub fn frames(&self) -> u64 {
+        if self.settings.method.follows_paths() { self.settings.paths.samples.into() } else { 1 }
+    }
+
     /// Samples that take the time of one frame: those that add some trace twice as many as there are, others half of them,
     /// or what costs as much.
     pub fn samples(&self) -> u64 {
         let [width, height] = self.rendered.map(u64::from);
-        let samples = width * height * u64::from(self.settings.sampling).pow(2);
+        let samples = width * height * u64::from(self.settings.sampling).pow(2) * self.frames();
         match self.settings.method {
             Method::Full => samples,
             Method::Supersample | Method::Quincunx | Method::Path | Method::Vr => 2 * samples,

@@ -40,11 +40,23 @@ pub enum Family {
     Combined,
     /// How much the ends of a quincunx may differ.
     Quincunx,
+    /// Paths for two eyes and nothing else.
+    Plain,
+    /// Which stop away from the gaze.
+    Stopped,
+    /// Whose samples count for the other eye.
+    Crossed,
+    /// Whose picture is filtered.
+    Filtered,
+    /// All of that.
+    Together,
+    /// All of that in the way of Kim & Sung 2021.
+    Published,
 }
 
 impl Family {
     /// In the order of the legend.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 16] = [
         Self::Reduced,
         Self::Checkerboard,
         Self::Fixed,
@@ -55,6 +67,12 @@ impl Family {
         Self::Supersample,
         Self::Combined,
         Self::Quincunx,
+        Self::Plain,
+        Self::Stopped,
+        Self::Crossed,
+        Self::Filtered,
+        Self::Together,
+        Self::Published,
     ];
 
     /// Its name in the legend.
@@ -70,12 +88,18 @@ impl Family {
             Self::Supersample => "supersample, thresholds",
             Self::Combined => "adaptive, extra samples",
             Self::Quincunx => "quincunx",
+            Self::Plain => "plain",
+            Self::Stopped => "stopped",
+            Self::Crossed => "crossing",
+            Self::Filtered => "filtered",
+            Self::Together => "together",
+            Self::Published => "as in the paper",
         }
     }
 
     /// Something to beat.
     pub fn is_baseline(self) -> bool {
-        matches!(self, Self::Reduced | Self::Checkerboard | Self::Fixed)
+        matches!(self, Self::Reduced | Self::Checkerboard | Self::Fixed | Self::Plain)
     }
 }
 

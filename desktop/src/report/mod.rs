@@ -2,6 +2,7 @@
 
 mod bench;
 mod complete;
+mod eyes;
 mod identity;
 mod jin;
 mod job;
@@ -149,6 +150,9 @@ fn write(
         for axis in plot::Axis::ALL {
             into(&axis.file(&scene.stem), plot::svg(scene, axis).as_bytes())?;
         }
+        if let Some(svg) = plot::paths_svg(scene) {
+            into(&plot::paths_file(&scene.stem), svg.as_bytes())?;
+        }
     }
     let predictions = prediction::of(scenes);
     if let Some(predictions) = &predictions {
@@ -198,7 +202,8 @@ fn outputs(stems: &[String], tables: &[TableName]) -> Vec<String> {
     let plots = stems.iter().flat_map(|stem| plot::Axis::ALL.map(|axis| axis.file(stem)));
     let predictions = tables.contains(&TableName::Phones).then_some(PREDICTIONS);
     let fixed = ["report.csv", "report.html"].into_iter().chain(predictions);
-    fixed.map(str::to_owned).chain(plots).collect()
+    let paths = stems.iter().filter(|_| tables.contains(&TableName::Eyes)).map(|stem| plot::paths_file(stem));
+    fixed.map(str::to_owned).chain(plots).chain(paths).collect()
 }
 
 #[cfg(test)]

@@ -91,6 +91,7 @@ fn section(store: &Store, scene: &SceneReport) -> anyhow::Result<Markup> {
             p { strong { (rows::verdict(&scene.rows)) "." } }
             div class="plots" {
                 @for axis in plot::Axis::ALL { figure { (PreEscaped(plot::svg(scene, axis))) } }
+                @if let Some(svg) = plot::paths_svg(scene) { figure { (PreEscaped(svg)) } }
             }
             (ladder_table(&ladder))
             div class="pictures" {

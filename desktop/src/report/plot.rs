@@ -7,9 +7,10 @@ mod tests;
 
 use std::fmt::Write;
 
-use super::SceneReport;
 use super::ladder::Family;
 use super::pareto::Point;
+use super::{SceneReport, eyes};
+use crate::args::TableName;
 use labels::{Label, Labels};
 
 const WIDTH: f64 = 900.0;
@@ -78,6 +79,17 @@ pub fn svg(scene: &SceneReport, axis: Axis) -> String {
         })
         .collect();
     draw(&scene.stem, axis.title(), &marks)
+}
+
+/// The paths of a scene, where they were asked for.
+pub fn paths_svg(scene: &SceneReport) -> Option<String> {
+    let eyes = scene.measured.iter().find(|measured| measured.job.tables.contains(&TableName::Eyes))?;
+    Some(draw(&scene.stem, "milliseconds of a picture", &eyes::marks(eyes)))
+}
+
+/// The name of that plot's file.
+pub fn paths_file(stem: &str) -> String {
+    format!("{stem}-paths.svg")
 }
 
 /// Draws the marks; both axes fit them.
@@ -242,6 +254,12 @@ fn color(family: Family) -> &'static str {
         Family::Supersample => "#56b4e9",
         Family::Combined => "#d55e00",
         Family::Quincunx => "#882255",
+        Family::Plain => "#333333",
+        Family::Stopped => "#e69f00",
+        Family::Crossed => "#0072b2",
+        Family::Filtered => "#009e73",
+        Family::Together => "#d55e00",
+        Family::Published => "#cc79a7",
     }
 }
 

@@ -42,6 +42,14 @@ pub struct Frame {
     pub peak_gflops: Option<f64>,
 }
 
+impl Frame {
+    /// The time of a picture that takes so many.
+    pub fn times(self, frames: f64) -> Self {
+        let passes = self.passes.into_iter().map(|(name, ms)| (name, frames * ms)).collect();
+        Self { ms: frames * self.ms, passes, ..self }
+    }
+}
+
 impl From<FrameTime> for Frame {
     fn from(time: FrameTime) -> Self {
         let passes = time.passes.into_iter().map(|p| (p.name.to_owned(), p.ms)).collect();

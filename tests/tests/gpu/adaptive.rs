@@ -4,7 +4,7 @@ use glimpse::{
     DisplayImage, Gpu, Inspection, LinearImage, Linking, Method, Origin, Postcorrect, Renderer, Scene,
     Settings, Tolerances, scene::builtin,
 };
-use glimpse_tests::{Frame, Stage, gallery, gpu, shared_scene, turn};
+use glimpse_tests::{Frame, Stage, gallery, gpu, shared_scene};
 
 const SCENES: [&str; 4] = ["room", "cornell", "minray", "furnace"];
 const ODD_SIZES: [[u32; 2]; 9] =
@@ -101,7 +101,6 @@ fn a_frame_comes_out_the_same_twice() {
 fn looking_at_a_frame_does_not_change_it() {
     let stage = Stage::builtin("room");
     let settings = Settings::default();
-    let _turn = turn();
     let mut renderer = Renderer::new(gpu(), &stage.scene, [96, 64], &settings).unwrap();
     renderer.render(&stage.camera).unwrap();
     let before = renderer.display_image().unwrap();
@@ -265,7 +264,6 @@ fn most_of_a_room_is_interpolated() {
 fn impossible_sizes_are_refused() {
     let stage = Stage::builtin("furnace");
     let gpu: &Gpu = gpu();
-    let _turn = turn();
     for size in [[0, 0], [0, 4], [4, 0], [u32::MAX, u32::MAX], [1_000_000, 1_000_000]] {
         let error = Renderer::new(gpu, &stage.scene, size, &Settings::default()).err();
         let line = error.unwrap_or_else(|| panic!("{size:?} is accepted")).to_string();

@@ -8,7 +8,7 @@ use glimpse::{
     probe::{Probe, ProbeRay, peak_gflops},
     scene::builtin,
 };
-use glimpse_tests::{Stage, turn};
+use glimpse_tests::Stage;
 
 const SIZE: [u32; 2] = [160, 120];
 
@@ -41,7 +41,6 @@ fn assert_lost<T>(result: glimpse::Result<T>, what: &str) {
 
 #[test]
 fn a_lost_device_fails_every_call_and_a_new_one_draws_the_same() {
-    let _turn = turn();
     let gpu = device();
     let before = picture(&gpu, "cornell", SIZE);
     let (scene, camera) = upload(&gpu, "cornell");
@@ -68,7 +67,6 @@ fn a_lost_device_fails_every_call_and_a_new_one_draws_the_same() {
 /// The device goes while frames are in flight: in every phase of them, for the moment is the scheduler's choice.
 #[test]
 fn loss_in_the_middle_of_frames_is_an_error_in_every_thread() {
-    let _turn = turn();
     let before = picture(&device(), "room", SIZE);
     for threads in [1, 3] {
         let gpu = device();
@@ -101,7 +99,6 @@ fn loss_in_the_middle_of_frames_is_an_error_in_every_thread() {
 
 #[test]
 fn threads_that_share_a_device_draw_the_same() {
-    let _turn = turn();
     let gpu = device();
     let names = ["room", "cornell"];
     let alone = names.map(|name| picture(&gpu, name, SIZE));
@@ -122,7 +119,6 @@ fn threads_that_share_a_device_draw_the_same() {
 
 #[test]
 fn a_device_that_is_not_done_in_time_is_an_error() {
-    let _turn = turn();
     let gpu = device().with_patience(Duration::ZERO);
     let (scene, camera) = upload(&gpu, "room");
     let settings = Settings { method: Method::Full, ..Settings::default() };
@@ -153,7 +149,6 @@ fn frames_in_several_submissions_are_whole() {
 #[test]
 fn times_of_passes_in_several_submissions_are_in_order() {
     let stage = Stage::builtin("cornell");
-    let _turn = turn();
     let gpu = glimpse_tests::gpu();
     let mut renderer = Renderer::new(gpu, &stage.scene, [1051, 1003], &Settings::default()).unwrap();
     renderer.render(&stage.camera).unwrap();

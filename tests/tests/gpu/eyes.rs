@@ -9,7 +9,7 @@ use glimpse::{
 use glimpse_tests::{
     Stage,
     gallery::{orthographic, stereo},
-    gpu, note, turn,
+    gpu, note,
 };
 
 /// The right eye lacks a column.
@@ -24,7 +24,6 @@ fn settings(crossing: Crossing) -> Settings {
 
 /// A frame of one sample, in linear radiance.
 fn frame(stage: &Stage, settings: &Settings, size: [u32; 2]) -> Vec<DVec3> {
-    let _turn = turn();
     let mut renderer = Renderer::new(gpu(), &stage.scene, size, settings).expect("a renderer");
     let image = renderer.linear_image(&stage.camera).expect("a picture");
     image.pixels().map(|pixel| DVec3::from(pixel.0.map(f64::from))).collect()
@@ -76,7 +75,6 @@ fn leaving_out_and_counting_change_nothing() {
     let auto = settings(Crossing::Weighted);
     let all = Settings { features: Linking::All, ..auto };
     assert!(frame(&stage, &auto, SIZE) == frame(&stage, &all, SIZE));
-    let _turn = turn();
     let make = || Renderer::new(gpu(), &stage.scene, SIZE, &auto).expect("a renderer");
     let (mut counting, mut plain) = (make(), make());
     for renderer in [&mut counting, &mut plain] {
@@ -126,7 +124,6 @@ fn unusual_eyes_see_something_defined() {
 #[test]
 fn an_orthographic_camera_has_no_eyes() {
     let stage = Stage::new(orthographic());
-    let _turn = turn();
     let mut renderer =
         Renderer::new(gpu(), &stage.scene, SIZE, &settings(Crossing::Weighted)).expect("a renderer");
     let error = renderer.render(&stage.camera).expect_err("no eyes").to_string();

@@ -10,7 +10,7 @@ use glimpse::{
 use glimpse_tests::{
     Stage,
     builder::{Builder, front_camera, matte, unlit},
-    gpu, note, turn,
+    gpu, note,
 };
 
 use super::agreement::srgb;
@@ -28,7 +28,6 @@ fn settings(denoise: Denoise) -> Settings {
 
 /// A picture of so many samples, and what guided the removal of its noise.
 fn picture(stage: &Stage, settings: &Settings, samples: u32) -> (LinearImage, Vec<Guide>) {
-    let _turn = turn();
     let mut renderer = Renderer::new(gpu(), &stage.scene, SIZE, settings).expect("a renderer");
     for _ in 0..samples {
         renderer.render(&stage.camera).expect("a frame");

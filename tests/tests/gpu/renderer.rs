@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use glimpse::{Method, Postcorrect, Renderer, Settings, Tolerances};
-use glimpse_tests::{Stage, gpu, turn};
+use glimpse_tests::{Stage, gpu};
 
 fn settings(method: Method) -> Settings {
     Settings { method, ..Settings::default() }
@@ -12,7 +12,6 @@ fn settings(method: Method) -> Settings {
 #[test]
 fn a_renderer_that_changes_draws_what_a_new_one_draws() {
     let stage = Stage::builtin("cornell");
-    let _turn = turn();
     let adaptive = settings(Method::Adaptive);
     let loose = Tolerances { pos: 0.3, norm: 0.5, ..Tolerances::default() };
     let wishes = [
@@ -45,7 +44,6 @@ fn a_renderer_that_changes_draws_what_a_new_one_draws() {
 #[test]
 fn kernels_are_compiled_once() {
     let stage = Stage::builtin("cornell");
-    let _turn = turn();
     let mut renderer =
         Renderer::new(gpu(), &stage.scene, [32, 32], &settings(Method::Adaptive)).expect("a renderer");
     let compiled = renderer.kernels();
@@ -60,7 +58,6 @@ fn kernels_are_compiled_once() {
 #[test]
 fn a_change_that_fails_changes_nothing() {
     let stage = Stage::builtin("cornell");
-    let _turn = turn();
     let before = settings(Method::Adaptive);
     let mut renderer = Renderer::new(gpu(), &stage.scene, [32, 24], &before).expect("a renderer");
     renderer.render(&stage.camera).expect("a frame");
@@ -74,7 +71,6 @@ fn a_change_that_fails_changes_nothing() {
 #[test]
 fn a_frame_that_is_given_up_leaves_the_next_one_whole() {
     let stage = Stage::builtin("minray");
-    let _turn = turn();
     let adaptive = settings(Method::Adaptive);
     let mut renderer = Renderer::new(gpu(), &stage.scene, [1024, 768], &adaptive).expect("a renderer");
     renderer.render(&stage.camera).expect("a frame");

@@ -8,7 +8,7 @@ use glimpse::{
 use glimpse_tests::{
     Stage,
     builder::{Builder, front_camera, mirror, unlit},
-    gpu, note, turn,
+    gpu, note,
 };
 
 /// Neither side is a multiple of a tile's.
@@ -79,7 +79,6 @@ fn moved(camera: &Camera, by: Vec3) -> Camera {
 fn the_first_frame_is_full() {
     for scene in ["room", "cornell"] {
         let stage = Stage::builtin(scene);
-        let _turn = turn();
         for method in [Method::Frameless, Method::Reproject] {
             let mut pair = Pair::new(&stage, method, 0.1);
             let [found, right] = pair.frame(&stage.camera);
@@ -95,7 +94,6 @@ fn the_first_frame_is_full() {
 #[test]
 fn no_pixel_is_older_than_the_share_promises() {
     let stage = Stage::builtin("room");
-    let _turn = turn();
     let other = moved(&stage.camera, vec3(0.5, 0.3, -0.4)).panned(20.0);
     for share in [0.1_f32, 0.3] {
         let mut pair = Pair::new(&stage, Method::Frameless, share);
@@ -130,7 +128,6 @@ fn no_pixel_is_older_than_the_share_promises() {
 #[test]
 fn counting_changes_nothing() {
     let stage = Stage::builtin("cornell");
-    let _turn = turn();
     for method in [Method::Frameless, Method::Reproject] {
         let mut counted = Pair::new(&stage, method, 0.2);
         let mut plain = Pair::new(&stage, method, 0.2);
@@ -149,7 +146,6 @@ fn counting_changes_nothing() {
 fn at_rest_reprojection_shows_the_same_and_traces_its_share() {
     for scene in ["room", "cornell"] {
         let stage = Stage::builtin(scene);
-        let _turn = turn();
         let mut pair = Pair::new(&stage, Method::Reproject, 0.1);
         for frame in 0..14 {
             let [found, right] = pair.frame(&stage.camera);
@@ -166,7 +162,6 @@ fn at_rest_reprojection_shows_the_same_and_traces_its_share() {
 #[test]
 fn after_a_pan_reprojection_becomes_full() {
     let stage = Stage::builtin("room");
-    let _turn = turn();
     let mut pair = Pair::new(&stage, Method::Reproject, 0.25);
     for frame in 0..5 {
         pair.frame(&stage.camera.panned(0.3 * f64::from(frame)));
@@ -189,7 +184,6 @@ const SLOW_PAN_DB: f64 = 27.0;
 fn a_slow_pan_stays_below_the_bound() {
     for scene in ["room", "cornell"] {
         let stage = Stage::builtin(scene);
-        let _turn = turn();
         let mut pair = Pair::new(&stage, Method::Reproject, 0.1);
         let mut worst = f64::INFINITY;
         let mut shares = Vec::new();
@@ -212,7 +206,6 @@ fn a_slow_pan_stays_below_the_bound() {
 #[test]
 fn the_nearest_wins_and_what_it_hid_is_traced() {
     let stage = Stage::new(wall_and_post(Some([-0.2, 0.4])));
-    let _turn = turn();
     let mut pair = Pair::new(&stage, Method::Reproject, 1.0 / 256.0);
     let mut right = pair.frame(&stage.camera)[1].clone();
     for frame in 1..8 {
@@ -237,7 +230,6 @@ fn the_nearest_wins_and_what_it_hid_is_traced() {
 #[test]
 fn nothing_shows_through_gaps() {
     let stage = Stage::new(wall_and_post(Some([-0.4, 0.8])));
-    let _turn = turn();
     let mut pair = Pair::new(&stage, Method::Reproject, 1.0 / 256.0);
     for trial in 0..24_u16 {
         // Another share: the next frame is a first one.
@@ -262,7 +254,6 @@ fn nothing_shows_through_gaps() {
 #[test]
 fn after_a_cut_everything_is_traced() {
     let stage = Stage::builtin("room");
-    let _turn = turn();
     let mut pair = Pair::new(&stage, Method::Reproject, 0.1);
     pair.frame(&stage.camera);
     let away = stage.camera.panned(180.0);
@@ -279,7 +270,6 @@ fn the_background_is_moved_like_what_is_infinitely_far_away() {
     builder.quad(object, vec3(-0.1, -0.1, 0.0), 0.2 * Vec3::X, 0.2 * Vec3::Y);
     builder.environment(vec3(0.2, 0.4, 0.6), Vec3::ZERO);
     let stage = Stage::new(builder.seen_by(front_camera()));
-    let _turn = turn();
     let mut pair = Pair::new(&stage, Method::Reproject, 1.0 / 256.0);
     pair.frame(&stage.camera);
     let aside = moved(&stage.camera, 0.1 * Vec3::X);
@@ -307,7 +297,6 @@ fn mirrors_are_traced() {
     builder.quad(glass, vec3(-0.6, -0.6, 0.0), 0.6 * Vec3::X, 1.2 * Vec3::Y);
     builder.quad(wall, vec3(0.0, -0.6, 0.0), 0.6 * Vec3::X, 1.2 * Vec3::Y);
     let stage = Stage::new(builder.seen_by(front_camera()));
-    let _turn = turn();
     let mut pair = Pair::new(&stage, Method::Reproject, 1.0 / 256.0);
     pair.frame(&stage.camera);
     let turned = stage.camera.panned(0.3);
@@ -331,7 +320,6 @@ fn mirrors_are_traced() {
 #[test]
 fn what_begins_anew_keeps_nothing() {
     let stage = Stage::builtin("cornell");
-    let _turn = turn();
     let other = stage.camera.panned(5.0);
     for method in [Method::Frameless, Method::Reproject] {
         let mut pair = Pair::new(&stage, method, 0.1);
@@ -365,7 +353,6 @@ fn parallel_rays_are_reprojected_too() {
         *camera = Camera { orthographic: true, ..*camera };
     }
     let stage = Stage::new(scene);
-    let _turn = turn();
     let mut pair = Pair::new(&stage, Method::Reproject, 1.0 / 256.0);
     pair.frame(&stage.camera);
     let aside = moved(&stage.camera, 0.031 * Vec3::X);

@@ -4,12 +4,11 @@ use glimpse::{
     Robustness,
     stress::{Bench, CASES, Outcome},
 };
-use glimpse_tests::{gpu, note, turn};
+use glimpse_tests::{gpu, note};
 
 const RAYS: u64 = 20_000;
 
 fn run(name: &str, rays: u64, robustness: Robustness) -> Outcome {
-    let _turn = turn();
     let case = CASES.iter().find(|case| case.name == name).unwrap_or_else(|| panic!("no case {name}"));
     let bench = Bench { gpu: gpu(), rays, seed: 1, robustness };
     (case.run)(&bench).unwrap_or_else(|error| panic!("{name}: {error}"))

@@ -8,7 +8,7 @@ use glimpse::{
     reference::{Hit, Tracer, Verdict},
     stress::Random,
 };
-use glimpse_tests::{gpu, note, shared_scene, turn};
+use glimpse_tests::{gpu, note, shared_scene};
 
 const RAYS: usize = 1_000_000;
 
@@ -39,11 +39,9 @@ fn agree(name: &str, mut scene: Scene) {
     scene.materials.iter_mut().for_each(|m| m.alpha_cutoff = None);
     let rays = random_rays(&scene, 1);
     let tracer = Tracer::new(&scene);
-    let turn = turn();
     let scene = GpuScene::upload(gpu(), scene).expect("the scene fits the device");
     let (hits, _) =
         Probe::new(gpu(), &scene, Robustness::default()).trace(&rays).expect("the rays are traced");
-    drop(turn);
     assert_eq!(hits.len(), rays.len(), "{name}");
 
     let judge = &|(ray, hit): (&ProbeRay, &ProbeHit)| {

@@ -8,7 +8,7 @@ use glimpse::{
 };
 use glimpse_tests::{
     agreement::{Answer, Outcome, Tally, judge},
-    gpu, turn,
+    gpu,
 };
 
 use super::{EPSILON, Pair};
@@ -30,12 +30,11 @@ impl Pair {
 
     pub fn frames_with(&self, settings: Settings) -> Frames<'_> {
         let settings = Settings { postcorrect: Postcorrect::On, ..settings };
-        let (stage, turn) = (&self.stage, turn());
+        let stage = &self.stage;
         let mut renderer =
             Renderer::new(gpu(), &stage.scene, self.size, &settings).expect("the kernels compile");
         let linear = renderer.linear_image(&stage.camera).expect("the frame renders");
         let inspection = renderer.inspect(&stage.camera).expect("the frame is counted");
-        drop(turn);
         Frames {
             frame: Frame { reference: &self.reference, camera: self.stage.camera, size: self.size, settings },
             linear,

@@ -11,18 +11,16 @@ use glimpse::{
 use glimpse_tests::{
     Stage,
     agreement::{Answer, DIM, Outcome, RADIANCE, Tally, judge},
-    gpu, turn,
+    gpu,
 };
 
 use super::{EPSILON, Pair};
 
 pub fn shade(stage: &Stage, rays: &[ProbeRay], settings: &Settings) -> Vec<ProbeSample> {
-    let _turn = turn();
     Probe::new(gpu(), &stage.scene, Robustness::default()).shade(rays, settings).expect("the rays are shaded")
 }
 
 fn spawn(stage: &Stage, rays: &[ProbeRay]) -> Vec<ProbeSpawn> {
-    let _turn = turn();
     Probe::new(gpu(), &stage.scene, Robustness::default()).spawn(rays).expect("the rays arrive")
 }
 

@@ -6,7 +6,7 @@ use glimpse::{
     reference::{Frame, Kept},
     scene::builtin,
 };
-use glimpse_tests::{gallery, gpu, note, turn};
+use glimpse_tests::{gallery, gpu, note};
 
 use super::Pair;
 
@@ -48,7 +48,6 @@ fn kept(pair: &Pair) -> Vec<Kept> {
 
 fn agree(name: &str, scene: Scene, moved: impl Fn(&Camera) -> Camera) {
     let pair = Pair::new(scene, [131, 83], settings(Method::Reproject));
-    let _turn = turn();
     let camera = moved(&pair.stage.camera);
     let mut renderer =
         Renderer::new(gpu(), &pair.stage.scene, pair.size, &pair.settings).expect("a renderer");
