@@ -25,7 +25,7 @@ gpu_struct! {
         tau_col: f32, focus_first: u32, focus_last: u32, similar: f32,
         renewed_from: u32, renewed: u32, still: u32, tau_least: f32,
         gaze: [f32; 2], stop: f32, emitter_scale: f32,
-        sample: u32, emitters: u32, padding: [u32; 2],
+        sample: u32, emitters: u32, merged: u32, padding: u32,
     }
 }
 
@@ -87,7 +87,8 @@ impl Frame {
             emitter_scale: scene.emitter_scale,
             sample: 0,
             emitters: scene.emitter_count,
-            padding: [0; 2],
+            merged: 0,
+            padding: 0,
         }
     }
 }

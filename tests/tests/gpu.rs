@@ -10,6 +10,7 @@ mod gpu {
     mod minray;
     mod mip;
     mod path;
+    mod planes;
     mod postcorrect;
     mod renderer;
     mod scenes;

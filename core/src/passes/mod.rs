@@ -38,6 +38,7 @@
 //! | compact_renew | Kim 2016, 5 | `passes/compact.wgsl` |
 //! | renew | lecture, "Reprojection" | `passes/renew.wgsl` |
 //! | path | Kajiya 1986; Kim & Sung 2021, equation 7 | `passes/path.wgsl` |
+//! | merge_planes | Kim & Sung 2021, Algorithm 5 | `passes/merge_planes.wgsl` |
 
 mod constants;
 mod demand;
@@ -152,11 +153,13 @@ pub enum Stage {
     Renew,
     /// Every pixel, by a path.
     Path,
+    /// Samples from elsewhere; between frames, not in one.
+    MergePlanes,
 }
 
 impl Stage {
     /// Every stage.
-    pub const ALL: [Self; 39] = [
+    pub const ALL: [Self; 40] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -196,6 +199,7 @@ impl Stage {
         Self::CompactRenew,
         Self::Renew,
         Self::Path,
+        Self::MergePlanes,
     ];
 
     /// Its name everywhere: GPU label, timing row.
@@ -241,6 +245,7 @@ impl Stage {
             Self::CompactRenew => "compact_renew",
             Self::Renew => "renew",
             Self::Path => "path",
+            Self::MergePlanes => "merge_planes",
         }
     }
 
@@ -283,6 +288,7 @@ impl Stage {
             Self::Reuse => wgsl!("passes/reuse.wgsl"),
             Self::Renew => wgsl!("passes/renew.wgsl"),
             Self::Path => wgsl!("passes/path.wgsl"),
+            Self::MergePlanes => wgsl!("passes/merge_planes.wgsl"),
         }
     }
 }

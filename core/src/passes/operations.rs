@@ -20,8 +20,8 @@ use crate::gpu::shader::Linked;
 pub type ByLoops = [Demand; 3];
 
 /// Buffers that hold something of each sample. All others hold the scene.
-const OF_SAMPLES: [&str; 7] =
-    ["attributes", "list", "dispatch", "samples", "history", "history_before", "landed"];
+const OF_SAMPLES: [&str; 8] =
+    ["attributes", "list", "dispatch", "samples", "history", "history_before", "landed", "planes"];
 
 /// Operations of what takes a special unit, of which devices have a quarter as many.
 const SPECIAL: f64 = 4.0;

@@ -45,5 +45,5 @@ fn path_end(path: Path) {
         sum += samples_load(path.pixel);
     }
     samples_store(path.pixel, sum);
-    output(path.pixel, sum / f32(frame.sample + 1u));
+    output(path.pixel, sum / f32(frame.sample + 1u + frame.merged));
 }

@@ -125,6 +125,17 @@ impl Variant {
                 sources
             }
             Stage::Path => self.path_sources(),
+            Stage::MergePlanes => {
+                let mut sources = vec![
+                    self.constants(),
+                    wgsl!("wgsl/frame.wgsl"),
+                    self.jitter(),
+                    wgsl!("wgsl/samples.wgsl"),
+                ];
+                sources.extend(self.output.sources());
+                sources.push(stage.entry());
+                sources
+            }
             Stage::Renew => {
                 self.tracing_sources([wgsl!("wgsl/list.wgsl"), wgsl!("wgsl/history.wgsl"), stage.entry()])
             }

@@ -55,7 +55,9 @@ struct Frame {
     // Of each pixel, since the camera rests.
     sample: u32,
     emitters: u32,
-    padding: vec2u,
+    // Samples of each pixel that were traced elsewhere and added.
+    merged: u32,
+    padding: u32,
 }
 
 var<uniform> frame: Frame;
