@@ -38,7 +38,13 @@ pub struct PathOptions {
     /// Bounces before paths may stop away from the gaze
     #[arg(long, value_name = "N", default_value_t = Paths::default().stop_after)]
     pub stop_after: u32,
+    /// Threads that trace samples of paths beside the GPU, after the timed frames
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=MAX_CORES))]
+    pub cores: u32,
 }
+
+/// The most threads beside the GPU.
+const MAX_CORES: i64 = 256;
 
 impl Default for PathOptions {
     fn default() -> Self {
@@ -54,6 +60,7 @@ impl Default for PathOptions {
             gaze: Gaze(paths.gaze),
             p_max: paths.p_max,
             stop_after: paths.stop_after,
+            cores: 0,
         }
     }
 }
