@@ -59,7 +59,7 @@ impl<'g> Stage<'g> {
         let statistics = SceneStatistics::of(name, &scene, options.features.into());
         let warnings = scene.warnings.clone();
         let cores: Vec<_> = wishes.iter().map(|wish| wish.cores).collect();
-        let reference = cores.iter().any(|cores| *cores > 0).then(|| Reference::new(&scene));
+        let reference = cores.iter().any(|cores| *cores > 0).then(|| Reference::new(&scene).with_wide_tree());
         progress.doing("building the acceleration structure");
         let (scene, build_ms) = timed(|| GpuScene::upload(gpu, scene).with_context(|| name.to_owned()))?;
         Ok(Self {

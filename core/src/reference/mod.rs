@@ -54,6 +54,7 @@ mod supersampling;
 mod surface;
 mod texture;
 mod traversal;
+mod wide;
 
 use glam::DVec3;
 
@@ -119,6 +120,12 @@ impl Reference {
     #[must_use]
     pub fn with_srgb(self, srgb: [f64; 256]) -> Self {
         Self { srgb, ..self }
+    }
+
+    /// The same, sooner, by a tree like that of the shaders: for pictures, not for judging them.
+    #[must_use]
+    pub fn with_wide_tree(self) -> Self {
+        Self { tracer: self.tracer.with_wide_tree(), ..self }
     }
 
     /// The geometry alone.
