@@ -158,6 +158,19 @@ mod tests {
     }
 
     #[test]
+    fn shares_are_of_the_time_that_both_took() {
+        let options = FrameOptions::default();
+        let camera = *glimpse::scene::builtin("cornell").unwrap().camera(None).unwrap();
+        let settings = options.settings(MethodName::Path).unwrap();
+        let (merge, _workers) = Merge::new(&View::new(&camera, [4, 3], &settings), 2);
+        let busy = [1000, 500].map(Duration::from_millis).into_iter();
+        let sides = Sides::of(6, 1500.0, &merge, busy, Duration::from_secs(2));
+        let text = "GPU 6 samples (75 % busy), core 0 0 samples (50 % busy), core 1 0 samples (25 % busy) in 2000 ms, \
+                    3.000 samples/s";
+        assert_eq!(crate::summary::sides(&sides), text);
+    }
+
+    #[test]
     fn cores_trace_paths_alone() {
         let mut options = FrameOptions::default();
         options.paths.cores = 2;
