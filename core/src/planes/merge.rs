@@ -82,7 +82,8 @@ impl Merge {
         self.cores.iter_mut().for_each(|core| core.orders = None);
     }
 
-    /// [Closes](Merge::close), and merges the last of every core: waits until each has come to the end of its row.
+    /// [Closes](Merge::close), and merges the last of every core: waits until each has come to the end of its row, or is gone.
+    /// For workers on threads of their own; who steps them by itself closes, steps and collects.
     pub fn finish(&mut self) {
         self.close();
         for index in 0..self.cores.len() {

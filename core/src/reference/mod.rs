@@ -18,7 +18,7 @@
 //! scene holds), the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), the Rust functions that pack and
 //! unpack octahedral words, which the shaders do not use, the bytes of the mip levels, and the [`Emitters`] that points
 //! are drawn from. Nothing else is: no tree, no
-//! buffer, no formula.
+//! buffer, no formula. [`Reference::with_wide_tree`] shares the tree's builder: it is for pictures, not for judging them.
 //!
 //! Spawned rays start exactly on the surface and cannot meet the primitive that they leave; the shaders start them a
 //! little off it. Lights and materials are the formulas of `scene/material.rs` and of the glTF extensions.
