@@ -26,6 +26,7 @@ gpu_struct! {
         renewed_from: u32, renewed: u32, still: u32, tau_least: f32,
         gaze: [f32; 2], stop: f32, emitter_scale: f32,
         sample: u32, emitters: u32, eyes: [f32; 2],
+        merged: u32, padding: [u32; 3],
     }
 }
 
@@ -36,8 +37,8 @@ gpu_struct! {
     }
 }
 
-/// Bytes from one [`Frame`] to the next: WebGPU's default for the alignment of uniform buffers.
-pub const FRAME_STRIDE: u64 = 256;
+/// Bytes from one [`Frame`] to the next: a multiple of WebGPU's default for the alignment of uniform buffers.
+pub const FRAME_STRIDE: u64 = size_of::<Frame>().next_multiple_of(256) as u64;
 
 impl Frame {
     /// The constants of one frame of a scene, of so many samples; those of a part are still to come.
@@ -88,6 +89,8 @@ impl Frame {
             sample: 0,
             emitters: scene.emitter_count,
             eyes: eyes(&settings.paths, camera),
+            merged: 0,
+            padding: [0; 3],
         }
     }
 }

@@ -45,6 +45,7 @@ mod mip;
 mod missing;
 mod passes;
 mod plan;
+pub mod planes;
 mod pose;
 pub mod probe;
 pub mod reference;

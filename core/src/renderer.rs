@@ -1,5 +1,7 @@
 //! The renderer: frames of one size and one method of one scene.
 
+mod merging;
+
 use glam::Vec3;
 
 use crate::{
@@ -11,6 +13,7 @@ use crate::{
         COUNTER_CLAIMED, COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS,
         COUNTER_RAYS, COUNTER_WORDS, Output, RAY_KINDS, Variant,
     },
+    planes::MergePass,
     scene::octahedral_decode,
     sequence::{Sequence, Step},
     targets::{Targets, inspection_buffer, texture},
@@ -30,6 +33,7 @@ pub struct Renderer<'a> {
     sequence: Sequence,
     inspecting: Option<(Passes, wgpu::Buffer)>,
     linear: Option<(Passes, wgpu::Texture)>,
+    merging: Option<MergePass>,
 }
 
 impl<'a> Renderer<'a> {
@@ -45,7 +49,18 @@ impl<'a> Renderer<'a> {
         let mut kernels = Kernels::default();
         let passes = Passes::new(gpu, scene, &targets, &variant, &mut kernels, &targets.display, None)?;
         let sequence = Sequence::new(&settings);
-        Ok(Self { gpu, scene, settings, targets, kernels, passes, sequence, inspecting: None, linear: None })
+        Ok(Self {
+            gpu,
+            scene,
+            settings,
+            targets,
+            kernels,
+            passes,
+            sequence,
+            inspecting: None,
+            linear: None,
+            merging: None,
+        })
     }
 
     /// Goes on with another size or other settings: what was compiled is kept. On an error everything is as before.
@@ -73,7 +88,7 @@ impl<'a> Renderer<'a> {
             self.passes =
                 Passes::new(self.gpu, self.scene, &targets, &variant, kernels, &targets.display, None)?;
             self.targets = targets;
-            (self.inspecting, self.linear) = (None, None);
+            (self.inspecting, self.linear, self.merging) = (None, None, None);
             self.sequence = Sequence::new(&settings);
         }
         if settings != self.settings {
@@ -133,10 +148,11 @@ impl<'a> Renderer<'a> {
         !self.settings.method.keeps_frames() || self.sequence.is_settled()
     }
 
-    /// How many samples of paths the last frame shows in each pixel; 1 of methods that do not add them up.
+    /// How many samples of paths are shown in each pixel, those that were [merged](Renderer::merge) among them; 1 of methods
+    /// that do not add them up.
     #[must_use]
     pub fn samples(&self) -> u32 {
-        self.sequence.frames()
+        self.sequence.frames().saturating_add(self.sequence.merged())
     }
 
     /// How many kernels have been compiled so far: a frame after it has grown takes longer than others, as some drivers
@@ -193,12 +209,14 @@ impl<'a> Renderer<'a> {
 
     /// The frame of this camera in linear radiance (kernels that write it are linked on the first call). Where frames are a
     /// sequence, this is the first of one, and so is the next that is rendered; of paths, there are as many samples in it as in
-    /// the last frame.
+    /// the last frame; with samples that were [merged](Renderer::merge) it is the last frame itself.
     ///
     /// # Errors
     /// A device that failed.
     pub fn linear_image(&mut self, camera: &Camera) -> Result<LinearImage> {
-        let [width, height] = self.targets.size;
+        if self.sequence.merged() > 0 && self.sequence.camera() == Some(*camera) {
+            return self.merged_image(camera);
+        }
         let (passes, target) = match self.linear.take() {
             Some(linked) => linked,
             None => {
@@ -216,9 +234,14 @@ impl<'a> Renderer<'a> {
             self.sequence.done(step, camera);
         }
         self.sequence.reset();
-        let bytes = self.gpu.read_texture(&target, 16)?;
+        let image = self.read_linear(&target)?;
         self.linear = Some((passes, target));
-        let texels: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);
+        Ok(image)
+    }
+
+    fn read_linear(&self, target: &wgpu::Texture) -> Result<LinearImage> {
+        let [width, height] = self.targets.size;
+        let texels: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&self.gpu.read_texture(target, 16)?);
         let rgb = texels.iter().flat_map(|t| [t[0], t[1], t[2]]).collect();
         LinearImage::from_raw(width, height, rgb).ok_or_else(|| Error::Device("short readback".into()))
     }
@@ -268,6 +291,7 @@ impl<'a> Renderer<'a> {
             renewed: step.count,
             still: u32::from(step.still),
             sample: step.sample,
+            merged: step.merged,
             ..Frame::new(self.scene, &self.settings, self.targets.grid, camera)
         })
     }

@@ -20,6 +20,8 @@ pub struct Step {
     pub still: bool,
     /// The frames since it came to where it is, before this one.
     pub sample: u32,
+    /// Samples of each pixel that were added beside those of the frames.
+    pub merged: u32,
     /// Which of the two histories is written.
     pub side: usize,
 }
@@ -63,6 +65,7 @@ impl Sequence {
             count: self.count,
             still,
             sample: if still { last.step.sample.saturating_add(1) } else { 0 },
+            merged: if still { last.step.merged } else { 0 },
             side: 1 - last.step.side,
         }
     }
@@ -78,6 +81,23 @@ impl Sequence {
         self.last = Some(Last { step, camera: *camera, renewed: RANKS.min(before + step.count) });
     }
 
+    /// So many samples were added to what the last frame shows.
+    pub fn merge(&mut self, samples: u32) {
+        if let Some(last) = &mut self.last {
+            last.step.merged = last.step.merged.saturating_add(samples);
+        }
+    }
+
+    /// The last frame's camera.
+    pub fn camera(&self) -> Option<Camera> {
+        self.last.map(|last| last.camera)
+    }
+
+    /// How many samples were added since the camera came to where it is.
+    pub fn merged(&self) -> u32 {
+        self.last.map_or(0, |last| last.step.merged)
+    }
+
     /// The next frame follows on nothing.
     pub fn reset(&mut self) {
         self.last = None;
@@ -91,7 +111,10 @@ impl Sequence {
     /// Whether the last frame shows in every pixel what a ray through its centre sees from that frame's camera, or
     /// all samples of paths that it is to show.
     pub fn is_settled(&self) -> bool {
-        self.last.is_some_and(|last| last.renewed == RANKS && last.step.sample + 1 >= self.samples)
+        self.last.is_some_and(|last| {
+            let samples = last.step.sample.saturating_add(1).saturating_add(last.step.merged);
+            last.renewed == RANKS && samples >= self.samples
+        })
     }
 }
 

@@ -172,6 +172,8 @@ fn wrong_usage_exits_with_two_and_says_what_was_expected() {
         ("render a.glb -o b.png --seed x", "--seed"),
         ("render a.glb -o b.png --supersample=often", "--supersample"),
         ("render a.glb -o b.png --samplin 2", "--sampling"),
+        ("render a.glb -o b.png --method path --cores 1000", "--cores"),
+        ("render a.glb -o b.png --method path --cores=-1", "--cores"),
         ("bench", "SCENE"),
         ("bench a --methods full,slow", "slow"),
         ("compare a.png", "<B>"),

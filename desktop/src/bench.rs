@@ -3,6 +3,7 @@
 use glimpse::{Gpu, Jitter, Method, Settings};
 
 use crate::args::{BenchOptions, FrameOptions, MethodName, PathOptions, Size};
+use crate::cores;
 use crate::focus::Wish;
 use crate::measure::{Plan, Run, Stage};
 use crate::output;
@@ -16,6 +17,7 @@ use crate::summary;
 pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> {
     let rows = rows(options)?;
     let wishes: Vec<_> = rows.iter().map(|row| row.wish.clone()).collect();
+    cores::check(&wishes, options.frames)?;
     options.scenes.iter().try_for_each(|name| scene_file::check(name))?;
     let Size(size) = options.frame.size;
     let against = rows.iter().map(|row| rows.iter().position(|full| full.wish == row.baseline)).collect();
@@ -58,6 +60,11 @@ struct Row {
 /// Every method with every combination of what is varied, each once.
 fn rows(options: &BenchOptions) -> glimpse::Result<Vec<Row>> {
     let combinations = options.frame.combinations(&options.vary).map_err(not_varied)?;
+    let cores = options.frame.paths.cores;
+    if cores > 0 && !options.methods.contains(&MethodName::Path) {
+        let reason = "expected path among --methods: no other adds samples up";
+        return Err(glimpse::Error::setting(format!("--cores {cores}"), reason));
+    }
     let mut rows: Vec<Row> = Vec::new();
     for method in &options.methods {
         for combination in &combinations {
@@ -141,6 +148,9 @@ fn table(rows: &[(String, Statistics)]) -> String {
             let name = format!("{name} {}", pass.name);
             text += &format!("{name:<width$}{:>10.3} ms {share:>5.1} %\n", pass.median, width = column + 14);
         }
+    }
+    for (name, sides) in rows.iter().filter_map(|(name, s)| Some((name, s.sides.as_ref()?))) {
+        text += &format!("{name:<column$} {}\n", summary::sides(sides));
     }
     text += &pan::table(column, rows);
     for (name, missing) in rows.iter().filter_map(|(name, s)| Some((name, s.missing?))) {

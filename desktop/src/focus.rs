@@ -1,7 +1,7 @@
 //! `--focus`: which of a scene's objects are meant.
 
 use glimpse::scene::Object;
-use glimpse::{Error, Focus, Settings};
+use glimpse::{Error, Focus, Method, Settings};
 
 use crate::args::{FrameOptions, MethodName, focus_by_index};
 
@@ -15,15 +15,23 @@ pub struct Wish {
     pub settings: Settings,
     /// The objects in focus as they were typed.
     pub focus: Option<String>,
+    /// Threads beside the GPU.
+    pub cores: u32,
 }
 
 impl Wish {
     /// What was typed, with one method.
     ///
     /// # Errors
-    /// As [`FrameOptions::settings`].
+    /// As [`FrameOptions::settings`], and cores that a method has no use for.
     pub fn of(options: &FrameOptions, method: MethodName) -> glimpse::Result<Self> {
-        Ok(Self { settings: options.settings(method)?, focus: options.samples.focus.clone() })
+        let settings = options.settings(method)?;
+        let cores = options.paths.cores;
+        if cores > 0 && settings.method != Method::Path {
+            let reason = format!("expected --method path, found {}", settings.method.name());
+            return Err(Error::setting(format!("--cores {cores}"), reason));
+        }
+        Ok(Self { settings, focus: options.samples.focus.clone(), cores })
     }
 
     /// As [`Wish::of`], for one method of several.
@@ -31,7 +39,9 @@ impl Wish {
     /// # Errors
     /// As [`FrameOptions::settings_beside`].
     pub fn beside(options: &FrameOptions, method: MethodName) -> glimpse::Result<Self> {
-        Ok(Self { settings: options.settings_beside(method)?, focus: options.samples.focus.clone() })
+        let settings = options.settings_beside(method)?;
+        let cores = if settings.method == Method::Path { options.paths.cores } else { 0 };
+        Ok(Self { settings, focus: options.samples.focus.clone(), cores })
     }
 
     /// The settings for a scene of these objects.

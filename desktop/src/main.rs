@@ -3,6 +3,7 @@
 mod args;
 mod bench;
 mod compare;
+mod cores;
 mod devices;
 mod files;
 mod focus;

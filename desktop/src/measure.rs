@@ -5,10 +5,11 @@ use std::time::Instant;
 use anyhow::Context;
 use glimpse::{
     Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Renderer, Scene,
-    Settings, metrics,
+    Settings, metrics, reference::Reference,
 };
 
 use crate::args::FrameOptions;
+use crate::cores::{Sides, Unfinished};
 use crate::focus::Wish;
 use crate::pan::{Pan, Panned};
 use crate::progress::Progress;
@@ -29,6 +30,10 @@ pub struct Stage<'g> {
     pub statistics: SceneStatistics,
     /// What is measured there.
     pub methods: Vec<Settings>,
+    /// Threads beside the GPU, of each.
+    pub cores: Vec<u32>,
+    /// The scene as they see it, where there are any.
+    pub reference: Option<Reference>,
     /// What the import had to leave out.
     pub warnings: Vec<String>,
     /// Milliseconds for reading.
@@ -53,9 +58,23 @@ impl<'g> Stage<'g> {
         let methods = methods.with_context(|| name.to_owned())?;
         let statistics = SceneStatistics::of(name, &scene, options.features.into());
         let warnings = scene.warnings.clone();
+        let cores: Vec<_> = wishes.iter().map(|wish| wish.cores).collect();
+        let reference = cores.iter().any(|cores| *cores > 0).then(|| Reference::new(&scene).with_wide_tree());
         progress.doing("building the acceleration structure");
         let (scene, build_ms) = timed(|| GpuScene::upload(gpu, scene).with_context(|| name.to_owned()))?;
-        Ok(Self { gpu, scene, camera, camera_name, statistics, methods, warnings, load_ms, build_ms })
+        Ok(Self {
+            gpu,
+            scene,
+            camera,
+            camera_name,
+            statistics,
+            methods,
+            cores,
+            reference,
+            warnings,
+            load_ms,
+            build_ms,
+        })
     }
 }
 
@@ -77,6 +96,8 @@ pub struct Run {
     pub memory: Memory,
     /// The frames of a camera that turns.
     pub panned: Option<Panned>,
+    /// Who brought the samples after the warm frames.
+    pub sides: Option<Sides>,
 }
 
 impl Run {
@@ -139,33 +160,37 @@ impl Plan {
             }
         }
         let mut runs = Vec::with_capacity(renderers.len());
-        for (((mut renderer, compile_ms), frames), panned) in renderers.into_iter().zip(frames).zip(panned) {
-            finish(&mut renderer, &camera, name, progress)?;
+        let measured = renderers.into_iter().zip(frames).zip(panned).zip(&stage.cores);
+        for ((((mut renderer, compile_ms), frames), panned), &cores) in measured {
+            let unfinished = Unfinished {
+                renderer: &mut renderer,
+                camera: &camera,
+                size: self.size,
+                reference: stage.reference.as_ref(),
+                cores,
+            };
+            let sides = unfinished.finish(|samples| progress.doing(&format!("{name}: sample {samples}")))?;
             progress.doing(&format!("{name}: counting"));
             let settings = *renderer.settings();
             let picture = renderer.display_image()?;
             let memory = renderer.memory();
             let inspection = renderer.inspect(&camera)?;
             let linear = self.linear.then(|| renderer.linear_image(&camera)).transpose()?;
-            runs.push(Run { settings, compile_ms, frames, picture, linear, inspection, memory, panned });
+            runs.push(Run {
+                settings,
+                compile_ms,
+                frames,
+                picture,
+                linear,
+                inspection,
+                memory,
+                panned,
+                sides,
+            });
             progress.step();
         }
         Ok(runs)
     }
-}
-
-/// All samples of paths that the picture is to show.
-fn finish(
-    renderer: &mut Renderer<'_>,
-    camera: &Camera,
-    name: &str,
-    progress: &Progress,
-) -> glimpse::Result<()> {
-    while renderer.settings().method.follows_paths() && !renderer.is_settled() {
-        progress.doing(&format!("{name}: sample {}", renderer.samples()));
-        renderer.render(camera)?;
-    }
-    Ok(())
 }
 
 /// The camera of the command line, or the one of the scene that it names, and what to call it.

@@ -50,7 +50,13 @@ pub struct PathOptions {
     /// What is done about noise in path-traced pictures
     #[arg(long, value_enum, default_value = "off", ignore_case = true)]
     pub denoise: DenoiseName,
+    /// Threads that trace samples of paths beside the GPU, after the timed frames
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=MAX_CORES))]
+    pub cores: u32,
 }
+
+/// The most threads beside the GPU.
+const MAX_CORES: i64 = 256;
 
 impl Default for PathOptions {
     fn default() -> Self {
@@ -70,6 +76,7 @@ impl Default for PathOptions {
             eye_distance: paths.eye_distance,
             convergence: paths.convergence,
             denoise: DenoiseName::Off,
+            cores: 0,
         }
     }
 }

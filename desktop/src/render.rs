@@ -10,7 +10,7 @@ use crate::measure::{Plan, Run, Stage};
 use crate::output;
 use crate::progress::Progress;
 use crate::statistics::Statistics;
-use crate::{files, scene_file, summary};
+use crate::{cores, files, scene_file, summary};
 
 const VIEW_PICTURE: &str = "glimpse.png";
 
@@ -47,6 +47,7 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
         wishes.push(Wish::beside(&options.frame, MethodName::Full)?);
     }
     let Size(size) = options.frame.size;
+    cores::check(&wishes, options.frames)?;
     let plan = Plan { size, frames: options.frames, linear: options.output.linear, pan: None };
     let progress = Progress::new(plan.steps(wishes.len()));
     let gpu = Gpu::headless(adapter)?;

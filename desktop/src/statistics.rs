@@ -6,6 +6,7 @@ use glimpse::{
 };
 use serde::Serialize;
 
+use crate::cores::Sides;
 use crate::measure::{Run, Stage};
 use crate::pan::PanStatistics;
 
@@ -67,6 +68,9 @@ pub struct Statistics {
     /// The frames of a camera that turned, where it did.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pan: Option<PanStatistics>,
+    /// Who brought the samples of paths after the timed frames, where there were any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sides: Option<Sides>,
 }
 
 /// An adapter.
@@ -208,6 +212,7 @@ impl Statistics {
             gain,
             error: full.map(|full| run.error_against(full)).transpose()?,
             pan: run.panned.as_ref().map(PanStatistics::of),
+            sides: run.sides.clone(),
             // Of pixels that were kept from an earlier frame the object is not known.
             missing: full
                 .filter(|_| !run.settings.method.keeps_frames())

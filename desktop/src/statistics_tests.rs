@@ -56,6 +56,7 @@ pub fn example() -> Statistics {
             },
         }),
         pan: None,
+        sides: None,
         missing: Some(Missing {
             objects_shown: 2000,
             objects_lost: 1,

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use glimpse::metrics::ErrorReport;
 use glimpse::{CHECK_NAMES, FailedChecks, Method, Missing};
 
+use crate::cores::{Side, Sides};
 use crate::output::{bytes, counted, grouped, listed};
 use crate::statistics::{SceneStatistics, Statistics};
 
@@ -77,6 +78,9 @@ pub fn frame(statistics: &Statistics, warnings: &[String]) -> String {
             ),
         );
     }
+    if let Some(sides) = &s.sides {
+        text += &row("sides", &self::sides(sides));
+    }
     if let Some(against) = &s.error {
         text += &row("error", &error(&against.report));
     }
@@ -96,6 +100,16 @@ pub fn scene(scene: &SceneStatistics) -> String {
         counted(scene.textures, "texture"),
     ];
     row("scene", &format!("{}: {}", scene.file, listed(&counts))) + &row("left out", &listed(&scene.left_out))
+}
+
+/// Who brought the samples of paths after the timed frames, in one line.
+pub fn sides(sides: &Sides) -> String {
+    let side = |who: String, side: &Side| {
+        format!("{who} {} ({:.0} % busy)", counted(side.samples as usize, "sample"), 100.0 * side.utilisation)
+    };
+    let cores = sides.cores.iter().enumerate().map(|(index, core)| side(format!("core {index}"), core));
+    let all: Vec<_> = std::iter::once(side("GPU".to_owned(), &sides.gpu)).chain(cores).collect();
+    format!("{} in {:.0} ms, {:.3} samples/s", all.join(", "), sides.wall_ms, sides.samples_per_s)
 }
 
 /// An error, in one line.

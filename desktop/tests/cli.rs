@@ -34,6 +34,13 @@ fn failures_are_one_line_and_a_code() {
         ("render builtin:attic -o a.png", 2, "there are room"),
         ("render builtin:room -o a.png --t-tex NaN", 2, "--t-tex"),
         ("render builtin:room -o a.exr --show depth", 2, "--show"),
+        ("render builtin:room -o a.png --cores 2", 2, "--cores 2: expected --method path, found adaptive"),
+        (
+            "render builtin:room -o a.png --method path --samples 2 --cores 2",
+            2,
+            "expected --samples above the 2",
+        ),
+        ("bench builtin:room --cores 2", 2, "--cores 2: expected path among --methods"),
         ("bench builtin:room gone.glb", 1, "cannot read gone.glb"),
         ("report builtin:minray gone.glb -o out", 1, "cannot read gone.glb"),
         ("report builtin:minray -o empty.png", 1, "empty.png: expected a folder, found a file"),
@@ -84,6 +91,26 @@ fn stress_judges_cases_and_notices_what_is_left_out() {
     assert!(text.contains("vertices") && text.contains("worst: "), "{text}");
     let stderr = String::from_utf8(run("stress waterproof", 2).stderr).unwrap();
     assert!(stderr.contains("waterproof") && stderr.contains("watertight"), "{stderr}");
+}
+
+#[test]
+fn cores_and_the_gpu_bring_a_pictures_samples_together() {
+    let folder = tempfile::tempdir().unwrap();
+    let line =
+        "render builtin:cornell -o a.exr --size 70x40 --method path --samples 60 --cores 2 --stats a.json";
+    let output = glimpse(folder.path(), line);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let said = String::from_utf8(output.stdout).unwrap();
+    let json = std::fs::read(folder.path().join("a.json")).unwrap();
+    let sides = serde_json::from_slice::<serde_json::Value>(&json).unwrap()["sides"].take();
+    let samples = |side: &serde_json::Value| side["samples"].as_u64().unwrap();
+    let cores = sides["cores"].as_array().unwrap();
+    // Two were the timed frame's and the one before it; each core may bring more while the last frame is being made.
+    let brought = samples(&sides["gpu"]) + cores.iter().map(samples).sum::<u64>();
+    assert!(cores.len() == 2 && brought >= 58, "{sides}");
+    assert!(sides["given_up"].as_u64() <= Some(2) && sides["samples_per_s"].as_f64() > Some(0.0), "{sides}");
+    assert!(said.contains(&format!("sides     GPU {} sample", samples(&sides["gpu"]))), "{said}");
+    assert!(said.contains("core 1 "), "{said}");
 }
 
 #[test]

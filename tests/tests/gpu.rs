@@ -12,6 +12,7 @@ mod gpu {
     mod mip;
     mod noise;
     mod path;
+    mod planes;
     mod postcorrect;
     mod renderer;
     mod scenes;

@@ -46,7 +46,9 @@ impl Bvh {
         Self::of_boxes(&triangles.chain(scene.spheres.iter().map(sphere_bounds)).collect::<Vec<_>>())
     }
 
-    fn of_boxes(boxes: &[Aabb]) -> Self {
+    /// Builds it over boxes, by their indices.
+    #[must_use]
+    pub fn of_boxes(boxes: &[Aabb]) -> Self {
         let mut tree = cluster::cluster(&in_sane_units(boxes));
         let mut optimizer = ReinsertionOptimizer::default();
         // All nodes are tried, then fewer and fewer of them, the largest: tree quality pays more than layout.

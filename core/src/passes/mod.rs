@@ -41,6 +41,7 @@
 //! | median | Kim & Sung 2021, "Noise Removal for the Stopped Ray" | `passes/median.wgsl` |
 //! | atrous_begin | ours | `passes/atrous_begin.wgsl` |
 //! | atrous, atrous_end | Dammertz et al. 2010, section 2.2 | `passes/atrous.wgsl` |
+//! | merge_planes | Kim & Sung 2021, Algorithm 5 | `passes/merge_planes.wgsl` |
 
 mod constants;
 mod demand;
@@ -165,11 +166,13 @@ pub enum Stage {
     Atrous,
     /// The pixels from that.
     AtrousEnd,
+    /// Samples from elsewhere; between frames, not in one.
+    MergePlanes,
 }
 
 impl Stage {
     /// Every stage.
-    pub const ALL: [Self; 44] = [
+    pub const ALL: [Self; 45] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -214,6 +217,7 @@ impl Stage {
         Self::AtrousBegin,
         Self::Atrous,
         Self::AtrousEnd,
+        Self::MergePlanes,
     ];
 
     /// Its name everywhere: GPU label, timing row.
@@ -264,6 +268,7 @@ impl Stage {
             Self::AtrousBegin => "atrous_begin",
             Self::Atrous => "atrous",
             Self::AtrousEnd => "atrous_end",
+            Self::MergePlanes => "merge_planes",
         }
     }
 
@@ -310,6 +315,7 @@ impl Stage {
             Self::Median => wgsl!("passes/median.wgsl"),
             Self::AtrousBegin => wgsl!("passes/atrous_begin.wgsl"),
             Self::Atrous | Self::AtrousEnd => wgsl!("passes/atrous.wgsl"),
+            Self::MergePlanes => wgsl!("passes/merge_planes.wgsl"),
         }
     }
 }

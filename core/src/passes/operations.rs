@@ -20,7 +20,7 @@ use crate::gpu::shader::Linked;
 pub type ByLoops = [Demand; 3];
 
 /// Buffers that hold something of each sample. All others hold the scene.
-const OF_SAMPLES: [&str; 10] = [
+const OF_SAMPLES: [&str; 11] = [
     "attributes",
     "list",
     "dispatch",
@@ -31,6 +31,7 @@ const OF_SAMPLES: [&str; 10] = [
     "guides",
     "filtered",
     "filtered_before",
+    "planes",
 ];
 
 /// Operations of what takes a special unit, of which devices have a quarter as many.

@@ -20,7 +20,7 @@
 //! scene holds), the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), the Rust functions that pack and
 //! unpack octahedral words, which the shaders do not use, the bytes of the mip levels, and the [`Emitters`] that points
 //! are drawn from. Nothing else is: no tree, no
-//! buffer, no formula.
+//! buffer, no formula. [`Reference::with_wide_tree`] shares the tree's builder: it is for pictures, not for judging them.
 //!
 //! Spawned rays start exactly on the surface and cannot meet the primitive that they leave; the shaders start them a
 //! little off it. Lights and materials are the formulas of `scene/material.rs` and of the glTF extensions.
@@ -59,6 +59,7 @@ mod supersampling;
 mod surface;
 mod texture;
 mod traversal;
+mod wide;
 
 use glam::DVec3;
 
@@ -127,6 +128,12 @@ impl Reference {
     #[must_use]
     pub fn with_srgb(self, srgb: [f64; 256]) -> Self {
         Self { srgb, ..self }
+    }
+
+    /// The same, sooner, by a tree like that of the shaders: for pictures, not for judging them.
+    #[must_use]
+    pub fn with_wide_tree(self) -> Self {
+        Self { tracer: self.tracer.with_wide_tree(), ..self }
     }
 
     /// The geometry alone.

@@ -4,7 +4,10 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::intersection::{Crossing, Primitive, Ray, Shape};
+use super::{
+    intersection::{Crossing, Primitive, Ray, Shape},
+    wide::Wide,
+};
 use crate::Scene;
 
 /// A handful of roundings of f32, in units in the last place.
@@ -35,6 +38,7 @@ enum Node {
 pub struct Tracer {
     pub(super) primitives: Vec<Primitive>,
     nodes: Vec<Node>,
+    wide: Option<Wide>,
 }
 
 impl Tracer {
@@ -57,7 +61,13 @@ impl Tracer {
         let mut nodes = Vec::new();
         let count = boxed.len();
         build(&mut nodes, &mut boxed, 0..count);
-        Self { primitives: boxed.into_iter().map(|(_, p)| p).collect(), nodes }
+        Self { primitives: boxed.into_iter().map(|(_, p)| p).collect(), nodes, wide: None }
+    }
+
+    /// The same, sooner, by a tree like that of the shaders.
+    #[must_use]
+    pub fn with_wide_tree(self) -> Self {
+        Self { wide: Wide::new(&self.primitives), ..self }
     }
 
     /// The nearest hit.
@@ -102,6 +112,9 @@ impl Tracer {
 
     /// Shows everything whose box the ray meets before `reach`, which the viewer may shorten.
     pub(super) fn visit(&self, ray: &Ray, see: &mut dyn FnMut(&Primitive, &mut f64)) {
+        if let Some(wide) = &self.wide {
+            return wide.visit(ray, &self.primitives, see);
+        }
         let inverse = ray.direction.recip();
         let mut reach = ray.t_max;
         let mut stack = vec![0];

@@ -57,6 +57,11 @@ struct Frame {
     emitters: u32,
     // How far the eyes are aside of the origin, and how far their pictures are shifted, in lengths of `right`.
     eyes: vec2f,
+    // Samples of each pixel that were traced elsewhere and added.
+    merged: u32,
+    padding_x: u32,
+    padding_y: u32,
+    padding_z: u32,
 }
 
 var<uniform> frame: Frame;

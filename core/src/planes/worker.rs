@@ -1,0 +1,116 @@
+//! A core's side: rows, planes, and the way out.
+
+use std::sync::{
+    Arc,
+    mpsc::{Receiver, SyncSender, TryRecvError, TrySendError},
+};
+
+use super::{Delivery, Order, Plane};
+use crate::reference::{Frame, Reference, Rounding};
+
+/// Traces planes on whatever thread calls it.
+pub struct Worker {
+    orders: Receiver<Arc<Order>>,
+    deliveries: SyncSender<Delivery>,
+    order: Arc<Order>,
+    begun: Option<Begun>,
+    /// Finished samples that have not been handed over yet.
+    finished: Option<Plane>,
+}
+
+/// A sample of the rows down to where it ends.
+struct Begun {
+    sample: u32,
+    rgb: Vec<f32>,
+}
+
+impl Worker {
+    pub(super) fn new(
+        orders: Receiver<Arc<Order>>,
+        deliveries: SyncSender<Delivery>,
+        order: Arc<Order>,
+    ) -> Self {
+        Self { orders, deliveries, order, begun: None, finished: None }
+    }
+
+    /// Traces a row of pixels, of the newest view; what was begun of another is given up. False once the owner wants no
+    /// more: then what was finished has been handed over, and all further calls do nothing.
+    pub fn step(&mut self, reference: &Reference) -> bool {
+        loop {
+            match self.orders.try_recv() {
+                Ok(order) => {
+                    self.give_up();
+                    self.order = order;
+                }
+                Err(TryRecvError::Empty) => break,
+                Err(TryRecvError::Disconnected) => {
+                    self.end();
+                    return false;
+                }
+            }
+        }
+        self.trace_row(reference);
+        self.hand_over();
+        true
+    }
+
+    fn trace_row(&mut self, reference: &Reference) {
+        let view = self.order.view;
+        let [width, height] = view.size;
+        let row = 3 * width as usize;
+        let whole = row * height as usize;
+        let begun = self
+            .begun
+            .get_or_insert_with(|| Begun { sample: self.order.begin(), rgb: Vec::with_capacity(whole) });
+        let frame = Frame { reference, camera: view.camera, size: view.size, settings: view.settings };
+        let y = begun.rgb.len().checked_div(row).unwrap_or(0) as u32;
+        for x in 0..width {
+            let radiance = frame.path([x, y], begun.sample, &mut Rounding::none()).radiance;
+            begun.rgb.extend(radiance.as_vec3().to_array());
+        }
+        if begun.rgb.len() == whole {
+            self.finish();
+        }
+    }
+
+    fn finish(&mut self) {
+        let Some(Begun { rgb, .. }) = self.begun.take() else { return };
+        let plane = Plane { samples: 1, rgb };
+        match &mut self.finished {
+            Some(finished) => finished.add(&plane),
+            None => self.finished = Some(plane),
+        }
+    }
+
+    /// Where the slot is taken it is tried again with the next row.
+    fn hand_over(&mut self) {
+        let Some(plane) = self.finished.take() else { return };
+        match self.deliveries.try_send(Delivery { order: self.order.clone(), plane }) {
+            Ok(()) => {}
+            Err(TrySendError::Full(delivery)) => self.finished = Some(delivery.plane),
+            Err(TrySendError::Disconnected(delivery)) => self.order.tally.give_up(delivery.plane.samples),
+        }
+    }
+
+    /// The owner waits for what was finished, so this waits for the slot.
+    fn end(&mut self) {
+        if let Some(plane) = self.finished.take() {
+            let samples = plane.samples;
+            if self.deliveries.send(Delivery { order: self.order.clone(), plane }).is_err() {
+                self.order.tally.give_up(samples);
+            }
+        }
+        self.give_up();
+    }
+
+    fn give_up(&mut self) {
+        let begun = u32::from(self.begun.take().is_some());
+        self.order.tally.give_up(begun + self.finished.take().map_or(0, |plane| plane.samples));
+    }
+}
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        self.give_up();
+    }
+}
