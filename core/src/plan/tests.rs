@@ -51,8 +51,13 @@ fn plans() -> impl Iterator<Item = (Shape, Plan)> {
             let shape = Shape { sampling: 1, band: s.band.min(1024), supersamples: true, refines, ..s };
             (shape, Plan::new(Method::Supersample, &shape))
         });
+        let paths = Denoise::ALL.map(|denoise| {
+            let shape = Shape { denoise, ..whole(&s) };
+            (shape, Plan::new(Method::Path, &shape))
+        });
         [(s, Plan::new(Method::Full, &s)), (s, Plan::new(Method::Adaptive, &s))]
             .into_iter()
+            .chain(paths)
             .chain(of_one_sample)
             .chain(supersampled)
     })
@@ -132,6 +137,21 @@ fn every_row_is_made_once_and_stored_once_at_a_time() {
                 let folded = |y: u32| y.abs_diff(turn);
                 assert!(row >= end || folded(row).max(folded(end - 1)) < rows, "{shape:?} {part:?}");
             }
+        }
+    }
+}
+
+/// Each level reads what the one before wrote, and the first what is begun with.
+#[test]
+fn levels_of_a_filter_take_turns() {
+    for shape in shapes() {
+        let shape = Shape { denoise: Denoise::Atrous, sampling: 1, band: u32::MAX, ..shape };
+        let plan = Plan::new(Method::Path, &shape);
+        let passes: Vec<_> = plan.parts.iter().filter(|part| part.bounds[0]).collect();
+        let steps: Vec<_> = passes.iter().map(|part| part.step[0]).collect();
+        assert_eq!(steps, [0, 0, 1, 2, 4, 8], "{shape:?}");
+        for pair in passes[1..].windows(2) {
+            assert_ne!(pair[0].filtered(), pair[1].filtered(), "{shape:?}");
         }
     }
 }
