@@ -74,7 +74,9 @@ fn no_submission_exceeds_the_bound_and_no_part_is_lost() {
             // A row of workgroups is not divided, and neither is a workgroup of scans.
             let [width, height] = shape.grid;
             let scans = if shape.postcorrect == Postcorrect::Scans { 64 * width.max(height) } else { 0 };
-            let bound = SAMPLES_PER_SUBMISSION.max(8 * width.next_multiple_of(8)).max(scans);
+            let paths = parts.iter().any(|(_, part)| part.stage == Stage::Path);
+            let tile = if paths { PATH_TILE } else { TRACED_TILE };
+            let bound = SAMPLES_PER_SUBMISSION.max(tile * width.next_multiple_of(tile)).max(scans);
             assert!(samples <= bound, "{shape:?}: {samples} in {parts:?}");
         }
     }
