@@ -1,7 +1,7 @@
 // The light that is filtered. Of few samples, pixels that are much brighter than those around them are taken down: a path
 // that meets a small emitter by chance would be spread over all that the filter sees.
 
-// A pixel of one sample is taken for no brighter than so many times the mean of those around it,
+// A pixel of one sample is taken for no brighter than so many times the mean of the four beside it,
 const ATROUS_BRIGHTER: f32 = 4.0;
 // and from so many samples on for as bright as it is.
 const ATROUS_SETTLED: f32 = 256.0;
@@ -15,15 +15,14 @@ fn atrous_brightness(pixel: vec2u, guide: vec4u) -> f32 {
 fn atrous_kept(pixel: vec2u, kind: u32, own: f32) -> f32 {
     var sum = 0.0;
     var count = 0.0;
-    for (var y = -1; y <= 1; y += 1) {
-        for (var x = -1; x <= 1; x += 1) {
-            let at = vec2i(pixel) + vec2i(x, y);
-            let tap = select(pixel, vec2u(at), noise_reaches(pixel, at));
-            let guide = guides[guides_place(tap)];
-            let counts = any(tap != pixel) && guides_kind(guide) == kind;
-            sum += select(0.0, atrous_brightness(tap, guide), counts);
-            count += f32(counts);
-        }
+    for (var side = 0; side < 4; side += 1) {
+        let at = vec2i(pixel) + select(vec2i(2 * side - 5, 0), vec2i(0, 2 * side - 1), side < 2);
+        let reached = noise_reaches(pixel, at);
+        let tap = select(pixel, vec2u(at), reached);
+        let guide = guides[guides_place(tap)];
+        let counts = reached && guides_kind(guide) == kind;
+        sum += select(0.0, atrous_brightness(tap, guide), counts);
+        count += f32(counts);
     }
     let most = ATROUS_BRIGHTER * sum / max(count, 1.0);
     let settled = min(f32(frame.sample) / ATROUS_SETTLED, 1.0);

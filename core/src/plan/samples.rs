@@ -19,7 +19,7 @@ const REFINE_LONG_ROUNDS: u32 = 4;
 const REFINE_LATER: u32 = 8;
 
 /// Levels of the a-trous filter, each of which looks twice as far as the one before.
-const ATROUS_LEVELS: u32 = 5;
+const ATROUS_LEVELS: u32 = 4;
 
 impl Plan {
     /// A path through every pixel, and what is done about their noise.

@@ -52,8 +52,13 @@ fn plans() -> impl Iterator<Item = (Shape, Plan)> {
             let shape = Shape { sampling: 1, band: s.band.min(1024), supersamples: true, refines, ..s };
             (shape, Plan::new(Method::Supersample, &shape))
         });
+        let paths = Denoise::ALL.map(|denoise| {
+            let shape = Shape { denoise, ..whole(&s) };
+            (shape, Plan::new(Method::Path, &shape))
+        });
         [(s, Plan::new(Method::Full, &s)), (s, Plan::new(Method::Adaptive, &s))]
             .into_iter()
+            .chain(paths)
             .chain(of_one_sample)
             .chain(supersampled)
     })
@@ -70,7 +75,9 @@ fn no_submission_exceeds_the_bound_and_no_part_is_lost() {
             // A row of workgroups is not divided, and neither is a workgroup of scans.
             let [width, height] = shape.grid;
             let scans = if shape.postcorrect == Postcorrect::Scans { 64 * width.max(height) } else { 0 };
-            let bound = SAMPLES_PER_SUBMISSION.max(8 * width.next_multiple_of(8)).max(scans);
+            let paths = parts.iter().any(|(_, part)| part.stage == Stage::Path);
+            let tile = if paths { PATH_TILE } else { TRACED_TILE };
+            let bound = SAMPLES_PER_SUBMISSION.max(tile * width.next_multiple_of(tile)).max(scans);
             assert!(samples <= bound, "{shape:?}: {samples} in {parts:?}");
         }
     }
@@ -133,6 +140,21 @@ fn every_row_is_made_once_and_stored_once_at_a_time() {
                 let folded = |y: u32| y.abs_diff(turn);
                 assert!(row >= end || folded(row).max(folded(end - 1)) < rows, "{shape:?} {part:?}");
             }
+        }
+    }
+}
+
+/// Each level reads what the one before wrote, and the first what is begun with.
+#[test]
+fn levels_of_a_filter_take_turns() {
+    for shape in shapes() {
+        let shape = Shape { denoise: Denoise::Atrous, sampling: 1, band: u32::MAX, ..shape };
+        let plan = Plan::new(Method::Path, &shape);
+        let passes: Vec<_> = plan.parts.iter().filter(|part| part.bounds[0]).collect();
+        let steps: Vec<_> = passes.iter().map(|part| part.step[0]).collect();
+        assert_eq!(steps, [0, 0, 1, 2, 4, 8], "{shape:?}");
+        for pair in passes[1..].windows(2) {
+            assert_ne!(pair[0].filtered(), pair[1].filtered(), "{shape:?}");
         }
     }
 }

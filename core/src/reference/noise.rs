@@ -18,13 +18,13 @@ pub struct Noise<'a> {
 
 /// Surfaces are taken for no darker.
 const LEAST_ALBEDO: f64 = 0.01;
-/// A pixel of one sample counts for no more than so many times the mean brightness of those around it.
+/// A pixel of one sample counts for no more than so many times the mean brightness of the four beside it.
 const BRIGHTER: f64 = 4.0;
 /// From so many samples on a pixel counts for as bright as it is.
 const SETTLED: f64 = 256.0;
 /// Widths of the weights: the first level's of differences of light over their sum, of one sample; of the distance from the
 /// plane, in pixels there; of what mirrors show, of the difference of distances over them; of unit normals; of albedos.
-const LIGHT: f64 = 4.0;
+const LIGHT: f64 = 1.5;
 const PLANE: f64 = 2.0;
 const DEPTH: f64 = 0.125;
 const NORMAL: f64 = 0.25;
@@ -32,7 +32,7 @@ const ALBEDO: f64 = 0.5;
 /// Steps that guides are compared in: of a component of the normal and of the mean albedo.
 const STEPS: f64 = 127.0;
 /// Levels of the a-trous filter.
-const LEVELS: u32 = 5;
+const LEVELS: u32 = 4;
 
 impl Noise<'_> {
     /// Kim & Sung 2021, Algorithm 5: what a pixel shows.
@@ -88,11 +88,12 @@ impl Noise<'_> {
         self.guides[i].albedo.max(DVec3::splat(LEAST_ALBEDO))
     }
 
-    /// What arrives at the surface over pi, less what makes a pixel much brighter than those around it.
+    /// What arrives at the surface over pi, less what makes a pixel much brighter than those beside it.
     fn light(&self, pixel: [u32; 2]) -> DVec3 {
         let own = self.index(pixel);
         let brightness = |i: usize| self.means[i].element_sum() / self.albedo(i).element_sum();
-        let taps = offsets().filter(|o| *o != [0, 0]).filter_map(|o| self.tap(pixel, o, 1));
+        let beside = offsets().filter(|o| o[0].abs() + o[1].abs() == 1);
+        let taps = beside.filter_map(|o| self.tap(pixel, o, 1));
         let around: Vec<_> =
             taps.filter(|i| self.guides[*i].way == self.guides[own].way).map(brightness).collect();
         let light = self.means[own] / self.albedo(own);

@@ -2,7 +2,7 @@
 // in place of that of two points).
 
 // The first level's width of differences of light over their sum, of one sample; it halves with each level.
-const ATROUS_LIGHT: f32 = 4.0;
+const ATROUS_LIGHT: f32 = 1.5;
 // Widths of the distance from the plane, in pixels there; of what mirrors show, of the difference of distances over them.
 const ATROUS_PLANE: f32 = 2.0;
 const ATROUS_DEPTH: f32 = 0.125;

@@ -55,7 +55,7 @@ impl Fixture {
 #[test]
 fn merged_is_the_sum_of_both_sides() {
     let fixture = Fixture::new();
-    let (camera, _turn) = (fixture.stage.camera, turn());
+    let camera = fixture.stage.camera;
     let mut renderer = fixture.renderer();
     for _ in 0..4 {
         renderer.render(&camera).expect("a frame");
@@ -112,7 +112,7 @@ fn every_share_of_the_cores_has_the_same_mean() {
     const SAMPLES: u32 = 96;
     const BLOCKS: [u32; 2] = [5, 3];
     let fixture = Fixture::new();
-    let (camera, _turn) = (fixture.stage.camera, turn());
+    let camera = fixture.stage.camera;
     let (mut merge, mut workers) = Merge::new(&fixture.view, 1);
     let mut renderer = fixture.renderer();
     for _ in 0..SAMPLES {

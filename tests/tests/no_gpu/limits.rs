@@ -1,6 +1,6 @@
 //! Every pipeline is created and whole frames are recorded on a device that has the limits of a phone and no driver.
 
-use glimpse::{Error, Gpu, GpuScene, Linking, Method, Renderer, Settings, scene::builtin};
+use glimpse::{Denoise, Error, Gpu, GpuScene, Linking, Method, Renderer, Settings, scene::builtin};
 use glimpse_app::Phone;
 
 /// A device without a driver that enforces these limits.
@@ -61,6 +61,29 @@ fn every_pass(gpu: &Gpu, name: &str) -> glimpse::Result<()> {
         }
     }
     Ok(())
+}
+
+#[test]
+fn the_least_phone_takes_the_passes_that_treat_noise() {
+    let gpu = device(phone()).unwrap();
+    let scene = builtin("room").unwrap();
+    let camera = *scene.camera(None).unwrap();
+    let scene = GpuScene::upload(&gpu, scene).unwrap();
+    for denoise in Denoise::ALL {
+        let mut settings = Settings { method: Method::Path, ..Settings::default() };
+        settings.paths.denoise = denoise;
+        let mut renderer = Renderer::new(&gpu, &scene, [2560, 1440], &settings).unwrap();
+        renderer.render(&camera).unwrap();
+        renderer.inspect(&camera).unwrap();
+        renderer.linear_image(&camera).unwrap();
+        // 16 bytes a pixel do not fit one binding.
+        let error = renderer.change([4096, 2160], &settings).err();
+        match (denoise, error) {
+            (Denoise::Off, None) => {}
+            (_, Some(Error::Missing { what, .. })) => assert!(what.contains("guides"), "{what}"),
+            (denoise, error) => panic!("{denoise:?}: {error:?}"),
+        }
+    }
 }
 
 #[test]
