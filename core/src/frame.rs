@@ -26,7 +26,7 @@ gpu_struct! {
         renewed_from: u32, renewed: u32, still: u32, tau_least: f32,
         gaze: [f32; 2], stop: f32, emitter_scale: f32,
         sample: u32, emitters: u32, eyes: [f32; 2],
-        merged: u32, padding: [u32; 3],
+        merged: u32, padding_x: u32, padding_y: u32, padding_z: u32,
     }
 }
 
@@ -90,7 +90,9 @@ impl Frame {
             emitters: scene.emitter_count,
             eyes: eyes(&settings.paths, camera),
             merged: 0,
-            padding: [0; 3],
+            padding_x: 0,
+            padding_y: 0,
+            padding_z: 0,
         }
     }
 }

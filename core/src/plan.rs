@@ -298,9 +298,12 @@ fn one(stage: Stage, rows: Rows, groups: [u32; 2]) -> Vec<Part> {
 /// A stage that treats a grid of samples, in groups of rows of workgroups; a stage without rows is no part.
 fn tiles(stage: Stage, columns: u32, rows: Rows) -> Vec<Part> {
     let (side, per_sample) = match stage {
-        Stage::Full | Stage::Base | Stage::Checkerboard | Stage::Presample | Stage::QuincunxBase => {
-            (TRACED_TILE, 1)
-        }
+        Stage::Full
+        | Stage::Base
+        | Stage::Checkerboard
+        | Stage::Presample
+        | Stage::QuincunxBase
+        | Stage::Look => (TRACED_TILE, 1),
         Stage::Path => (PATH_TILE, 1),
         Stage::SubpixelTest | Stage::RefineTest => (TRACED_TILE, INTERPOLATED_PER_TRACED),
         _ => (INTERPOLATED_TILE, INTERPOLATED_PER_TRACED),

@@ -97,10 +97,14 @@ impl Unfinished<'_, '_> {
                 doing(renderer.samples());
                 gpu_ms += renderer.render(camera)?.ms;
                 samples += 1;
-                renderer.merge(&mut merge)?;
+                if cores > 0 {
+                    renderer.merge(&mut merge)?;
+                }
             }
             merge.finish();
-            renderer.merge(&mut merge)?;
+            if cores > 0 {
+                renderer.merge(&mut merge)?;
+            }
             let wall = start.elapsed();
             let busy = threads.into_iter().map(|t| t.join().unwrap_or_else(|panic| resume_unwind(panic)));
             Ok(Some(Sides::of(samples, gpu_ms, &merge, busy, wall)))

@@ -16,7 +16,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
 fn cross_add(place: u32) {
     let list = atomicExchange(&samples[place].landed, 0u);
     var sum = samples_radiance(samples[place].sum);
-    var count = samples[place].count;
+    var count = 0u;
     var last = 0u;
     loop {
         let next = cross_next(list, last);
@@ -28,7 +28,9 @@ fn cross_add(place: u32) {
         last = next;
     }
     samples[place].sum = samples_words(sum);
-    samples[place].count = count;
+    if CROSSING_COUNTS {
+        samples[place].second += count;
+    }
 }
 
 // The least of the list that is above the last one; 0 if there is none.

@@ -38,6 +38,7 @@
 //! | compact_renew | Kim 2016, 5 | `passes/compact.wgsl` |
 //! | renew | lecture, "Reprojection" | `passes/renew.wgsl` |
 //! | path | Kajiya 1986; Kim & Sung 2021, equation 7 | `passes/path.wgsl` |
+//! | look, cross | Kim & Sung 2021, equations 1 to 6, Algorithm 1 | `passes/look.wgsl`, `passes/cross.wgsl` |
 //! | median | Kim & Sung 2021, "Noise Removal for the Stopped Ray" | `passes/median.wgsl` |
 //! | atrous_begin | ours | `passes/atrous_begin.wgsl` |
 //! | atrous, atrous_end | Dammertz et al. 2010, section 2.2 | `passes/atrous.wgsl` |
@@ -156,6 +157,8 @@ pub enum Stage {
     Renew,
     /// Every pixel, by a path.
     Path,
+    /// What paths have met, from the other eye.
+    Look,
     /// What landed in a pixel of one eye from the other.
     Cross,
     /// Pixels whose path was stopped, from their neighbours.
@@ -172,7 +175,7 @@ pub enum Stage {
 
 impl Stage {
     /// Every stage.
-    pub const ALL: [Self; 45] = [
+    pub const ALL: [Self; 46] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -212,6 +215,7 @@ impl Stage {
         Self::CompactRenew,
         Self::Renew,
         Self::Path,
+        Self::Look,
         Self::Cross,
         Self::Median,
         Self::AtrousBegin,
@@ -263,6 +267,7 @@ impl Stage {
             Self::CompactRenew => "compact_renew",
             Self::Renew => "renew",
             Self::Path => "path",
+            Self::Look => "look",
             Self::Cross => "cross",
             Self::Median => "median",
             Self::AtrousBegin => "atrous_begin",
@@ -311,6 +316,7 @@ impl Stage {
             Self::Reuse => wgsl!("passes/reuse.wgsl"),
             Self::Renew => wgsl!("passes/renew.wgsl"),
             Self::Path => wgsl!("passes/path.wgsl"),
+            Self::Look => wgsl!("passes/look.wgsl"),
             Self::Cross => wgsl!("passes/cross.wgsl"),
             Self::Median => wgsl!("passes/median.wgsl"),
             Self::AtrousBegin => wgsl!("passes/atrous_begin.wgsl"),

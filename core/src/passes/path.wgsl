@@ -38,7 +38,6 @@ fn path_end(path: Path) {
         attributes.depth = path.depth;
         attributes.normal = path.normal;
         inspect_pixel(path.pixel, ORIGIN_BASE, attributes);
-        return;
     }
     guides_end(path);
     samples_add(path.pixel, path.crossing, path.radiance);

@@ -126,6 +126,7 @@ impl Variant {
                 sources
             }
             Stage::Path => self.path_sources(),
+            Stage::Look => self.look_sources(),
             Stage::Cross => self.cross_sources(),
             Stage::Median => self.noise_sources([stage.entry()]),
             Stage::AtrousBegin => self.noise_sources([wgsl!("wgsl/filtered.wgsl"), stage.entry()]),
@@ -288,13 +289,10 @@ impl Variant {
         let output = if guides { Output::Nowhere } else { self.output };
         let one = Self { sampling: 1, output, ..*self };
         let mut sources = one.scene_sources(wgsl!("wgsl/attributes_planes.wgsl"), self.hit());
+        sources.extend(self.numbers());
         sources.extend([
-            wgsl!("wgsl/numbers.wgsl"),
-            match self.paths.sampler {
-                Sampler::Random => wgsl!("wgsl/numbers_random.wgsl"),
-                Sampler::Sobol => wgsl!("wgsl/numbers_sobol.wgsl"),
-            },
-            pick(f.glossy, wgsl!("wgsl/lobes.wgsl"), wgsl!("wgsl/lobes_matte.wgsl")),
+            wgsl!("wgsl/channels.wgsl"),
+            self.lobes(),
             pick(
                 f.lights && self.paths.shining != Shining::Emitters,
                 wgsl!("wgsl/punctual.wgsl"),
@@ -315,7 +313,7 @@ impl Variant {
             pick(guides && !self.inspect, wgsl!("wgsl/guides_kept.wgsl"), wgsl!("wgsl/guides_none.wgsl")),
             wgsl!("wgsl/path.wgsl"),
         ]);
-        sources.extend(self.crossing_sources());
+        sources.extend(self.path_samples());
         sources.extend([self.order(), Stage::Path.entry()]);
         sources
     }
@@ -329,29 +327,59 @@ impl Variant {
         if self.two_eyes { self.paths.crossing } else { Crossing::Off }
     }
 
-    /// Where the samples of paths are added up.
-    fn crossing_sources(&self) -> Vec<Source> {
-        let seen = match self.crossing() {
-            Crossing::Off => {
-                return vec![
-                    wgsl!("wgsl/crossing_none.wgsl"),
-                    wgsl!("wgsl/samples.wgsl"),
-                    wgsl!("wgsl/samples_mean.wgsl"),
-                    wgsl!("wgsl/samples_alone.wgsl"),
-                ];
-            }
-            Crossing::Paper => vec![wgsl!("wgsl/crossing_paper.wgsl")],
-            Crossing::Weighted => vec![
+    /// What becomes of the samples of paths.
+    fn path_samples(&self) -> Vec<Source> {
+        match self.crossing() {
+            Crossing::Off => vec![
+                wgsl!("wgsl/crossing_none.wgsl"),
+                wgsl!("wgsl/samples.wgsl"),
+                wgsl!("wgsl/samples_mean.wgsl"),
+                wgsl!("wgsl/samples_alone.wgsl"),
+            ],
+            Crossing::Paper | Crossing::Weighted => vec![
+                wgsl!("wgsl/crossing_met.wgsl"),
+                wgsl!("wgsl/samples_crossing.wgsl"),
+                wgsl!("wgsl/samples_leave.wgsl"),
+            ],
+        }
+    }
+
+    fn look_sources(&self) -> Vec<Source> {
+        let one = Self { sampling: 1, ..*self };
+        let mut sources = one.scene_sources(wgsl!("wgsl/attributes_planes.wgsl"), self.hit());
+        sources.extend(self.numbers());
+        sources.extend([
+            wgsl!("wgsl/channels.wgsl"),
+            self.lobes(),
+            wgsl!("wgsl/eyes_two.wgsl"),
+            wgsl!("wgsl/look.wgsl"),
+        ]);
+        if self.paths.crossing == Crossing::Paper {
+            sources.push(wgsl!("wgsl/crossing_paper.wgsl"));
+        } else {
+            sources.extend([
                 wgsl!("wgsl/crossing.wgsl"),
                 pick(
                     self.features.reflection,
                     wgsl!("wgsl/crossing_mirror.wgsl"),
                     wgsl!("wgsl/crossing_straight.wgsl"),
                 ),
-            ],
+            ]);
+        }
+        sources.extend([wgsl!("wgsl/samples_crossing.wgsl"), self.order(), Stage::Look.entry()]);
+        sources
+    }
+
+    fn numbers(&self) -> [Source; 2] {
+        let source = match self.paths.sampler {
+            Sampler::Random => wgsl!("wgsl/numbers_random.wgsl"),
+            Sampler::Sobol => wgsl!("wgsl/numbers_sobol.wgsl"),
         };
-        let samples = [wgsl!("wgsl/samples_crossing.wgsl"), wgsl!("wgsl/samples_leave.wgsl")];
-        seen.into_iter().chain(samples).collect()
+        [wgsl!("wgsl/numbers.wgsl"), source]
+    }
+
+    fn lobes(&self) -> Source {
+        pick(self.features.glossy, wgsl!("wgsl/lobes.wgsl"), wgsl!("wgsl/lobes_matte.wgsl"))
     }
 
     fn cross_sources(&self) -> Vec<Source> {

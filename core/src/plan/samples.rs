@@ -27,6 +27,7 @@ impl Plan {
         let width = shape.grid[0];
         self.push(tiles(Stage::Path, width, rows));
         if shape.crosses {
+            self.push(tiles(Stage::Look, width, rows));
             self.push(tiles(Stage::Cross, width, rows));
         }
         match shape.denoise {

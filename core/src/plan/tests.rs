@@ -148,7 +148,7 @@ fn every_row_is_made_once_and_stored_once_at_a_time() {
 #[test]
 fn levels_of_a_filter_take_turns() {
     for shape in shapes() {
-        let shape = Shape { denoise: Denoise::Atrous, sampling: 1, band: u32::MAX, ..shape };
+        let shape = Shape { denoise: Denoise::Atrous, crosses: false, sampling: 1, band: u32::MAX, ..shape };
         let plan = Plan::new(Method::Path, &shape);
         let passes: Vec<_> = plan.parts.iter().filter(|part| part.bounds[0]).collect();
         let steps: Vec<_> = passes.iter().map(|part| part.step[0]).collect();
@@ -213,7 +213,6 @@ fn small_frames_are_one_submission_of_one_dispatch_a_stage() {
         (Method::Checkerboard, 2),
         (Method::Frameless, 1),
         (Method::Reproject, 5),
-        (Method::Vr, 2),
     ] {
         let shape = Shape {
             supersamples: false,

@@ -26,14 +26,21 @@ struct CrossingImage {
     face: vec3f,
 }
 
-// Looks from the other eye at what the path has met.
-fn crossing_at(path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes) {
-    if !crossing_asks(path, s, m, lobes) || lobes.chances.x != lobes.sum {
-        return;
+// Looks from the other eye at what the path has met; true where it is a mirror, to look at what is behind.
+fn crossing_at(look: ptr<function, Look>, s: Surface, m: Material, lobes: Lobes) -> bool {
+    if crossing_mirrors(look, s, m, lobes) {
+        return true;
     }
-    let mirror = (*path).crossing.mirror;
+    if lobes.chances.x == lobes.sum {
+        crossing_find(look, s);
+    }
+    return false;
+}
+
+fn crossing_find(look: ptr<function, Look>, s: Surface) {
+    let mirror = (*look).crossing.mirror;
     let image = crossing_image(mirror, s);
-    let own = eyes_of((*path).pixel);
+    let own = eyes_of((*look).pixel);
     let to = EYES_LEFT + EYES_RIGHT - own;
     let here = dot(image.face, image.point - eyes_origin(own));
     let there = dot(image.face, image.point - eyes_origin(to));
@@ -46,9 +53,9 @@ fn crossing_at(path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes)
         return;
     }
     let k = there / here;
-    (*path).crossing.own = 1.0 / (1.0 + k);
-    (*path).crossing.landing = landing;
-    (*path).crossing.other = k / (1.0 + k) * share;
+    (*look).crossing.own = 1.0 / (1.0 + k);
+    (*look).crossing.landing = landing;
+    (*look).crossing.other = k / (1.0 + k) * share;
 }
 
 // Has a ray to a point of a surface at 1 of its parameter met that point?

@@ -17,17 +17,17 @@ fn crossing_mirror_none() -> CrossingMirror {
     return CrossingMirror(false, 0u, vec3f(0.0), vec3f(0.0), vec3f(0.0));
 }
 
-fn crossing_mirrors(s: Surface, m: Material, lobes: Lobes) -> bool {
+fn crossing_only_mirrors(s: Surface, m: Material, lobes: Lobes) -> bool {
     let only = lobes.chances.y > 0.0 && lobes.chances.y == lobes.sum && all(lobes_emission(m) == vec3f(0.0));
     return only && !sphere_is(s.primitive) && all(s.normal == s.face);
 }
 
-fn crossing_asks(path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes) -> bool {
-    if (*path).level == 1u && crossing_mirrors(s, m, lobes) {
-        (*path).crossing.mirror = CrossingMirror(true, s.object, s.position, s.face, lobes.mirror);
-        return false;
+fn crossing_mirrors(look: ptr<function, Look>, s: Surface, m: Material, lobes: Lobes) -> bool {
+    let mirrors = (*look).level == 1u && crossing_only_mirrors(s, m, lobes);
+    if mirrors {
+        (*look).crossing.mirror = CrossingMirror(true, s.object, s.position, s.face, lobes.mirror);
     }
-    return (*path).level == select(1u, 2u, (*path).crossing.mirror.there);
+    return mirrors;
 }
 
 // What a mirror shows is seen behind it.
@@ -59,7 +59,7 @@ fn crossing_share(mirror: CrossingMirror, s: Surface, to: Ray) -> vec3f {
         let lobes = lobes_at(z, m, normalize(ray.direction));
         let apart = abs(dot(mirror.face, z.position - mirror.point));
         let coplanar = dot(z.face, mirror.face) > CROSSING_PLANE && apart < CROSSING_NEAR * length(z.position - to.origin);
-        if !(z.object == mirror.object && coplanar && crossing_mirrors(z, m, lobes)) {
+        if !(z.object == mirror.object && coplanar && crossing_only_mirrors(z, m, lobes)) {
             break;
         }
         share = select(vec3f(0.0), lobes.mirror / mirror.share, mirror.share > vec3f(0.0));

@@ -1,12 +1,11 @@
 // Each eye for itself.
 
 struct Crossing {
-    // What a sample counts for in its own pixel.
-    own: f32,
+    nothing: u32,
 }
 
 fn crossing_begin() -> Crossing {
-    return Crossing(1.0);
+    return Crossing(0u);
 }
 
-fn crossing_at(path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes) {}
+fn crossing_meet(path: ptr<function, Path>, primitive: u32) {}

@@ -15,15 +15,19 @@ fn crossing_begin() -> Crossing {
     return Crossing(1.0, 0u, vec3f(1.0));
 }
 
-fn crossing_at(path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes) {
-    if (*path).level > 1u || lobes.chances.x + lobes.chances.y == 0.0 {
-        return;
+fn crossing_at(look: ptr<function, Look>, s: Surface, m: Material, lobes: Lobes) -> bool {
+    if lobes.chances.x + lobes.chances.y > 0.0 {
+        crossing_find(look, s, lobes);
     }
-    let to = EYES_LEFT + EYES_RIGHT - eyes_of((*path).pixel);
+    return false;
+}
+
+fn crossing_find(look: ptr<function, Look>, s: Surface, lobes: Lobes) {
+    let to = EYES_LEFT + EYES_RIGHT - eyes_of((*look).pixel);
     var seen = s.position;
     var end = eyes_origin(to);
     if lobes.chances.y > 0.0 {
-        let direction = reflect(normalize((*path).ray.direction), s.normal);
+        let direction = reflect(normalize((*look).ray.direction), s.normal);
         let distance = dot(frame.forward, end + frame.forward - s.position) / dot(frame.forward, direction);
         if !(distance > 0.0 && distance < FAR) {
             return;
@@ -37,6 +41,6 @@ fn crossing_at(path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes)
     }
     inspect_ray(RAY_SHADOW);
     if bvh_traverse(surface_spawn(s, end - s.position, 1.0, vec2f(0.0)), true).primitive == MISS {
-        (*path).crossing.landing = landing;
+        (*look).crossing.landing = landing;
     }
 }

@@ -8,8 +8,8 @@ fn crossing_mirror_none() -> CrossingMirror {
     return CrossingMirror(false);
 }
 
-fn crossing_asks(path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes) -> bool {
-    return (*path).level == 1u;
+fn crossing_mirrors(look: ptr<function, Look>, s: Surface, m: Material, lobes: Lobes) -> bool {
+    return false;
 }
 
 fn crossing_image(mirror: CrossingMirror, s: Surface) -> CrossingImage {

@@ -62,13 +62,17 @@ fn inspect_claim() {
 
 // What was counted since the last time is an origin's; returns its cost.
 fn inspect_work(origin: u32) -> u32 {
+    inspect_count(COUNTER_ORIGINS + origin, 1u);
+    return inspect_cost();
+}
+
+fn inspect_cost() -> u32 {
     for (var kind = 0u; kind < RAY_KINDS; kind += 1u) {
         inspect_count(COUNTER_RAYS + kind, inspect_rays[kind]);
         inspect_rays[kind] = 0u;
     }
     inspect_count(COUNTER_NODE_VISITS, inspect_nodes);
     inspect_count(COUNTER_PRIMITIVE_TESTS, inspect_primitives);
-    inspect_count(COUNTER_ORIGINS + origin, 1u);
     let cost = inspect_nodes + inspect_primitives;
     inspect_nodes = 0u;
     inspect_primitives = 0u;
@@ -89,7 +93,13 @@ fn inspect_pixel(pixel: vec2u, origin: u32, attributes: Attributes) {
 
 // A sample besides the one that the record is about.
 fn inspect_extra(pixel: vec2u) {
-    let cost = inspect_work(ORIGIN_EXTRA);
+    inspect_count(COUNTER_ORIGINS + ORIGIN_EXTRA, 1u);
+    inspect_more(pixel);
+}
+
+// More work for the sample that the record is about.
+fn inspect_more(pixel: vec2u) {
+    let cost = inspect_cost();
     if HAS_RECORDS {
         atomicAdd(&inspection.pixels[pixel.y * frame.size.x + pixel.x].cost, cost);
     }

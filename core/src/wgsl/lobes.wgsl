@@ -44,7 +44,7 @@ fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
             lobes.refraction = vec3f(0.0);
         }
     }
-    lobes.chances = vec3f(path_largest(lobes.diffuse), path_largest(lobes.mirror), path_largest(lobes.refraction));
+    lobes.chances = vec3f(channels_largest(lobes.diffuse), channels_largest(lobes.mirror), channels_largest(lobes.refraction));
     lobes.sum = lobes.chances.x + lobes.chances.y + lobes.chances.z;
     return lobes;
 }

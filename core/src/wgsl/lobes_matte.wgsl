@@ -21,7 +21,7 @@ fn lobes_emission(m: Material) -> vec3f {
 }
 
 fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
-    let largest = path_largest(m.base);
+    let largest = channels_largest(m.base);
     return Lobes(m.base, vec3f(largest, 0.0, 0.0), largest);
 }
 

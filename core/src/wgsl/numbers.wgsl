@@ -1,6 +1,8 @@
 // The random numbers of paths: hashed words, 24 bits of which make a number in [0, 1).
 
 const NUMBERS_SEED_STEP: u32 = 0x9e3779b9u;
+// The pair that says where in its pixel a sample is.
+const NUMBERS_PLACE_IN_PIXEL: u32 = 0u;
 
 // Hash Functions for GPU Rendering (Jarzynski, Olano 2020): four words from four.
 fn numbers_pcg4d(words: vec4u) -> vec4u {

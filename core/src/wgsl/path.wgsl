@@ -3,8 +3,7 @@
 // Vertices from which on paths end at random.
 const PATH_ROULETTE_LEVEL: u32 = 3u;
 
-// The numbers of a path: the place in the pixel is pair 0, and a vertex has as many pairs of its own as PATH_DIMENSIONS.
-const PATH_PLACE_IN_PIXEL: u32 = 0u;
+// The numbers of a path: behind the place in the pixel a vertex has as many pairs of its own as PATH_DIMENSIONS.
 const PATH_DIMENSIONS: u32 = 4u;
 // Which lobe; whether roulette ends the path.
 const PATH_LOBE: u32 = 0u;
@@ -38,7 +37,7 @@ struct Path {
 }
 
 fn path_begin(pixel: vec2u) -> Path {
-    let place = numbers_pair(pixel, PATH_PLACE_IN_PIXEL);
+    let place = numbers_pair(pixel, NUMBERS_PLACE_IN_PIXEL);
     let ray = eyes_ray(pixel, place);
     return Path(
         pixel, ray, RAY_PRIMARY, vec3f(1.0), 1u, 0.0, vec3f(0.0), crossing_begin(), 0u, FAR, vec3f(0.0), guides_begin(ray)
@@ -54,6 +53,7 @@ fn path_step(path: ptr<function, Path>) -> bool {
         (*path).radiance += (*path).throughput * frame.background;
         return false;
     }
+    crossing_meet(path, hit.primitive);
     let direction = normalize(ray.direction);
     let s = surface_at(ray, hit);
     let m = material_at(s.object, s.texcoord, s.footprint, s.color);
@@ -82,7 +82,6 @@ fn path_step(path: ptr<function, Path>) -> bool {
     if lobes.sum <= 0.0 {
         return false;
     }
-    crossing_at(path, s, m, lobes);
     if lobes.chances.x > 0.0 {
         let chance = lobes.chances.x / lobes.sum;
         let irradiance = punctual_irradiance(s) + emitters_irradiance(s, chance, pixel, dimension);
@@ -121,7 +120,7 @@ fn path_leave(path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes, 
     }
     (*path).throughput *= leaving.weight;
     if ROULETTE && (*path).level >= PATH_ROULETTE_LEVEL {
-        let survivors = min(path_largest((*path).throughput), 1.0);
+        let survivors = min(channels_largest((*path).throughput), 1.0);
         if numbers.y >= survivors {
             return false;
         }
@@ -145,8 +144,4 @@ fn path_scattered(n: vec3f, numbers: vec2f) -> vec3f {
     let x = vec3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x);
     let y = vec3f(b, side + n.y * n.y * a, -n.y);
     return normalize(r * cos(angle) * x + r * sin(angle) * y + sqrt(max(0.0, 1.0 - numbers.x)) * n);
-}
-
-fn path_largest(share: vec3f) -> f32 {
-    return max(share.x, max(share.y, share.z));
 }

@@ -1,6 +1,9 @@
 // Samples of paths are added up where they are taken, and shown at once.
 
 fn samples_add(pixel: vec2u, crossing: Crossing, radiance: vec3f) {
+    if COUNTS {
+        return;
+    }
     var sum = radiance;
     if frame.sample > 0u {
         sum += samples_load(pixel);

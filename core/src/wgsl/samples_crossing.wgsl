@@ -1,13 +1,15 @@
 // Sums of samples, and what crosses over: each sample lands in one pixel at most, whose samples are a list.
 
 struct Sample {
-    // The pixel's own sum with what has landed in it, and how many samples these are.
+    // The pixel's own sum with what has landed in it.
     sum: array<f32, 3>,
-    count: u32,
-    // The first that landed here in this frame, and the next in the list that this one is in: indices + 1, 0 for none.
+    // The first that landed here in this frame, and the next in the list that this one is in: indices + 1, 0 for none. Until
+    // the other eye has looked, what the path has met first.
     landed: atomic<u32>,
     next: u32,
-    // What this pixel's sample of this frame counts for where it landed.
+    // What the path has met behind a mirror; where all samples count alike, how many there are instead.
+    second: u32,
+    // What this pixel's sample of this frame counts for where it landed; until the other eye has looked, the sample.
     crossing: array<f32, 3>,
 }
 
@@ -28,6 +30,6 @@ fn samples_place(pixel: vec2u) -> u32 {
 // The mean of a pixel's samples.
 fn samples_mean(pixel: vec2u) -> vec3f {
     let place = samples_place(pixel);
-    let count = select(frame.sample + 1u, samples[place].count, CROSSING_COUNTS);
+    let count = select(frame.sample + 1u, samples[place].second, CROSSING_COUNTS);
     return samples_radiance(samples[place].sum) / f32(count);
 }

@@ -98,7 +98,7 @@ impl Bench<'_> {
         if let Some((rung, identity)) = converged.filter(|_| !has_converged) {
             // Another job of this frame may have made it meanwhile.
             if self.store.picture(&identity, job.shown).is_none() {
-                progress.doing(&format!("{}: 256 samples a pixel", scene.name));
+                progress.doing(&format!("{}: converged", scene.name));
                 let picture = self.warm(subject, scene, &job, &rung)?.display_image()?;
                 self.store.keep_picture(&identity, &picture)?;
             }

@@ -105,7 +105,8 @@ impl Job {
         self.is_ladder() || tables.into_iter().any(|table| self.shows(table))
     }
 
-    fn shows(&self, table: TableName) -> bool {
+    /// Is it shown by that table?
+    pub fn shows(&self, table: TableName) -> bool {
         self.tables.contains(&table)
     }
 

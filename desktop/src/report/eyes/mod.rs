@@ -28,7 +28,7 @@ pub const SIZE: [u32; 2] = [2 * EYE[0], EYE[1]];
 const SAMPLES: [u32; 3] = [1, 4, 16];
 
 /// Of the picture that errors are measured against.
-const CONVERGED: u32 = 256;
+const CONVERGED: u32 = 100;
 
 /// Plain path tracing as by the authors' program: up to six vertices, both triangles of the light sampled at each of them.
 fn plain(base: &Settings, scene: &Prepared) -> Settings {

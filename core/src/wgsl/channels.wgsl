@@ -1,0 +1,3 @@
+fn channels_largest(share: vec3f) -> f32 {
+    return max(share.x, max(share.y, share.z));
+}

@@ -1,0 +1,36 @@
+// What the other eye sees of a path's first surface, or of what is behind a mirror.
+
+struct Look {
+    pixel: vec2u,
+    ray: Ray,
+    // 1 for the ray from the eye.
+    level: u32,
+    crossing: Crossing,
+}
+
+// A primitive that the ray is known to meet first.
+fn look_again(ray: Ray, primitive: u32) -> Hit {
+    if sphere_is(primitive) {
+        return Hit(sphere_hit(ray, primitive), primitive, 0.0, 0.0);
+    }
+    let found = triangle_hit(triangle_shear(ray), bvh_corners(primitive), FAR);
+    return Hit(found.t, primitive, found.u, found.v);
+}
+
+// Follows the path that has met these primitives (+ 1, 0 for none).
+fn look_along(look: ptr<function, Look>, first: u32, second: u32) {
+    var next = first;
+    while next != 0u && (*look).level < frame.depth {
+        let ray = (*look).ray;
+        let direction = normalize(ray.direction);
+        let s = surface_at(ray, look_again(ray, next - 1u));
+        let m = material_at(s.object, s.texcoord, s.footprint, s.color);
+        let lobes = lobes_at(s, m, direction);
+        if lobes_unlit(m) || lobes.sum <= 0.0 || !crossing_at(look, s, m, lobes) {
+            return;
+        }
+        (*look).ray = lobes_specular(s, m, lobes, ray, direction, 0.0).ray;
+        (*look).level += 1u;
+        next = second;
+    }
+}
