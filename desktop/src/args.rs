@@ -211,7 +211,7 @@ pub struct ReportOptions {
     /// Warm frames of each setting
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: u32,
-    /// The tables to measure for each scene: those of Kim 2016, missing objects, predictions for phones, those of Jin 2009
+    /// The tables to measure for each scene: those of Kim 2016, missing objects, predictions for phones, those of Jin 2009 and of Kim & Sung 2021
     #[arg(
         long,
         value_enum,

@@ -11,7 +11,7 @@ use crate::measure::{Run, Stage};
 use crate::pan::PanStatistics;
 
 /// The passes that trace rays; every other one is overhead of the adaptive method.
-const TRACING_PASSES: [&str; 9] = [
+const TRACING_PASSES: [&str; 11] = [
     "base",
     "trace_a1",
     "trace_a2",
@@ -21,6 +21,8 @@ const TRACING_PASSES: [&str; 9] = [
     "checkerboard",
     "frameless",
     "renew",
+    "path",
+    "look",
 ];
 
 /// One method on one scene.

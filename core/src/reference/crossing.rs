@@ -161,8 +161,8 @@ impl Frame<'_> {
         }
         let pixel = self.seen_by(-side, point)?;
         let share = self.sees(&self.eye_ray_to(-side, point), s, mirror, rounding)?;
-        let k = there / here;
-        Some((1.0 / (1.0 + k), Landing { pixel, share: share * k / (1.0 + k) }))
+        let own = here / (here + there);
+        Some((own, Landing { pixel, share: share * there / (here + there) }))
     }
 
     /// What the light from there counts for that the ray finds, compared to what this eye finds; none if it does not get there.

@@ -52,10 +52,10 @@ fn crossing_find(look: ptr<function, Look>, s: Surface) {
     if share.x < 0.0 {
         return;
     }
-    let k = there / here;
-    (*look).crossing.own = 1.0 / (1.0 + k);
+    // k is there / here.
+    (*look).crossing.own = here / (here + there);
     (*look).crossing.landing = landing;
-    (*look).crossing.other = k / (1.0 + k) * share;
+    (*look).crossing.other = there / (here + there) * share;
 }
 
 // Has a ray to a point of a surface at 1 of its parameter met that point?
