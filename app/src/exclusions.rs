@@ -30,7 +30,6 @@ impl Choices {
             (method, Show::Check(_) | Show::Depth | Show::Normal | Show::Oid) if method.keeps_frames() => {
                 Some("Of pixels that are kept only the colour is known.")
             }
-            (Method::Vr, _) if self.split.is_some() => Some("Full ray tracing shows one picture, not two."),
             _ => None,
         }
     }

@@ -50,7 +50,7 @@ fn press_some_key(harness: &mut Harness<'_, Stage>, random: &mut Random) {
 #[test]
 fn nothing_that_is_pressed_makes_settings_that_no_frame_can_have() {
     let mut methods = Vec::new();
-    for seed in 0..12 {
+    for seed in 0..24 {
         let mut random = Random(seed);
         let mut stage = stage(Overlay::Full);
         if seed % 2 == 1 {
