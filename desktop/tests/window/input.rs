@@ -115,14 +115,14 @@ fn keys_and_sliders_choose() {
     );
     // The slider of the first tolerance, in the panel at the right, which is high enough for all of them.
     stage.plays(
-        "builtin:minray --size 1280x1500",
+        "builtin:minray --size 1280x1700",
         "set governor off
          set scale 0.125
          set overlay full
          settle
-         move 0.8125,0.9193
+         move 0.8125,0.8712
          press
-         move 0.9,0.9193 over 0.2
+         move 0.9,0.8712 over 0.2
          release
          settle
          expect command contains --t-pos=",
