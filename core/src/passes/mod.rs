@@ -48,6 +48,7 @@ mod constants;
 mod demand;
 mod linked;
 mod operations;
+mod path_sources;
 mod sources;
 #[cfg(test)]
 mod tests;

@@ -1,13 +1,10 @@
-//! What a kernel is made of: the only place that chooses WGSL files.
+//! What a kernel is made of: the only place that chooses WGSL files, with `path_sources.rs` for those of paths.
 
 use super::{Output, Stage, Variant, wgsl};
-use crate::{
-    Crossing, Denoise, Direct, Filter, Inactive, Jitter, Linking, Mip, Sampler, Shining, Stopping,
-    gpu::shader::Source,
-};
+use crate::{Filter, Inactive, Jitter, Linking, Mip, gpu::shader::Source};
 
 impl Output {
-    fn sources(self) -> Vec<Source> {
+    pub(super) fn sources(self) -> Vec<Source> {
         match self {
             Self::Display => vec![wgsl!("wgsl/output_display.wgsl")],
             Self::Linear => vec![wgsl!("wgsl/output_linear.wgsl")],
@@ -159,7 +156,7 @@ impl Variant {
     }
 
     /// Which workgroup treats which tile.
-    fn order(&self) -> Source {
+    pub(super) fn order(&self) -> Source {
         if self.on_cpu { wgsl!("wgsl/order_dealt.wgsl") } else { wgsl!("wgsl/order_plain.wgsl") }
     }
 
@@ -224,7 +221,7 @@ impl Variant {
         sources
     }
 
-    fn jitter(&self) -> Source {
+    pub(super) fn jitter(&self) -> Source {
         if self.jitter == Jitter::On {
             wgsl!("wgsl/jitter_stratified.wgsl")
         } else {
@@ -244,7 +241,7 @@ impl Variant {
         self.tracing_sources_with(self.hit(), entry)
     }
 
-    fn hit(&self) -> Source {
+    pub(super) fn hit(&self) -> Source {
         match (self.features.alpha_mask, self.features.shadow_filter) {
             (true, _) => wgsl!("wgsl/hit_alpha.wgsl"),
             (false, true) => wgsl!("wgsl/hit_shadow.wgsl"),
@@ -282,138 +279,8 @@ impl Variant {
         sources
     }
 
-    /// What a kernel needs that follows paths.
-    fn path_sources(&self) -> Vec<Source> {
-        let f = &self.features;
-        let guides = self.paths.denoise != Denoise::Off;
-        let output = if guides { Output::Nowhere } else { self.output };
-        let one = Self { sampling: 1, output, ..*self };
-        let mut sources = one.scene_sources(wgsl!("wgsl/attributes_planes.wgsl"), self.hit());
-        sources.extend(self.numbers());
-        sources.extend([
-            wgsl!("wgsl/channels.wgsl"),
-            self.lobes(),
-            pick(
-                f.lights && self.paths.shining != Shining::Emitters,
-                wgsl!("wgsl/punctual.wgsl"),
-                wgsl!("wgsl/punctual_none.wgsl"),
-            ),
-            match (self.paths.direct, self.paths.shining) {
-                (_, Shining::Punctual) => wgsl!("wgsl/emitters_dark.wgsl"),
-                (Direct::Light | Direct::Mis, _) if self.emits => wgsl!("wgsl/emitters.wgsl"),
-                _ => wgsl!("wgsl/emitters_met.wgsl"),
-            },
-            pick(
-                self.paths.stopping == Stopping::Off,
-                wgsl!("wgsl/stopping_none.wgsl"),
-                wgsl!("wgsl/stopping.wgsl"),
-            ),
-            self.eyes(),
-            wgsl!("wgsl/guides.wgsl"),
-            pick(guides && !self.inspect, wgsl!("wgsl/guides_kept.wgsl"), wgsl!("wgsl/guides_none.wgsl")),
-            wgsl!("wgsl/path.wgsl"),
-        ]);
-        sources.extend(self.path_samples());
-        sources.extend([self.order(), Stage::Path.entry()]);
-        sources
-    }
-
-    fn eyes(&self) -> Source {
-        pick(self.two_eyes, wgsl!("wgsl/eyes_two.wgsl"), wgsl!("wgsl/eyes_one.wgsl"))
-    }
-
-    /// Where samples of one eye count for the other.
-    fn crossing(&self) -> Crossing {
-        if self.two_eyes { self.paths.crossing } else { Crossing::Off }
-    }
-
-    /// What becomes of the samples of paths.
-    fn path_samples(&self) -> Vec<Source> {
-        match self.crossing() {
-            Crossing::Off => vec![
-                wgsl!("wgsl/crossing_none.wgsl"),
-                wgsl!("wgsl/samples.wgsl"),
-                wgsl!("wgsl/samples_mean.wgsl"),
-                wgsl!("wgsl/samples_alone.wgsl"),
-            ],
-            Crossing::Paper | Crossing::Weighted => vec![
-                wgsl!("wgsl/crossing_met.wgsl"),
-                wgsl!("wgsl/samples_crossing.wgsl"),
-                wgsl!("wgsl/samples_leave.wgsl"),
-            ],
-        }
-    }
-
-    fn look_sources(&self) -> Vec<Source> {
-        let one = Self { sampling: 1, ..*self };
-        let mut sources = one.scene_sources(wgsl!("wgsl/attributes_planes.wgsl"), self.hit());
-        sources.extend(self.numbers());
-        sources.extend([
-            wgsl!("wgsl/channels.wgsl"),
-            self.lobes(),
-            wgsl!("wgsl/eyes_two.wgsl"),
-            wgsl!("wgsl/look.wgsl"),
-        ]);
-        if self.paths.crossing == Crossing::Paper {
-            sources.push(wgsl!("wgsl/crossing_paper.wgsl"));
-        } else {
-            sources.extend([
-                wgsl!("wgsl/crossing.wgsl"),
-                pick(
-                    self.features.reflection,
-                    wgsl!("wgsl/crossing_mirror.wgsl"),
-                    wgsl!("wgsl/crossing_straight.wgsl"),
-                ),
-            ]);
-        }
-        sources.extend([wgsl!("wgsl/samples_crossing.wgsl"), self.order(), Stage::Look.entry()]);
-        sources
-    }
-
-    fn numbers(&self) -> [Source; 2] {
-        let source = match self.paths.sampler {
-            Sampler::Random => wgsl!("wgsl/numbers_random.wgsl"),
-            Sampler::Sobol => wgsl!("wgsl/numbers_sobol.wgsl"),
-        };
-        [wgsl!("wgsl/numbers.wgsl"), source]
-    }
-
-    fn lobes(&self) -> Source {
-        pick(self.features.glossy, wgsl!("wgsl/lobes.wgsl"), wgsl!("wgsl/lobes_matte.wgsl"))
-    }
-
-    fn cross_sources(&self) -> Vec<Source> {
-        let one = Self { sampling: 1, ..*self };
-        let mut sources = one.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
-        let output = if self.paths.denoise == Denoise::Off { self.output } else { Output::Nowhere };
-        sources.extend(output.sources());
-        sources.extend([wgsl!("wgsl/samples_crossing.wgsl"), Stage::Cross.entry()]);
-        sources
-    }
-
-    /// What a kernel needs that treats noise of paths, and ends in these.
-    fn noise_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
-        let mut sources = vec![
-            self.constants(),
-            wgsl!("wgsl/frame.wgsl"),
-            self.jitter(),
-            wgsl!("wgsl/octahedral.wgsl"),
-            wgsl!("wgsl/guides.wgsl"),
-            self.eyes(),
-            wgsl!("wgsl/noise.wgsl"),
-            self.order(),
-        ];
-        sources.extend(match self.crossing() {
-            Crossing::Off => vec![wgsl!("wgsl/samples.wgsl"), wgsl!("wgsl/samples_mean.wgsl")],
-            Crossing::Paper | Crossing::Weighted => vec![wgsl!("wgsl/samples_crossing.wgsl")],
-        });
-        sources.extend(self.output.sources());
-        sources.extend(entry);
-        sources
-    }
-
     /// What a kernel needs that meets surfaces and their lights.
-    fn scene_sources(&self, attributes: Source, hit: Source) -> Vec<Source> {
+    pub(super) fn scene_sources(&self, attributes: Source, hit: Source) -> Vec<Source> {
         let f = &self.features;
         self.shading_sources(
             attributes,
@@ -440,7 +307,7 @@ impl Variant {
     }
 
     /// What a kernel needs that knows pixels and their attributes.
-    fn pixel_sources(&self, attributes: Source) -> Vec<Source> {
+    pub(super) fn pixel_sources(&self, attributes: Source) -> Vec<Source> {
         vec![
             self.constants(),
             wgsl!("wgsl/frame.wgsl"),
@@ -478,7 +345,7 @@ impl Variant {
     }
 }
 
-fn pick(present: bool, with: Source, without: Source) -> Source {
+pub(super) fn pick(present: bool, with: Source, without: Source) -> Source {
     if present { with } else { without }
 }
 
