@@ -8,8 +8,7 @@ impl Variant {
     pub(super) fn path_sources(&self) -> Vec<Source> {
         let f = &self.features;
         let guides = self.paths.denoise != Denoise::Off;
-        let output = if guides { Output::Nowhere } else { self.output };
-        let one = Self { sampling: 1, output, ..*self };
+        let one = Self { sampling: 1, output: self.output_before_noise(), ..*self };
         let mut sources = one.scene_sources(wgsl!("wgsl/attributes_planes.wgsl"), self.hit());
         sources.extend(self.numbers());
         sources.extend([
@@ -38,6 +37,11 @@ impl Variant {
         sources.extend(self.path_samples());
         sources.extend([self.order(), Stage::Path.entry()]);
         sources
+    }
+
+    /// Where colours go whose noise is yet to be removed: what does that shows them.
+    fn output_before_noise(&self) -> Output {
+        if self.paths.denoise == Denoise::Off { self.output } else { Output::Nowhere }
     }
 
     fn eyes(&self) -> Source {
@@ -107,8 +111,7 @@ impl Variant {
     pub(super) fn cross_sources(&self) -> Vec<Source> {
         let one = Self { sampling: 1, ..*self };
         let mut sources = one.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
-        let output = if self.paths.denoise == Denoise::Off { self.output } else { Output::Nowhere };
-        sources.extend(output.sources());
+        sources.extend(self.output_before_noise().sources());
         sources.extend([wgsl!("wgsl/samples_crossing.wgsl"), Stage::Cross.entry()]);
         sources
     }

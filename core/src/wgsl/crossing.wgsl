@@ -41,7 +41,7 @@ fn crossing_find(look: ptr<function, Look>, s: Surface) {
     let mirror = (*look).crossing.mirror;
     let image = crossing_image(mirror, s);
     let own = eyes_of((*look).pixel);
-    let to = EYES_LEFT + EYES_RIGHT - own;
+    let to = eyes_other(own);
     let here = dot(image.face, image.point - eyes_origin(own));
     let there = dot(image.face, image.point - eyes_origin(to));
     let landing = eyes_find(to, image.point);

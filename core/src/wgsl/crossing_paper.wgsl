@@ -23,7 +23,7 @@ fn crossing_at(look: ptr<function, Look>, s: Surface, m: Material, lobes: Lobes)
 }
 
 fn crossing_find(look: ptr<function, Look>, s: Surface, lobes: Lobes) {
-    let to = EYES_LEFT + EYES_RIGHT - eyes_of((*look).pixel);
+    let to = eyes_other(eyes_of((*look).pixel));
     var seen = s.position;
     var end = eyes_origin(to);
     if lobes.chances.y > 0.0 {

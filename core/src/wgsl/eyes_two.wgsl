@@ -23,6 +23,10 @@ fn eyes_pixel(pixel: vec2u) -> vec2u {
     return vec2u(pixel.x - eyes_of(pixel) * eyes_width(), pixel.y);
 }
 
+fn eyes_other(eye: u32) -> u32 {
+    return EYES_LEFT + EYES_RIGHT - eye;
+}
+
 fn eyes_side(eye: u32) -> f32 {
     return select(-1.0, 1.0, eye == EYES_RIGHT);
 }

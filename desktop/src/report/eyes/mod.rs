@@ -15,8 +15,8 @@ use crate::args::TableName;
 use published::TABLES_2_AND_3;
 
 /// How the paper is cited.
-const CITATION: &str = "Kim, Sung, \"Mobile Virtual Reality Path Tracing\", Human-centric Computing and Information Sciences \
-                        2021 (Galaxy S10 and alike)";
+const CITATION: &str = "Kim, Sung, \"Efficient Path Tracer for the Presence of Mobile Virtual Reality\", Human-centric \
+                        Computing and Information Sciences 11, 2021 (Galaxy S10+)";
 
 /// What an eye sees, as in the paper.
 const EYE: [u32; 2] = [640, 480];
