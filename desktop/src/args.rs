@@ -263,6 +263,9 @@ pub enum TableName {
     /// Paths for two eyes, 640x480 each (Kim & Sung 2021, Tables 2 and 3)
     #[value(name = "vr")]
     Eyes,
+    /// A camera that turns: frameless rendering and reprojection
+    #[value(name = "pan")]
+    Pan,
 }
 
 /// `glimpse stress`

@@ -61,8 +61,8 @@ struct Row {
 fn rows(options: &BenchOptions) -> glimpse::Result<Vec<Row>> {
     let combinations = options.frame.combinations(&options.vary).map_err(not_varied)?;
     let cores = options.frame.paths.cores;
-    if cores > 0 && !options.methods.contains(&MethodName::Path) {
-        let reason = "expected path among --methods: no other adds samples up";
+    if cores > 0 && !options.methods.iter().any(|m| matches!(m, MethodName::Path | MethodName::Vr)) {
+        let reason = "expected path or vr among --methods: no other adds samples up";
         return Err(glimpse::Error::setting(format!("--cores {cores}"), reason));
     }
     let mut rows: Vec<Row> = Vec::new();

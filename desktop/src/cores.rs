@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use glimpse::planes::{Merge, View, Worker};
 use glimpse::reference::Reference;
-use glimpse::{Camera, Denoise, Error, Renderer};
+use glimpse::{Camera, Error, Renderer};
 use serde::Serialize;
 
 use crate::focus::Wish;
@@ -38,12 +38,14 @@ pub struct Side {
 /// Are there samples for cores to bring? So many frames are the GPU's alone, to be timed.
 ///
 /// # Errors
-/// There are none, or noise is to be removed, which is done when the GPU's frame ends.
+/// There are none, or the frame does not [take them](glimpse::Settings::takes_planes).
 pub fn check(wishes: &[Wish], frames: u32) -> glimpse::Result<()> {
-    let noise = wishes.iter().find(|wish| wish.cores > 0 && wish.settings.paths.denoise != Denoise::Off);
-    if let Some(wish) = noise {
-        let reason = format!("expected --denoise off, found {}", wish.settings.paths.denoise.name());
-        return Err(Error::setting(format!("--cores {}", wish.cores), reason));
+    let refused = wishes.iter().find(|wish| wish.cores > 0 && !wish.settings.takes_planes());
+    if let Some(Wish { cores, settings, .. }) = refused {
+        let (denoise, crossing) = (settings.paths.denoise.name(), settings.paths.crossing.name());
+        let found = format!("found --denoise {denoise} --crossing {crossing}");
+        let reason = format!("expected --denoise off and no --crossing paper, {found}");
+        return Err(Error::setting(format!("--cores {cores}"), reason));
     }
     // And one more, in which drivers finish compiling.
     let alone = frames.saturating_add(1);
@@ -61,7 +63,7 @@ pub struct Unfinished<'a, 'g> {
     pub renderer: &'a mut Renderer<'g>,
     /// The view.
     pub camera: &'a Camera,
-    /// Width and height.
+    /// Width and height, of what an eye sees.
     pub size: [u32; 2],
     /// The scene, where cores are to help.
     pub reference: Option<&'a Reference>,
@@ -80,7 +82,8 @@ impl Unfinished<'_, '_> {
         if !renderer.settings().method.follows_paths() || renderer.is_settled() {
             return Ok(None);
         }
-        let view = View::new(camera, size, renderer.settings());
+        let picture = renderer.settings().method.picture(size);
+        let view = View::new(camera, picture, renderer.settings());
         let (merge, workers) = Merge::new(&view, cores as usize);
         let start = Instant::now();
         thread::scope(|scope| {
@@ -184,7 +187,7 @@ mod tests {
         let mut options = FrameOptions::default();
         options.paths.cores = 2;
         let error = Wish::of(&options, MethodName::Adaptive).unwrap_err().to_string();
-        assert_eq!(error, "--cores 2: expected --method path, found adaptive");
+        assert_eq!(error, "--cores 2: expected --method path or vr, found adaptive");
         assert_eq!(Wish::beside(&options, MethodName::Full).unwrap().cores, 0);
         assert_eq!(Wish::beside(&options, MethodName::Path).unwrap().cores, 2);
     }

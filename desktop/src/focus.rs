@@ -1,7 +1,7 @@
 //! `--focus`: which of a scene's objects are meant.
 
 use glimpse::scene::Object;
-use glimpse::{Error, Focus, Method, Settings};
+use glimpse::{Error, Focus, Settings};
 
 use crate::args::{FrameOptions, MethodName, focus_by_index};
 
@@ -27,8 +27,8 @@ impl Wish {
     pub fn of(options: &FrameOptions, method: MethodName) -> glimpse::Result<Self> {
         let settings = options.settings(method)?;
         let cores = options.paths.cores;
-        if cores > 0 && settings.method != Method::Path {
-            let reason = format!("expected --method path, found {}", settings.method.name());
+        if cores > 0 && !settings.method.follows_paths() {
+            let reason = format!("expected --method path or vr, found {}", settings.method.name());
             return Err(Error::setting(format!("--cores {cores}"), reason));
         }
         Ok(Self { settings, focus: options.samples.focus.clone(), cores })
@@ -40,7 +40,7 @@ impl Wish {
     /// As [`FrameOptions::settings_beside`].
     pub fn beside(options: &FrameOptions, method: MethodName) -> glimpse::Result<Self> {
         let settings = options.settings_beside(method)?;
-        let cores = if settings.method == Method::Path { options.paths.cores } else { 0 };
+        let cores = if settings.method.follows_paths() { options.paths.cores } else { 0 };
         Ok(Self { settings, focus: options.samples.focus.clone(), cores })
     }
 

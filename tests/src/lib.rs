@@ -157,16 +157,21 @@ pub fn pixel_ray(camera: &Camera, size: [u32; 2], x: u32, y: u32) -> (DVec3, DVe
 
 /// A scene of the shared collection: `$GLIMPSE_SCENES`, else `../shared/scenes` beside the workspace. Where it is not
 /// there, a line says so, and the test has nothing to do.
+///
+/// # Panics
+/// Where the file is no scene that is whole in itself.
 #[must_use]
-pub fn shared_scene(name: &str) -> Option<PathBuf> {
+pub fn shared_scene(name: &str) -> Option<Scene> {
     let folder = std::env::var_os("GLIMPSE_SCENES")
         .map_or_else(|| workspace().join("../shared/scenes"), PathBuf::from);
     let path = folder.join(name);
-    if path.is_file() {
-        return Some(path);
+    if !path.is_file() {
+        note(&format!("SKIPPED: {} is not there (set GLIMPSE_SCENES)", path.display()));
+        return None;
     }
-    note(&format!("SKIPPED: {} is not there (set GLIMPSE_SCENES)", path.display()));
-    None
+    let bytes = std::fs::read(&path).expect("the file can be read");
+    let scene = Scene::from_gltf(&bytes, &mut |uri| Err(format!("{name} refers to {uri}")));
+    Some(scene.unwrap_or_else(|error| panic!("{name}: {error}")))
 }
 
 /// The workspace's folder.

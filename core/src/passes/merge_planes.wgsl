@@ -8,7 +8,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     if any(pixel >= frame.size) {
         return;
     }
-    let place = samples_place(pixel);
+    let place = 3u * (pixel.y * frame.size.x + pixel.x);
     samples_store(pixel, samples_load(pixel) + vec3f(planes[place], planes[place + 1u], planes[place + 2u]));
     output(pixel, samples_mean(pixel));
 }

@@ -24,11 +24,7 @@ impl Variant {
                 (Direct::Light | Direct::Mis, _) if self.emits => wgsl!("wgsl/emitters.wgsl"),
                 _ => wgsl!("wgsl/emitters_met.wgsl"),
             },
-            pick(
-                self.paths.stopping == Stopping::Off,
-                wgsl!("wgsl/stopping_none.wgsl"),
-                wgsl!("wgsl/stopping.wgsl"),
-            ),
+            self.stopping(),
             self.eyes(),
             wgsl!("wgsl/guides.wgsl"),
             pick(guides && !self.inspect, wgsl!("wgsl/guides_kept.wgsl"), wgsl!("wgsl/guides_none.wgsl")),
@@ -44,6 +40,14 @@ impl Variant {
         if self.paths.denoise == Denoise::Off { self.output } else { Output::Nowhere }
     }
 
+    fn stopping(&self) -> Source {
+        pick(
+            self.paths.stopping == Stopping::Off,
+            wgsl!("wgsl/stopping_none.wgsl"),
+            wgsl!("wgsl/stopping.wgsl"),
+        )
+    }
+
     fn eyes(&self) -> Source {
         pick(self.two_eyes, wgsl!("wgsl/eyes_two.wgsl"), wgsl!("wgsl/eyes_one.wgsl"))
     }
@@ -55,18 +59,23 @@ impl Variant {
 
     /// What becomes of the samples of paths.
     fn path_samples(&self) -> Vec<Source> {
+        let [met, added] = match self.crossing() {
+            Crossing::Off => [wgsl!("wgsl/crossing_none.wgsl"), wgsl!("wgsl/samples_alone.wgsl")],
+            Crossing::Paper | Crossing::Weighted => {
+                [wgsl!("wgsl/crossing_met.wgsl"), wgsl!("wgsl/samples_leave.wgsl")]
+            }
+        };
+        let mut sources = vec![met];
+        sources.extend(self.path_sums());
+        sources.push(added);
+        sources
+    }
+
+    /// Where they are added up.
+    fn path_sums(&self) -> Vec<Source> {
         match self.crossing() {
-            Crossing::Off => vec![
-                wgsl!("wgsl/crossing_none.wgsl"),
-                wgsl!("wgsl/samples.wgsl"),
-                wgsl!("wgsl/samples_mean.wgsl"),
-                wgsl!("wgsl/samples_alone.wgsl"),
-            ],
-            Crossing::Paper | Crossing::Weighted => vec![
-                wgsl!("wgsl/crossing_met.wgsl"),
-                wgsl!("wgsl/samples_crossing.wgsl"),
-                wgsl!("wgsl/samples_leave.wgsl"),
-            ],
+            Crossing::Off => vec![wgsl!("wgsl/samples.wgsl"), wgsl!("wgsl/samples_mean.wgsl")],
+            Crossing::Paper | Crossing::Weighted => vec![wgsl!("wgsl/samples_crossing.wgsl")],
         }
     }
 
@@ -84,6 +93,7 @@ impl Variant {
             sources.push(wgsl!("wgsl/crossing_paper.wgsl"));
         } else {
             sources.extend([
+                self.stopping(),
                 wgsl!("wgsl/crossing.wgsl"),
                 pick(
                     self.features.reflection,
@@ -116,6 +126,14 @@ impl Variant {
         sources
     }
 
+    pub(super) fn merge_sources(&self) -> Vec<Source> {
+        let mut sources = vec![self.constants(), wgsl!("wgsl/frame.wgsl"), self.jitter()];
+        sources.extend(self.path_sums());
+        sources.extend(self.output.sources());
+        sources.push(Stage::MergePlanes.entry());
+        sources
+    }
+
     /// What a kernel needs that treats noise of paths, and ends in these.
     pub(super) fn noise_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
         let mut sources = vec![
@@ -128,10 +146,7 @@ impl Variant {
             wgsl!("wgsl/noise.wgsl"),
             self.order(),
         ];
-        sources.extend(match self.crossing() {
-            Crossing::Off => vec![wgsl!("wgsl/samples.wgsl"), wgsl!("wgsl/samples_mean.wgsl")],
-            Crossing::Paper | Crossing::Weighted => vec![wgsl!("wgsl/samples_crossing.wgsl")],
-        });
+        sources.extend(self.path_sums());
         sources.extend(self.output.sources());
         sources.extend(entry);
         sources

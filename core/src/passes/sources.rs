@@ -133,18 +133,7 @@ impl Variant {
                 pick(stage == Stage::Atrous, wgsl!("wgsl/atrous_kept.wgsl"), wgsl!("wgsl/atrous_shown.wgsl")),
                 stage.entry(),
             ]),
-            Stage::MergePlanes => {
-                let mut sources = vec![
-                    self.constants(),
-                    wgsl!("wgsl/frame.wgsl"),
-                    self.jitter(),
-                    wgsl!("wgsl/samples.wgsl"),
-                    wgsl!("wgsl/samples_mean.wgsl"),
-                ];
-                sources.extend(self.output.sources());
-                sources.push(stage.entry());
-                sources
-            }
+            Stage::MergePlanes => self.merge_sources(),
             Stage::Renew => {
                 self.tracing_sources([wgsl!("wgsl/list.wgsl"), wgsl!("wgsl/history.wgsl"), stage.entry()])
             }

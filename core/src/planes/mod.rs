@@ -1,6 +1,6 @@
 //! Samples of paths from the cores of a CPU beside those of a GPU (Kim & Sung 2021, 3.1 and Algorithms 1, 2, 4, 5).
 //!
-//! A core traces *planes*: one sample of every pixel, by [`reference::Frame::path`](crate::reference::Frame::path), which is
+//! A core traces *planes*: one sample of every pixel of the picture, both eyes' where there are two, by [`reference::Frame::path`](crate::reference::Frame::path), which is
 //! the estimator of the shaders in f64. It begins the next one as soon as it has one, at its own pace. One [`Merge`] takes
 //! what is finished between two frames of the GPU and hands the sum to [`Renderer::merge`](crate::Renderer::merge).
 //!
@@ -33,7 +33,7 @@ pub use merge::Merge;
 pub(crate) use pass::MergePass;
 pub use worker::Worker;
 
-use crate::{Camera, Method, Settings};
+use crate::{Camera, Settings};
 
 /// The number of the first sample of the cores. No GPU comes so far: at 100 frames a second it takes 248 days.
 pub const FIRST_SAMPLE: u32 = 1 << 31;
@@ -51,8 +51,8 @@ impl View {
     /// From where, in pixels, and how: settings that paths do not heed make no other view.
     #[must_use]
     pub fn new(camera: &Camera, size: [u32; 2], settings: &Settings) -> Self {
-        let Settings { depth, mip, seed, paths, .. } = *settings;
-        let settings = Settings { method: Method::Path, depth, mip, seed, paths, ..Settings::default() };
+        let Settings { method, depth, mip, seed, paths, .. } = *settings;
+        let settings = Settings { method, depth, mip, seed, paths, ..Settings::default() };
         Self { camera: *camera, size, settings }
     }
 }

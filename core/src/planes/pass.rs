@@ -34,7 +34,9 @@ impl MergePass {
     ) -> Result<Self> {
         let stage = Stage::MergePlanes;
         let frame = gpu.buffer("frame", size_of::<Frame>() as u64, wgpu::BufferUsages::UNIFORM)?;
-        let planes = gpu.buffer("planes", targets.samples.size(), wgpu::BufferUsages::STORAGE)?;
+        let [width, height] = targets.size.map(u64::from);
+        let planes =
+            gpu.buffer("planes", width * height * size_of::<[f32; 3]>() as u64, wgpu::BufferUsages::STORAGE)?;
         let view = color.create_view(&wgpu::TextureViewDescriptor::default());
         let output = if variant.output == Output::Linear { "linear" } else { "display" };
         let bound = kernels.get(gpu, stage.name(), variant.sources(stage))?.bind(

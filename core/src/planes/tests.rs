@@ -1,8 +1,10 @@
 //! Cores as steps of one thread: who is how fast is in the order of the steps.
 
+use glam::DVec3;
+
 use super::*;
 use crate::{
-    Mip, Paths,
+    Method, Mip, Paths,
     reference::{Frame, Reference, Rounding},
     scene::builtin,
 };
@@ -50,6 +52,31 @@ fn planes_are_the_samples_of_the_reference_each_once() {
     merge.close();
     assert!(!workers[0].step(&reference) && !workers[0].step(&reference));
     assert_eq!(merge.fates(), Fates { begun: 3, merged: 2, given_up: 1 });
+}
+
+#[test]
+fn a_plane_of_two_eyes_has_what_crosses_over() {
+    let (reference, mut view) = view_of("cornell");
+    view.settings.method = Method::Vr;
+    let (mut merge, mut workers) = Merge::new(&view, 1);
+    (0..ROWS).for_each(|_| assert!(workers[0].step(&reference)));
+    merge.collect();
+    let plane = merge.take().expect("a sample");
+    let frame = Frame { reference: &reference, camera: view.camera, size: SIZE, settings: view.settings };
+    let pixels = || (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| [x, y]));
+    let paths: Vec<_> =
+        pixels().map(|pixel| (pixel, frame.path(pixel, FIRST_SAMPLE, &mut Rounding::none()))).collect();
+    assert!(paths.iter().any(|(_, path)| path.landing.is_some()));
+    for (pixel, found) in pixels().zip(plane.rgb.chunks_exact(3)) {
+        let counted = paths.iter().map(|(from, path)| {
+            let own = if *from == pixel { path.own } else { 0.0 };
+            let landed = path.landing.filter(|landing| landing.pixel == pixel);
+            path.radiance * (landed.map_or(DVec3::ZERO, |landing| landing.share) + own)
+        });
+        let expected = counted.sum::<DVec3>();
+        let off = (expected - DVec3::from_slice(&[0, 1, 2].map(|i| f64::from(found[i])))).length();
+        assert!(off <= 1e-5 * (1.0 + expected.length()), "{pixel:?}: {found:?}, expected {expected}");
+    }
 }
 
 #[test]
@@ -174,10 +201,12 @@ fn threads_that_end_have_brought_everything() {
 #[test]
 fn a_view_of_no_pixels_ends_nobody() {
     let (reference, view) = view_of("cornell");
-    let (mut merge, mut workers) = Merge::new(&View { size: [0, 3], ..view }, 1);
-    assert!(workers[0].step(&reference));
-    merge.collect();
-    assert_eq!(merge.take(), Some(Plane { samples: 1, rgb: vec![] }));
+    for (size, steps) in [([0, 3], 3), ([3, 0], 1)] {
+        let (mut merge, mut workers) = Merge::new(&View { size, ..view }, 1);
+        (0..steps).for_each(|_| assert!(workers[0].step(&reference)));
+        merge.collect();
+        assert_eq!(merge.take(), Some(Plane { samples: 1, rgb: vec![] }));
+    }
 }
 
 #[test]

@@ -5,6 +5,8 @@ use std::sync::{
     mpsc::{Receiver, SyncSender, TryRecvError, TrySendError},
 };
 
+use glam::DVec3;
+
 use super::{Delivery, Order, Plane};
 use crate::reference::{Frame, Reference, Rounding};
 
@@ -18,9 +20,10 @@ pub struct Worker {
     finished: Option<Plane>,
 }
 
-/// A sample of the rows down to where it ends.
+/// A sample of the rows above `row`.
 struct Begun {
     sample: u32,
+    row: u32,
     rgb: Vec<f32>,
 }
 
@@ -57,18 +60,27 @@ impl Worker {
     fn trace_row(&mut self, reference: &Reference) {
         let view = self.order.view;
         let [width, height] = view.size;
-        let row = 3 * width as usize;
-        let whole = row * height as usize;
-        let begun = self
-            .begun
-            .get_or_insert_with(|| Begun { sample: self.order.begin(), rgb: Vec::with_capacity(whole) });
+        let place = |[x, y]: [u32; 2]| 3 * (y as usize * width as usize + x as usize);
+        let begun = self.begun.get_or_insert_with(|| Begun {
+            sample: self.order.begin(),
+            row: 0,
+            rgb: vec![0.0; place([0, height])],
+        });
         let frame = Frame { reference, camera: view.camera, size: view.size, settings: view.settings };
-        let y = begun.rgb.len().checked_div(row).unwrap_or(0) as u32;
-        for x in 0..width {
-            let radiance = frame.path([x, y], begun.sample, &mut Rounding::none()).radiance;
-            begun.rgb.extend(radiance.as_vec3().to_array());
+        let mut add = |pixel, radiance: DVec3| {
+            let sum = begun.rgb[place(pixel)..].iter_mut();
+            sum.zip(radiance.as_vec3().to_array()).for_each(|(sum, more)| *sum += more);
+        };
+        let row = (begun.row..height).take(1);
+        for pixel in row.flat_map(|y| (0..width).map(move |x| [x, y])) {
+            let path = frame.path(pixel, begun.sample, &mut Rounding::none());
+            add(pixel, path.own * path.radiance);
+            if let Some(landing) = path.landing {
+                add(landing.pixel, landing.share * path.radiance);
+            }
         }
-        if begun.rgb.len() == whole {
+        begun.row += 1;
+        if begun.row >= height {
             self.finish();
         }
     }

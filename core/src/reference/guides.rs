@@ -81,16 +81,9 @@ impl Search {
         }
     }
 
-    /// It counts as diffuse if more paths leave it by the diffuse lobe than not.
-    pub fn meet(&mut self, s: &Surface, lobes: &Lobes, throughput: DVec3, level: u32) {
-        if lobes.is_diffuse() {
-            self.leave(s, lobes, throughput, level);
-        }
-    }
-
-    /// Or if this one does.
-    pub fn leave(&mut self, s: &Surface, lobes: &Lobes, throughput: DVec3, level: u32) {
-        if self.guide.way == Way::None {
+    /// It counts as diffuse if more paths leave it by the diffuse lobe than not, or if this one is to.
+    pub fn meet(&mut self, (s, lobes): (&Surface, &Lobes), chosen: bool, throughput: DVec3, level: u32) {
+        if self.guide.way == Way::None && (lobes.is_diffuse() || chosen) {
             self.guide.way = if level == 1 { Way::Direct } else { Way::Mirrored };
             self.guide.normal = s.normal;
             self.guide.albedo = (throughput * lobes.diffuse).clamp(DVec3::ZERO, DVec3::ONE);

@@ -13,7 +13,7 @@ use super::{
     Cause, Frame, Guide, Numbers, Ray, Rounding, Surface,
     crossing::{Landing, Mirror},
     guides::Search,
-    lobes::{Lobes, cosine_weighted},
+    lobes::{Chosen, Lobes, cosine_weighted},
 };
 use crate::{Direct, Roulette, Shining, Stopping};
 
@@ -67,6 +67,8 @@ struct Path<'a> {
     level: u32,
     /// How densely the ray was drawn about a diffuse surface, per unit of solid angle.
     density: Option<f64>,
+    /// The other eye looks at what it meets.
+    looked_at: bool,
     /// The first hit, if that is a plane mirror.
     mirror: Option<Mirror>,
     /// What the sample counts for in its own pixel, and where else.
@@ -94,6 +96,7 @@ impl Frame<'_> {
             throughput: DVec3::ONE,
             level: 1,
             density: None,
+            looked_at: self.looked_at(&numbers),
             mirror: None,
             crossed: None,
             search: Search::new(length),
@@ -109,7 +112,7 @@ impl Frame<'_> {
     }
 
     /// The probability of stopping in a pixel (Kim & Sung 2021, equation 7).
-    fn stop(&self, pixel: [u32; 2]) -> f64 {
+    pub(super) fn stop(&self, pixel: [u32; 2]) -> f64 {
         let (_, pixel) = Self::eye(pixel, self.eye_size());
         let size = self.eye_size().map(f64::from);
         let gaze = [0, 1].map(|i| f64::from(self.settings.paths.gaze[i]) * size[i]);
@@ -142,16 +145,21 @@ impl Path<'_> {
             return None;
         }
         let lobes = Lobes::of(reference, &s, &m, self.ray.direction, rounding);
-        let place = (self.pixel, self.level);
-        let met = (&s, &m, &lobes);
-        self.crossed = self.crossed.or(self.frame.crossed(place, &self.ray, met, &mut self.mirror, rounding));
-        self.search.meet(&s, &lobes, self.throughput, self.level);
+        if self.looked_at && self.crossed.is_none() {
+            let place = (self.pixel, self.level);
+            let met = (&s, &m, &lobes);
+            self.crossed = self.frame.crossed(place, &self.ray, met, &mut self.mirror, rounding);
+        }
+        let [lobe, survival] = self.pair(LOBE);
+        let chosen = lobes.choose(lobe, rounding);
+        let diffuse = chosen.as_ref().is_some_and(|chosen| chosen.leaving.is_none());
+        self.search.meet((&s, &lobes), diffuse, self.throughput, self.level);
         if lobes.diffuse != DVec3::ZERO {
             let irradiance = self.punctual(&s, rounding) + self.emitters(&s, &lobes, rounding);
             self.radiance += self.throughput * lobes.diffuse / PI * irradiance;
         }
         self.foveate(rounding)?;
-        self.leave(&s, &lobes, rounding)
+        self.leave(&s, &lobes, chosen?, survival, rounding)
     }
 
     /// What the emission counts for that the path met at this distance from its last vertex: rays to emitters bring the
@@ -230,13 +238,15 @@ impl Path<'_> {
         Some(())
     }
 
-    /// Goes on by one of the surface's lobes, unless roulette ends the path.
-    fn leave(&mut self, s: &Surface, lobes: &Lobes, rounding: &mut Rounding) -> Option<()> {
-        let [lobe, survival] = self.pair(LOBE);
-        let chosen = lobes.choose(lobe, rounding)?;
-        if chosen.leaving.is_none() {
-            self.search.leave(s, lobes, self.throughput, self.level);
-        }
+    /// Goes on by one of the surface's lobes, unless roulette ends the path by a number in [0, 1).
+    fn leave(
+        &mut self,
+        s: &Surface,
+        lobes: &Lobes,
+        chosen: Chosen,
+        survival: f64,
+        rounding: &mut Rounding,
+    ) -> Option<()> {
         self.throughput *= chosen.weight;
         if self.frame.settings.paths.roulette == Roulette::On && self.level >= ROULETTE_LEVEL {
             let survivors = self.throughput.max_element().min(1.0);

@@ -2,7 +2,7 @@
 
 use super::Renderer;
 use crate::{
-    Camera, Error, LinearImage, Method, Result,
+    Camera, Error, LinearImage, Result,
     passes::{Output, Variant},
     planes::{Merge, MergePass, View},
     targets::texture,
@@ -13,12 +13,13 @@ impl Renderer<'_> {
     /// them. Waits for no core.
     ///
     /// # Errors
-    /// A method that does not add samples up; a device that failed.
+    /// Settings that do not [take planes](crate::Settings::takes_planes); a device that failed.
     pub fn merge(&mut self, merge: &mut Merge) -> Result<()> {
-        if self.settings.method != Method::Path {
-            let found =
-                format!("expected path where planes are merged, found {}", self.settings.method.name());
-            return Err(Error::setting("--method", found));
+        if !self.settings.takes_planes() {
+            let found = format!("--method {}", self.settings.method.name());
+            let expected =
+                "expected path or vr where planes are merged, with --denoise off and no --crossing paper";
+            return Err(Error::setting(found, expected));
         }
         let Some(camera) = self.sequence.camera() else { return Ok(()) };
         merge.show(&View::new(&camera, self.targets.size, &self.settings));

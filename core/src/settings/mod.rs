@@ -278,6 +278,14 @@ impl Settings {
         }
     }
 
+    /// Can samples that were traced elsewhere be [merged](crate::Renderer::merge)? Not where pixels count them one by one, nor
+    /// where noise is removed when the GPU's frame ends.
+    #[must_use]
+    pub fn takes_planes(&self) -> bool {
+        let copied = self.crosses() && self.paths.crossing == Crossing::Paper;
+        self.method.follows_paths() && !copied && self.paths.denoise == Denoise::Off
+    }
+
     /// Do samples of one eye count for the other?
     #[must_use]
     pub fn crosses(&self) -> bool {

@@ -26,6 +26,11 @@ struct CrossingImage {
     face: vec3f,
 }
 
+// Does the other eye look at this sample? It looks at those of a tile together: rays that start together stay together.
+fn crossing_looks(pixel: vec2u) -> bool {
+    return numbers_pair(pixel / 8u * 8u, NUMBERS_LOOK).x < stopping_looks(pixel);
+}
+
 // Looks from the other eye at what the path has met; true where it is a mirror, to look at what is behind.
 fn crossing_at(look: ptr<function, Look>, s: Surface, m: Material, lobes: Lobes) -> bool {
     if crossing_mirrors(look, s, m, lobes) {
@@ -48,14 +53,20 @@ fn crossing_find(look: ptr<function, Look>, s: Surface) {
     if !(here * there > 0.0) || landing == 0u {
         return;
     }
-    let share = crossing_share(mirror, s, eyes_ray_to(to, image.point));
+    let share = crossing_share(mirror, s, eyes_ray_to(to, image.point, 1.0 + CROSSING_NEAR));
     if share.x < 0.0 {
         return;
     }
     // k is there / here.
     (*look).crossing.own = here / (here + there);
     (*look).crossing.landing = landing;
-    (*look).crossing.other = there / (here + there) * share;
+    (*look).crossing.other = there / (here + there) * crossing_seldom((*look).pixel, landing - 1u) * share;
+}
+
+// Where it lands, this eye looks at another share of the samples, and so takes less or more away from its own.
+fn crossing_seldom(from_pixel: vec2u, landing: u32) -> f32 {
+    let to = vec2u(landing % frame.size.x, landing / frame.size.x);
+    return stopping_looks(to) / stopping_looks(from_pixel);
 }
 
 // Has a ray to a point of a surface at 1 of its parameter met that point?

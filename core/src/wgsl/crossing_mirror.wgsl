@@ -63,7 +63,7 @@ fn crossing_share(mirror: CrossingMirror, s: Surface, to: Ray) -> vec3f {
             break;
         }
         share = select(vec3f(0.0), lobes.mirror / mirror.share, mirror.share > vec3f(0.0));
-        ray = surface_spawn(z, s.position - z.position, FAR, vec2f(0.0));
+        ray = surface_spawn(z, s.position - z.position, 1.0 + CROSSING_NEAR, vec2f(0.0));
         ahead = false;
     }
     return vec3f(-1.0);

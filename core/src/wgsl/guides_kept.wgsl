@@ -32,15 +32,10 @@ fn guides_shine(path: ptr<function, Path>, emission: vec3f) {
     }
 }
 
-// A surface counts as diffuse by how it is left more often: the light that it scatters is in all of its samples.
-fn guides_surface(path: ptr<function, Path>, s: Surface, lobes: Lobes) {
-    if 2.0 * lobes.chances.x >= lobes.sum {
-        guides_find(path, s, lobes);
-    }
-}
-
-fn guides_find(path: ptr<function, Path>, s: Surface, lobes: Lobes) {
-    if (*path).guide.kind == GUIDE_NONE {
+// A surface counts as diffuse by how it is left more often, for the light that it scatters is in all of its samples; or
+// if this path is to leave it so.
+fn guides_surface(path: ptr<function, Path>, s: Surface, lobes: Lobes, diffuse: bool) {
+    if (*path).guide.kind == GUIDE_NONE && (diffuse || 2.0 * lobes.chances.x >= lobes.sum) {
         (*path).guide.kind = select(GUIDE_MIRRORED, GUIDE_DIRECT, (*path).level == 1u);
         (*path).guide.normal = octahedral_encode(s.normal);
         (*path).guide.albedo = (*path).throughput * lobes.diffuse;
@@ -51,10 +46,8 @@ fn guides_stop(path: ptr<function, Path>) {
     (*path).guide.stopped = true;
 }
 
-fn guides_leave(path: ptr<function, Path>, s: Surface, lobes: Lobes, diffuse: bool) {
-    if diffuse {
-        guides_find(path, s, lobes);
-    } else {
+fn guides_leave(path: ptr<function, Path>, diffuse: bool) {
+    if !diffuse {
         (*path).guide.specular = true;
     }
 }

@@ -12,10 +12,10 @@ fn guides_arrive(path: ptr<function, Path>, t: f32) {}
 
 fn guides_shine(path: ptr<function, Path>, emission: vec3f) {}
 
-fn guides_surface(path: ptr<function, Path>, s: Surface, lobes: Lobes) {}
+fn guides_surface(path: ptr<function, Path>, s: Surface, lobes: Lobes, diffuse: bool) {}
 
 fn guides_stop(path: ptr<function, Path>) {}
 
-fn guides_leave(path: ptr<function, Path>, s: Surface, lobes: Lobes, diffuse: bool) {}
+fn guides_leave(path: ptr<function, Path>, diffuse: bool) {}
 
 fn guides_end(path: Path) {}

@@ -78,7 +78,8 @@ fn path_step(path: ptr<function, Path>) -> bool {
     let pixel = (*path).pixel;
     let dimension = PATH_DIMENSIONS * (*path).level;
     let lobes = lobes_at(s, m, direction);
-    guides_surface(path, s, lobes);
+    let numbers = numbers_pair(pixel, dimension + PATH_LOBE);
+    guides_surface(path, s, lobes, numbers.x * lobes.sum < lobes.chances.x);
     if lobes.sum <= 0.0 {
         return false;
     }
@@ -95,20 +96,20 @@ fn path_step(path: ptr<function, Path>) -> bool {
         }
         (*path).throughput *= stopping_weight(pixel);
     }
-    return path_leave(path, s, m, lobes, direction);
+    return path_leave(path, s, m, lobes, direction, numbers);
 }
 
-// Goes on by one of the surface's lobes, unless roulette ends the path; `direction` is the unit direction of the ray that hit.
-fn path_leave(path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes, direction: vec3f) -> bool {
-    let pixel = (*path).pixel;
-    let dimension = PATH_DIMENSIONS * (*path).level;
-    let numbers = numbers_pair(pixel, dimension + PATH_LOBE);
+// Goes on by one of the surface's lobes, unless roulette ends the path, as these numbers have it; `direction` is the unit
+// direction of the ray that hit.
+fn path_leave(
+    path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes, direction: vec3f, numbers: vec2f
+) -> bool {
     let number = numbers.x * lobes.sum;
     var leaving: Leaving;
     var density = 0.0;
-    guides_leave(path, s, lobes, number < lobes.chances.x);
+    guides_leave(path, number < lobes.chances.x);
     if number < lobes.chances.x {
-        let drawn = path_scattered(s.normal, numbers_pair(pixel, dimension + PATH_DIRECTION));
+        let drawn = path_scattered(s.normal, numbers_pair((*path).pixel, PATH_DIMENSIONS * (*path).level + PATH_DIRECTION));
         density = max(dot(drawn, s.normal), 0.0) / PI * (lobes.chances.x / lobes.sum);
         let weight = lobes.diffuse * (lobes.sum / lobes.chances.x);
         leaving = Leaving(surface_spawn(s, drawn, FAR, vec2f(0.0)), weight, RAY_DIFFUSE);

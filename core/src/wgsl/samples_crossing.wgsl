@@ -27,9 +27,17 @@ fn samples_place(pixel: vec2u) -> u32 {
     return pixel.y * frame.size.x + pixel.x;
 }
 
+fn samples_store(pixel: vec2u, radiance: vec3f) {
+    samples[samples_place(pixel)].sum = samples_words(radiance);
+}
+
+fn samples_load(pixel: vec2u) -> vec3f {
+    return samples_radiance(samples[samples_place(pixel)].sum);
+}
+
 // The mean of a pixel's samples.
 fn samples_mean(pixel: vec2u) -> vec3f {
     let place = samples_place(pixel);
-    let count = select(frame.sample + 1u, samples[place].second, CROSSING_COUNTS);
+    let count = select(frame.sample + 1u + frame.merged, samples[place].second, CROSSING_COUNTS);
     return samples_radiance(samples[place].sum) / f32(count);
 }

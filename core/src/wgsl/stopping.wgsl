@@ -12,6 +12,11 @@ fn stopping_weight(pixel: vec2u) -> f32 {
     return 1.0 / (1.0 - stopping_probability(pixel));
 }
 
+// The share of samples at which the other eye looks: as many as go on in the middle of a tile of 8x8 pixels.
+fn stopping_looks(pixel: vec2u) -> f32 {
+    return max(1.0 - stopping_probability(pixel / 8u * 8u + 4u), 0.0);
+}
+
 fn stopping_probability(pixel: vec2u) -> f32 {
     return frame.stop * distance(vec2f(eyes_pixel(pixel)) + 0.5, frame.gaze);
 }

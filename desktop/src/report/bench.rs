@@ -125,11 +125,11 @@ impl Bench<'_> {
             |index| {
                 let rung = &job.rungs[index];
                 progress.doing(&format!("{}: {}", scene.name, rung.name));
-                let renderer = self.warm(subject, scene, &job, rung);
+                let renderer = self.warm(subject, scene, &job, rung)?;
                 progress.steps(rung.samples());
-                renderer
+                Ok((renderer, 0))
             },
-            |index, renderer| {
+            |index, (renderer, _)| {
                 let rung = &job.rungs[index];
                 let picture = shown(renderer.display_image()?, job.shown);
                 let error = match against(index) {
@@ -155,8 +155,10 @@ impl Bench<'_> {
                 }
                 Ok(Record { missing, work, ..record })
             },
-            |index, renderer| {
-                let (frame, ms) = timed(|| renderer.render(&camera))?;
+            |index, (renderer, timed_frames)| {
+                *timed_frames += 1;
+                let view = job.view(scene, *timed_frames);
+                let (frame, ms) = timed(|| renderer.render(&view))?;
                 progress.steps(job.rungs[index].samples());
                 // Adapters without timestamps measure nothing.
                 let frame = if frame.passes.is_empty() {
@@ -164,7 +166,7 @@ impl Bench<'_> {
                 } else {
                     frame.into()
                 };
-                let frame = frame.times(job.rungs[index].frames() as f64);
+                let frame = frame.times(job.rungs[index].timed_frames() as f64);
                 let peak = job.counts_work().then(|| probe::peak_gflops(self.gpu)).transpose()?;
                 Ok(Frame { peak_gflops: peak.flatten(), ..frame })
             },
@@ -189,8 +191,8 @@ impl Bench<'_> {
         let name = || format!("{}: {}", scene.name, rung.name);
         let mut renderer =
             Renderer::new(self.gpu, &subject.scene, rung.rendered, &rung.settings).with_context(name)?;
-        for _ in 0..rung.frames() {
-            renderer.render(&job.camera(scene)).with_context(name)?;
+        for frame in 1 - i32::try_from(rung.frames()).unwrap_or(i32::MAX)..=0 {
+            renderer.render(&job.view(scene, frame)).with_context(name)?;
         }
         Ok(renderer)
     }

@@ -10,6 +10,7 @@ use super::identity::Identity;
 use super::jin::{figure7, table2};
 use super::ladder::{self, Family, Rung};
 use super::missing;
+use super::pan;
 use super::prediction;
 use super::record::Record;
 use super::subject::{Prepared, SHARES, TABLE_SIDE, Variant, turned};
@@ -86,6 +87,7 @@ impl Job {
             TableName::Supersampling => vec![as_is(size, table2::rungs(base, size))],
             TableName::Thresholds => vec![as_is(size, figure7::rungs(base, size))],
             TableName::Eyes => vec![as_is(eyes::SIZE, eyes::rungs(base, scene))],
+            TableName::Pan => vec![as_is(size, pan::rungs(base, size))],
         }
     }
 
@@ -131,6 +133,12 @@ impl Job {
         if self.turn == 0.0 { scene.camera } else { turned(&scene.camera, self.turn) }
     }
 
+    /// The view of a frame, counted from the one whose picture is judged.
+    pub fn view(&self, scene: &Prepared, frame: i32) -> Camera {
+        let camera = self.camera(scene);
+        if self.shows(TableName::Pan) { pan::view(&camera, frame) } else { camera }
+    }
+
     /// The identity of each rung, for a program on an adapter.
     pub fn identities(&self, program: &str, adapter: &str, scene: &Prepared) -> anyhow::Result<Vec<String>> {
         let of = |(index, rung): (usize, &Rung)| {
@@ -141,6 +149,7 @@ impl Job {
                 _ if self.shows(TableName::Thresholds) => "converged, of figure 7",
                 _ if self.shows(TableName::Eyes) => "converged paths",
                 _ if self.counts_missing() => "full and its objects",
+                _ if self.shows(TableName::Pan) => "full, after a turn",
                 0 => "nothing",
                 _ => "full",
             };
@@ -207,9 +216,18 @@ fn pair(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
 }
 
 impl Rung {
-    /// Frames that a picture takes.
+    /// Frames that a picture takes: until it has its samples, or nothing of what was before them.
     pub fn frames(&self) -> u64 {
-        if self.settings.method.follows_paths() { self.settings.paths.samples.into() } else { 1 }
+        match self.settings.method {
+            Method::Path | Method::Vr => self.settings.paths.samples.into(),
+            Method::Frameless | Method::Reproject => (1.0 / self.settings.share).ceil() as u64,
+            _ => 1,
+        }
+    }
+
+    /// Frames whose time is that of a picture.
+    pub fn timed_frames(&self) -> u64 {
+        if self.settings.method.follows_paths() { self.frames() } else { 1 }
     }
 
     /// Samples that take the time of one frame: those that add some trace twice as many as there are, others half of them,

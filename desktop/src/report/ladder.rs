@@ -52,11 +52,15 @@ pub enum Family {
     Together,
     /// All of that in the way of Kim & Sung 2021.
     Published,
+    /// Pixels are traced anew in turn.
+    Frameless,
+    /// The frame before is moved.
+    Reprojected,
 }
 
 impl Family {
     /// In the order of the legend.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 18] = [
         Self::Reduced,
         Self::Checkerboard,
         Self::Fixed,
@@ -73,6 +77,8 @@ impl Family {
         Self::Filtered,
         Self::Together,
         Self::Published,
+        Self::Frameless,
+        Self::Reprojected,
     ];
 
     /// Its name in the legend.
@@ -94,6 +100,8 @@ impl Family {
             Self::Filtered => "filtered",
             Self::Together => "together",
             Self::Published => "as in the paper",
+            Self::Frameless => "frameless",
+            Self::Reprojected => "reproject",
         }
     }
 

@@ -9,6 +9,7 @@ mod job;
 mod ladder;
 mod missing;
 mod page;
+mod pan;
 mod paper;
 mod pareto;
 mod plot;
@@ -150,8 +151,10 @@ fn write(
         for axis in plot::Axis::ALL {
             into(&axis.file(&scene.stem), plot::svg(scene, axis).as_bytes())?;
         }
-        if let Some(svg) = plot::paths_svg(scene) {
-            into(&plot::paths_file(&scene.stem), svg.as_bytes())?;
+        for (table, what) in plot::OF_TABLES {
+            if let Some(svg) = plot::table_svg(scene, table) {
+                into(&plot::table_file(&scene.stem, what), svg.as_bytes())?;
+            }
         }
     }
     let predictions = prediction::of(scenes);
@@ -202,8 +205,10 @@ fn outputs(stems: &[String], tables: &[TableName]) -> Vec<String> {
     let plots = stems.iter().flat_map(|stem| plot::Axis::ALL.map(|axis| axis.file(stem)));
     let predictions = tables.contains(&TableName::Phones).then_some(PREDICTIONS);
     let fixed = ["report.csv", "report.html"].into_iter().chain(predictions);
-    let paths = stems.iter().filter(|_| tables.contains(&TableName::Eyes)).map(|stem| plot::paths_file(stem));
-    fixed.map(str::to_owned).chain(plots).chain(paths).collect()
+    let of_tables = plot::OF_TABLES.into_iter().filter(|(table, _)| tables.contains(table));
+    let of_tables =
+        of_tables.flat_map(|(_, what)| stems.iter().map(move |stem| plot::table_file(stem, what)));
+    fixed.map(str::to_owned).chain(plots).chain(of_tables).collect()
 }
 
 #[cfg(test)]

@@ -91,7 +91,9 @@ fn section(store: &Store, scene: &SceneReport) -> anyhow::Result<Markup> {
             p { strong { (rows::verdict(&scene.rows)) "." } }
             div class="plots" {
                 @for axis in plot::Axis::ALL { figure { (PreEscaped(plot::svg(scene, axis))) } }
-                @if let Some(svg) = plot::paths_svg(scene) { figure { (PreEscaped(svg)) } }
+                @for (table, _) in plot::OF_TABLES {
+                    @if let Some(svg) = plot::table_svg(scene, table) { figure { (PreEscaped(svg)) } }
+                }
             }
             (ladder_table(&ladder))
             div class="pictures" {
@@ -194,6 +196,8 @@ mod tests {
             TableName::Missing,
             TableName::Supersampling,
             TableName::Thresholds,
+            TableName::Eyes,
+            TableName::Pan,
         ] {
             let Measured { job, .. } = ladder();
             let job = Job { tables: vec![table], rungs: job.rungs[..2].to_vec(), ..job };
@@ -235,13 +239,13 @@ mod tests {
             );
         }
         for table in tables::all(&scenes) {
-            assert!(page.contains(&table.title));
+            assert!(page.contains(&table.title.replace('&', "&amp;")));
             for row in table.ours.iter().chain(&table.paper) {
                 let cells: String = row[1..].iter().map(|cell| format!("<td>{cell}</td>")).collect();
                 assert!(page.contains(&cells), "{row:?}");
             }
         }
-        assert_eq!(tables::all(&scenes).len(), 8);
+        assert_eq!(tables::all(&scenes).len(), 10);
         let cited = |authors: &str| page.matches(authors).count();
         assert_eq!(
             [cited("Kim, Seo, Kim"), cited("Jin, Ihm, Chang")],
@@ -251,7 +255,7 @@ mod tests {
         for text in ["Card (vulkan, D 1)", "commit abc", "glimpse report &lt;b&gt;", "&lt;b&gt;&amp;scene"] {
             assert!(page.contains(text), "{text}");
         }
-        assert_eq!(page.matches("<svg").count(), 2);
+        assert_eq!(page.matches("<svg").count(), 4);
         assert!(page.matches("src=\"data:image/png;base64,").count() >= 2);
         let without_namespace = page.replace("xmlns=\"http://www.w3.org/2000/svg\"", "");
         for outside in ["http:", "https:", "src=\"/", "url(", "@import", "<script", "<link", "<b>"] {

@@ -7,9 +7,11 @@ mod tests;
 
 use std::fmt::Write;
 
-use super::ladder::Family;
-use super::pareto::Point;
-use super::{SceneReport, eyes};
+use super::SceneReport;
+use super::bench::Measured;
+use super::ladder::{Family, Rung};
+use super::pareto::{self, Point};
+use super::record::Record;
 use crate::args::TableName;
 use labels::{Label, Labels};
 
@@ -81,15 +83,37 @@ pub fn svg(scene: &SceneReport, axis: Axis) -> String {
     draw(&scene.stem, axis.title(), &marks)
 }
 
-/// The paths of a scene, where they were asked for.
-pub fn paths_svg(scene: &SceneReport) -> Option<String> {
-    let eyes = scene.measured.iter().find(|measured| measured.job.tables.contains(&TableName::Eyes))?;
-    Some(draw(&scene.stem, "milliseconds of a picture", &eyes::marks(eyes)))
+/// What tables plot: of which, and the end of the file's name.
+pub const OF_TABLES: [(TableName, &str); 2] = [(TableName::Eyes, "paths"), (TableName::Pan, "pan")];
+
+/// Of the job of a table, where it was asked for.
+pub fn table_svg(scene: &SceneReport, table: TableName) -> Option<String> {
+    let measured = scene.measured.iter().find(|measured| measured.job.shows(table))?;
+    let label = |rung: &Rung| match table {
+        TableName::Eyes => rung.settings.paths.samples.to_string(),
+        _ => rung.name.clone(),
+    };
+    Some(draw(&scene.stem, "milliseconds of a picture", &marks(measured, label)))
+}
+
+/// PSNR against the time of a picture.
+fn marks(measured: &Measured, label: impl Fn(&Rung) -> String) -> Vec<Mark> {
+    let point =
+        |record: &Record| Point { cost: record.time().median, psnr_db: record.psnr_db().unwrap_or(f64::NAN) };
+    // What others are compared with has no error of its own.
+    let judged =
+        measured.job.rungs.iter().zip(&measured.records).filter(|(_, record)| record.error.is_some());
+    let (rungs, points): (Vec<_>, Vec<_>) = judged.map(|(rung, record)| (rung, point(record))).unzip();
+    let front = pareto::front(&points);
+    let marks = rungs.into_iter().zip(points).zip(front);
+    marks
+        .map(|((rung, point), front)| Mark { label: label(rung), family: rung.family, point, front })
+        .collect()
 }
 
 /// The name of that plot's file.
-pub fn paths_file(stem: &str) -> String {
-    format!("{stem}-paths.svg")
+pub fn table_file(stem: &str, what: &str) -> String {
+    format!("{stem}-{what}.svg")
 }
 
 /// Draws the marks; both axes fit them.
@@ -260,6 +284,8 @@ fn color(family: Family) -> &'static str {
         Family::Filtered => "#009e73",
         Family::Together => "#d55e00",
         Family::Published => "#cc79a7",
+        Family::Frameless => "#e69f00",
+        Family::Reprojected => "#d55e00",
     }
 }
 

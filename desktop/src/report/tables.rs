@@ -3,7 +3,7 @@
 use super::SceneReport;
 use super::bench::Measured;
 use super::record::Record;
-use super::{eyes, jin, missing, paper};
+use super::{eyes, jin, missing, pan, paper};
 use crate::args::TableName;
 use crate::output::grouped;
 
@@ -26,9 +26,8 @@ pub struct Table {
 /// Every table that something was measured for.
 pub fn all(scenes: &[SceneReport]) -> Vec<Table> {
     let of_kim: [fn(&_) -> _; 6] = [resolutions, kernels, reflective, views, hairball, missing::table];
-    let tables =
-        of_kim.into_iter().chain([jin::table2::table as fn(&_) -> _, jin::figure7::table, eyes::table]);
-    let tables = tables.map(|table| table(scenes));
+    let others: [fn(&_) -> _; 4] = [jin::table2::table, jin::figure7::table, eyes::table, pan::table];
+    let tables = of_kim.into_iter().chain(others).map(|table| table(scenes));
     tables.filter(|table| !table.ours.is_empty()).collect()
 }
 

@@ -2,15 +2,17 @@
 
 use glam::{DVec3, Vec3};
 use glimpse::{
-    Crossing, Linking, Method, Renderer, Settings,
+    Crossing, Linking, Method, Renderer, Settings, Stopping,
     reference::{Frame, Reference, Rounding},
     scene::builtin,
 };
 use glimpse_tests::{
     Stage,
     gallery::{orthographic, stereo},
-    gpu, note,
+    gpu, note, shared_scene,
 };
+
+use super::agreement::srgb;
 
 /// The right eye lacks a column.
 const SIZE: [u32; 2] = [121, 40];
@@ -54,8 +56,13 @@ fn a_sample_is_that_of_the_reference() {
     let scenes = [("stereo", stereo()), ("cornell", builtin("cornell").expect("built in"))];
     for (name, scene) in scenes {
         let (reference, stage) = (Reference::new(&scene), Stage::new(scene));
-        for crossing in [Crossing::Weighted, Crossing::Paper] {
-            let settings = settings(crossing);
+        for (crossing, stopping) in [
+            (Crossing::Weighted, Stopping::Off),
+            (Crossing::Weighted, Stopping::Compensated),
+            (Crossing::Paper, Stopping::Off),
+        ] {
+            let mut settings = settings(crossing);
+            settings.paths.stopping = stopping;
             let found = frame(&stage, &settings, SIZE);
             let right =
                 expected(&Frame { reference: &reference, camera: stage.camera, size: SIZE, settings });
@@ -63,8 +70,8 @@ fn a_sample_is_that_of_the_reference() {
                 (**found - **right).length() > 1e-3 * (right.length() + 0.01)
             };
             let wrong = found.iter().zip(&right).filter(differs).count() as f64 / found.len() as f64;
-            note(&format!("{name} {crossing:?}: {wrong:.4} of the pixels differ"));
-            assert!(wrong < 0.03, "{name} {crossing:?}: {wrong}");
+            note(&format!("{name} {crossing:?}, stopping {stopping:?}: {wrong:.4} of the pixels differ"));
+            assert!(wrong < 0.03, "{name} {crossing:?}, stopping {stopping:?}: {wrong}");
         }
     }
 }
@@ -128,4 +135,77 @@ fn an_orthographic_camera_has_no_eyes() {
         Renderer::new(gpu(), &stage.scene, SIZE, &settings(Crossing::Weighted)).expect("a renderer");
     let error = renderer.render(&stage.camera).expect_err("no eyes").to_string();
     assert!(error.contains("--method vr") && error.contains("orthographic"), "{error}");
+}
+
+/// Pictures of the same samples with other numbers: sums of each pixel's channels' sums, and of their squares.
+struct Batches {
+    count: u32,
+    sums: Vec<[f64; 2]>,
+}
+
+impl Batches {
+    fn of(count: u32, mut picture: impl FnMut(u32) -> Vec<DVec3>) -> Self {
+        let mut sums = Vec::new();
+        for batch in 0..count {
+            let picture = picture(batch);
+            sums.resize(picture.len(), [0.0; 2]);
+            for (sums, radiance) in sums.iter_mut().zip(picture) {
+                let value = radiance.element_sum();
+                sums[0] += value;
+                sums[1] += value * value;
+            }
+        }
+        Self { count, sums }
+    }
+
+    /// Mean and the square of its standard error, of each pixel; what has no noise is equal but for rounding.
+    fn means(&self) -> impl Iterator<Item = [f64; 2]> {
+        let n = f64::from(self.count);
+        self.sums.iter().map(move |[sum, squares]| {
+            let mean = sum / n;
+            [mean, (squares / n - mean * mean).max(1e-9) / (n - 1.0)]
+        })
+    }
+}
+
+/// What takes off noise or time without error in the mean, on the GPU, against none of it, in the reference, with other numbers:
+/// a z-test of every pixel.
+#[test]
+fn means_of_the_paper_s_scenes_are_the_reference_s() {
+    const SIZE: [u32; 2] = [48, 18];
+    const BATCHES: u32 = 32;
+    const SAMPLES: u32 = 8;
+    for name in ["teapot", "ant", "bunny", "monkey", "knot"] {
+        let Some(scene) = shared_scene(&format!("vr_{name}.glb")) else { continue };
+        let mut settings = Settings { method: Method::Vr, depth: 6, ..Settings::default() };
+        settings.paths.samples = SAMPLES;
+        let reference = Reference::new(&scene).with_wide_tree().with_srgb(*srgb());
+        let stage = Stage::new(scene);
+        let pixels: Vec<_> = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| [x, y])).collect();
+        let expected = Batches::of(BATCHES, |batch| {
+            let settings = Settings { seed: BATCHES + batch, ..settings };
+            let frame = Frame { reference: &reference, camera: stage.camera, size: SIZE, settings };
+            let path = |pixel, sample| frame.path(pixel, sample, &mut Rounding::none()).radiance;
+            let mean = |pixel: &[u32; 2]| (0..SAMPLES).map(|sample| path(*pixel, sample)).sum::<DVec3>();
+            pixels.iter().map(|pixel| mean(pixel) / f64::from(SAMPLES)).collect()
+        });
+
+        settings.paths.crossing = Crossing::Weighted;
+        (settings.paths.stopping, settings.paths.gaze) = (Stopping::Compensated, [0.3, 0.6]);
+        let mut renderer = Renderer::new(gpu(), &stage.scene, SIZE, &settings).expect("a renderer");
+        let found = Batches::of(BATCHES, |seed| {
+            renderer.change(SIZE, &Settings { seed, ..settings }).expect("the same kernels");
+            (0..SAMPLES).for_each(|_| drop(renderer.render(&stage.camera).expect("a frame")));
+            let image = renderer.linear_image(&stage.camera).expect("a picture");
+            image.pixels().map(|pixel| DVec3::from(pixel.0.map(f64::from))).collect()
+        });
+        let pairs = found.means().zip(expected.means());
+        let z: Vec<_> = pairs.map(|([a, a2], [b, b2])| (a - b) / (a2 + b2).sqrt()).collect();
+        let square = z.iter().map(|z| z * z).sum::<f64>() / z.len() as f64;
+        let largest = z.iter().fold(0.0_f64, |most, z| most.max(z.abs()));
+        note(&format!("{name}: z^2 has mean {square:.3}, the largest |z| is {largest:.2}"));
+        // Student's t of 62 degrees of freedom has a mean square of 1.03; 864 of them, pairs of which have samples in common,
+        // an error of that of 0.07.
+        assert!((0.75..1.3).contains(&square) && largest < 5.0, "{name}: {square} {largest}");
+    }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use glimpse::{
-    Error, LinearImage, Method, Renderer, Sampler, Settings, encode_display,
+    Crossing, Error, LinearImage, Method, Renderer, Sampler, Settings, Stopping, encode_display,
     planes::{Fates, Merge, View, Worker},
     reference::Reference,
     scene::builtin,
@@ -14,6 +14,12 @@ use super::agreement::srgb;
 
 /// Neither side is a multiple of a tile's.
 const SIZE: [u32; 2] = [45, 26];
+
+fn two_eyes() -> Settings {
+    let mut settings = Settings { method: Method::Vr, ..settings() };
+    (settings.paths.crossing, settings.paths.stopping) = (Crossing::Weighted, Stopping::Compensated);
+    settings
+}
 
 fn settings() -> Settings {
     let mut settings = Settings { method: Method::Path, depth: 8, ..Settings::default() };
@@ -26,20 +32,21 @@ fn settings() -> Settings {
 struct Fixture {
     reference: Reference,
     stage: Stage,
+    settings: Settings,
     view: View,
 }
 
 impl Fixture {
-    fn new() -> Self {
+    fn new(settings: Settings) -> Self {
         let scene = builtin("cornell").expect("built in");
         let reference = Reference::new(&scene).with_wide_tree().with_srgb(*srgb());
         let stage = Stage::new(scene);
-        let view = View::new(&stage.camera, SIZE, &settings());
-        Self { reference, stage, view }
+        let view = View::new(&stage.camera, SIZE, &settings);
+        Self { reference, stage, settings, view }
     }
 
     fn renderer(&self) -> Renderer<'_> {
-        Renderer::new(gpu(), &self.stage.scene, SIZE, &settings()).expect("a renderer")
+        Renderer::new(gpu(), &self.stage.scene, SIZE, &self.settings).expect("a renderer")
     }
 
     /// So many samples of a core, which the owner comes for after each.
@@ -54,7 +61,11 @@ impl Fixture {
 /// What is shown is the sum of both sides over the number of both, whenever planes come; nothing of it is left in another view.
 #[test]
 fn merged_is_the_sum_of_both_sides() {
-    let fixture = Fixture::new();
+    [settings(), two_eyes()].into_iter().for_each(assert_merged_is_the_sum);
+}
+
+fn assert_merged_is_the_sum(settings: Settings) {
+    let fixture = Fixture::new(settings);
     let camera = fixture.stage.camera;
     let mut renderer = fixture.renderer();
     for _ in 0..4 {
@@ -111,7 +122,7 @@ fn merged_is_the_sum_of_both_sides() {
 fn every_share_of_the_cores_has_the_same_mean() {
     const SAMPLES: u32 = 96;
     const BLOCKS: [u32; 2] = [5, 3];
-    let fixture = Fixture::new();
+    let fixture = Fixture::new(settings());
     let camera = fixture.stage.camera;
     let (mut merge, mut workers) = Merge::new(&fixture.view, 1);
     let mut renderer = fixture.renderer();
@@ -172,14 +183,17 @@ fn every_share_of_the_cores_has_the_same_mean() {
 
 #[test]
 fn methods_that_add_nothing_up_merge_nothing() {
-    let fixture = Fixture::new();
+    let fixture = Fixture::new(settings());
     let full = Settings { method: Method::Full, ..Settings::default() };
     let mut renderer = Renderer::new(gpu(), &fixture.stage.scene, SIZE, &full).expect("a renderer");
     let (mut merge, _workers) = Merge::new(&fixture.view, 1);
     let Err(Error::Setting { what, reason }) = renderer.merge(&mut merge) else { panic!("no error") };
     assert_eq!(
         (what.as_str(), reason.as_str()),
-        ("--method", "expected path where planes are merged, found full")
+        (
+            "--method full",
+            "expected path or vr where planes are merged, with --denoise off and no --crossing paper"
+        )
     );
 }
 

@@ -5,9 +5,7 @@ mod published;
 use glimpse::{Crossing, Denoise, Direct, Method, Paths, Roulette, Settings, Shining, Stopping};
 
 use super::SceneReport;
-use super::bench::Measured;
 use super::ladder::{Family, Rung};
-use super::plot::Mark;
 use super::record::Record;
 use super::subject::Prepared;
 use super::tables::{self, Table};
@@ -143,23 +141,6 @@ fn row(scene: &str, setting: &str, [own, plain]: [[f64; 3]; 2]) -> Vec<String> {
     let cells =
         numbers.flat_map(|((own, plain), digits)| [format!("{own:.digits$}"), format!("{:.2}", own / plain)]);
     [scene.to_owned(), setting.to_owned()].into_iter().chain(cells).collect()
-}
-
-/// PSNR against the time of a picture.
-pub fn marks(measured: &Measured) -> Vec<Mark> {
-    let point = |record: &Record| super::pareto::Point {
-        cost: record.time().median,
-        psnr_db: record.psnr_db().unwrap_or(f64::NAN),
-    };
-    let points: Vec<_> = measured.records.iter().map(point).collect();
-    let front = super::pareto::front(&points);
-    let rungs = measured.job.rungs.iter().zip(points).zip(front);
-    rungs
-        .map(|((rung, point), front)| {
-            let label = rung.settings.paths.samples.to_string();
-            Mark { label, family: rung.family, point, front }
-        })
-        .collect()
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use glimpse::{
-    Crossing, Method, Sampler, Scene, Settings,
+    Crossing, Method, Sampler, Scene, Settings, Stopping,
     reference::{Frame, PathSample, Reference, Rounding},
 };
 use glimpse_tests::gallery::stereo;
@@ -76,6 +76,21 @@ fn what_crosses_over_changes_no_mean_unless_it_is_counted_as_in_the_paper() {
     assert!(mean_square(&wrong) > 10.0, "{}", mean_square(&wrong));
     let noise = |sums: &Sums| sums.iter().map(|s| s[1] - s[0] * s[0] / f64::from(SAMPLES)).sum::<f64>();
     assert!(noise(&weighted) < 0.9 * noise(&alone), "{} {}", noise(&weighted), noise(&alone));
+}
+
+/// Away from the gaze the other eye looks at fewer samples, from each pixel at another share of them.
+#[test]
+fn looking_seldom_changes_no_mean() {
+    const SAMPLES: u32 = 4000;
+    let scene = stereo();
+    let seldom = |crossing, seed| {
+        let mut settings = Settings { seed, ..settings(crossing) };
+        (settings.paths.stopping, settings.paths.p_max) = (Stopping::Compensated, 1.0);
+        settings.paths.gaze = [0.1, 0.9];
+        sums(&scene, settings, SAMPLES)
+    };
+    let z = deviations(&seldom(Crossing::Off, 0), &seldom(Crossing::Weighted, 1), SAMPLES);
+    assert!(mean_square(&z) < 1.4, "{}: {z:.1?}", mean_square(&z));
 }
 
 #[test]
