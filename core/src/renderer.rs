@@ -115,6 +115,11 @@ impl<'a> Renderer<'a> {
         self.passes.times(self.gpu)
     }
 
+    /// The next frame follows on nothing: where frames are a sequence it is the first of one.
+    pub fn restart(&mut self) {
+        self.sequence.reset();
+    }
+
     /// As [`Renderer::render`], given up between two submissions once `cancelled` says so: `None`, and what
     /// [`Renderer::display`] holds is part of one frame and part of another.
     ///

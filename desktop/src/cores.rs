@@ -72,14 +72,23 @@ pub struct Unfinished<'a, 'g> {
 }
 
 impl Unfinished<'_, '_> {
-    /// Renders all samples that the picture is to show; none where there are no more to come. `doing` is told how many
-    /// there are.
+    /// Renders all samples that the picture is to show, and no more, however many frames were timed. None where none were left
+    /// for cores to help with. `doing` is told how many there are.
     ///
     /// # Errors
     /// A device that failed.
     pub fn finish(self, doing: impl Fn(u32)) -> glimpse::Result<Option<Sides>> {
         let Self { renderer, camera, size, reference, cores } = self;
-        if !renderer.settings().method.follows_paths() || renderer.is_settled() {
+        if !renderer.settings().method.follows_paths() {
+            return Ok(None);
+        }
+        let wanted = renderer.settings().paths.samples;
+        if renderer.samples() > wanted {
+            // So many frames were timed.
+            renderer.restart();
+            (0..wanted).try_for_each(|_| renderer.render(camera).map(drop))?;
+        }
+        if renderer.is_settled() {
             return Ok(None);
         }
         let picture = renderer.settings().method.picture(size);

@@ -97,6 +97,21 @@ fn stress_judges_cases_and_notices_what_is_left_out() {
     assert!(stderr.contains("waterproof") && stderr.contains("watertight"), "{stderr}");
 }
 
+/// However many frames are timed.
+#[test]
+fn a_picture_of_paths_has_the_samples_that_were_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = |name: &str, options: &str| {
+        let line = format!("render builtin:cornell -o {name} --size 40x30 --method path {options}");
+        let output = glimpse(folder.path(), &line);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        std::fs::read(folder.path().join(name)).unwrap()
+    };
+    let one = picture("a.png", "--samples 1");
+    assert!(one == picture("b.png", "--samples 1 --frames 5"));
+    assert!(one != picture("c.png", "--samples 2"));
+}
+
 #[test]
 fn cores_and_the_gpu_bring_a_pictures_samples_together() {
     let folder = tempfile::tempdir().unwrap();

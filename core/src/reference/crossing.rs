@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Frame, Material, Numbers, Ray, Reference, Rounding, Surface, lobes::Lobes};
+use super::{Frame, Material, Ray, Reference, Rounding, Surface, lobes::Lobes};
 use crate::{Crossing, Method, Stopping};
 
 /// Points coincide that are no farther apart, of the distance from the eye.
@@ -11,11 +11,8 @@ const NEAR: f64 = 1e-3;
 /// Faces are of one plane whose normals have this cosine.
 const PLANE: f64 = 0.999_999;
 
-/// Pixels along a side of a tile, at whose samples the other eye looks together.
-const TILE: u32 = 8;
-
-/// The pair of a tile's first pixel that decides whether it does.
-const LOOK: u32 = 1;
+/// The other eye looks at samples of the rows in which fewer paths than that stop below and above the gaze.
+const LOOKS: f64 = 0.25;
 
 /// Where a sample lands in the other eye's picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -120,21 +117,12 @@ impl Frame<'_> {
         Ray { origin, direction: way.normalize_or_zero(), growth, ..middle }
     }
 
-    /// The share of samples at which the other eye looks: as many as go on in the middle of a tile.
-    fn looks(&self, pixel: [u32; 2]) -> f64 {
-        match self.settings.paths.stopping {
-            Stopping::Off => 1.0,
-            Stopping::Paper | Stopping::Compensated => {
-                (1.0 - self.stop(pixel.map(|i| i / TILE * TILE + TILE / 2))).max(0.0)
-            }
-        }
-    }
-
-    /// Does the other eye look at the sample with these numbers? It looks at those of a tile together.
-    pub(super) fn looked_at(&self, numbers: &Numbers) -> bool {
-        let first = Numbers { pixel: numbers.pixel.map(|i| i / TILE * TILE), ..*numbers };
-        let all = self.settings.paths.crossing == Crossing::Paper;
-        self.settings.crosses() && (all || first.pair(LOOK)[0] < self.looks(numbers.pixel))
+    /// Does the other eye look at the samples of this row? Samples land in the row that they are of: rows are right with it
+    /// and without.
+    pub(super) fn looked_at(&self, row: u32) -> bool {
+        let paths = &self.settings.paths;
+        let all = paths.crossing == Crossing::Paper || paths.stopping == Stopping::Off;
+        self.settings.crosses() && (all || self.stop_by_row(row) < LOOKS)
     }
 
     /// What the sample of a pixel counts for there, and where else it lands, by the surface at this level of its path;
@@ -161,18 +149,17 @@ impl Frame<'_> {
         if level > if mirror.is_some() { 2 } else { 1 } || !lobes.only_diffuse() {
             return None;
         }
-        self.weighted(pixel, s, mirror.as_ref(), rounding)
+        self.weighted(side, s, mirror.as_ref(), rounding)
     }
 
     /// Both eyes find the point, this one with a density of 1 to a pixel.
     fn weighted(
         &self,
-        from: [u32; 2],
+        side: f64,
         s: &Surface,
         mirror: Option<&Mirror>,
         rounding: &mut Rounding,
     ) -> Option<(f64, Landing)> {
-        let (side, _) = Self::eye(from, self.eye_size());
         let (point, face) = mirror.map_or((s.position, s.face), |mirror| {
             (mirror.reflected(s.position), mirror.reflected(mirror.point + s.face) - mirror.point)
         });
@@ -183,8 +170,7 @@ impl Frame<'_> {
         let pixel = self.seen_by(-side, point)?;
         let share = self.sees(&self.eye_ray_to(-side, point), s, mirror, rounding)?;
         let own = here / (here + there);
-        let seldom = self.looks(pixel) / self.looks(from);
-        Some((own, Landing { pixel, share: share * seldom * there / (here + there) }))
+        Some((own, Landing { pixel, share: share * there / (here + there) }))
     }
 
     /// What the light from there counts for that the ray finds, compared to what this eye finds; none if it does not get there.

@@ -32,6 +32,9 @@ pub struct Pixel {
     pub color: DVec3,
 }
 
+/// What textures are averaged over, of the width that a sample stands for.
+const SHARE: f64 = 0.85;
+
 impl Frame<'_> {
     /// The ray through a pixel's centre, and the length of its direction, in whose units depths are.
     #[must_use]
@@ -53,7 +56,7 @@ impl Frame<'_> {
         // What a ray stands for matters to averages of textures alone.
         let side = match self.settings.mip {
             Mip::Off => 0.0,
-            Mip::On => 2.0 * side * self.camera.up.as_dvec3().length() / height,
+            Mip::On => SHARE * 2.0 * side * self.camera.up.as_dvec3().length() / height,
         };
         let (width, growth) = if self.camera.orthographic { (side, 0.0) } else { (0.0, side / length) };
         (Ray { origin, direction: along / length, t_max: f64::INFINITY, width, growth }, length)

@@ -96,7 +96,7 @@ impl Frame<'_> {
             throughput: DVec3::ONE,
             level: 1,
             density: None,
-            looked_at: self.looked_at(&numbers),
+            looked_at: self.looked_at(pixel[1]),
             mirror: None,
             crossed: None,
             search: Search::new(length),
@@ -112,14 +112,24 @@ impl Frame<'_> {
     }
 
     /// The probability of stopping in a pixel (Kim & Sung 2021, equation 7).
-    pub(super) fn stop(&self, pixel: [u32; 2]) -> f64 {
+    fn stop(&self, pixel: [u32; 2]) -> f64 {
         let (_, pixel) = Self::eye(pixel, self.eye_size());
+        self.stop_away(pixel.map(|i| Some(f64::from(i) + 0.5)))
+    }
+
+    /// And in the row's pixel above or below the gaze.
+    pub(super) fn stop_by_row(&self, row: u32) -> f64 {
+        self.stop_away([None, Some(f64::from(row) + 0.5)])
+    }
+
+    /// At that place in an eye's picture; where a coordinate is none, at the gaze's.
+    fn stop_away(&self, place: [Option<f64>; 2]) -> f64 {
         let size = self.eye_size().map(f64::from);
         let gaze = [0, 1].map(|i| f64::from(self.settings.paths.gaze[i]) * size[i]);
         let away = |[x, y]: [f64; 2]| (x - gaze[0]).hypot(y - gaze[1]);
         let corners = [[0.0, 0.0], [size[0], 0.0], [0.0, size[1]], size];
         let farthest = corners.map(away).into_iter().fold(0.0, f64::max);
-        f64::from(self.settings.paths.p_max) * away(pixel.map(|i| f64::from(i) + 0.5)) / farthest
+        f64::from(self.settings.paths.p_max) * away([0, 1].map(|i| place[i].unwrap_or(gaze[i]))) / farthest
     }
 }
 

@@ -39,7 +39,7 @@ fn atrous_pixel(pixel: vec2u, words: vec4u) -> AtrousPixel {
     let ray = eyes_ray(pixel, vec2f(0.5, 0.5));
     let left = eyes_ray(pixel, vec2f(0.0, 0.5));
     let above = eyes_ray(pixel, vec2f(0.5, 0.0));
-    let width = ATROUS_PLANE * (ray.cone.x + ray.cone.y * depth);
+    let width = ATROUS_PLANE / FRAME_SHARE * (ray.cone.x + ray.cone.y * depth);
     let scaled = normal / width;
     let step = 2.0 * f32(frame.step.x);
     var p: AtrousPixel;

@@ -26,9 +26,9 @@ struct CrossingImage {
     face: vec3f,
 }
 
-// Does the other eye look at this sample? It looks at those of a tile together: rays that start together stay together.
+// Does the other eye look at this sample? Samples land in the row that they are of: rows are right with it and without.
 fn crossing_looks(pixel: vec2u) -> bool {
-    return numbers_pair(pixel / 8u * 8u, NUMBERS_LOOK).x < stopping_looks(pixel);
+    return stopping_looks(pixel.y);
 }
 
 // Looks from the other eye at what the path has met; true where it is a mirror, to look at what is behind.
@@ -60,13 +60,7 @@ fn crossing_find(look: ptr<function, Look>, s: Surface) {
     // k is there / here.
     (*look).crossing.own = here / (here + there);
     (*look).crossing.landing = landing;
-    (*look).crossing.other = there / (here + there) * crossing_seldom((*look).pixel, landing - 1u) * share;
-}
-
-// Where it lands, this eye looks at another share of the samples, and so takes less or more away from its own.
-fn crossing_seldom(from_pixel: vec2u, landing: u32) -> f32 {
-    let to = vec2u(landing % frame.size.x, landing / frame.size.x);
-    return stopping_looks(to) / stopping_looks(from_pixel);
+    (*look).crossing.other = there / (here + there) * share;
 }
 
 // Has a ray to a point of a surface at 1 of its parameter met that point?

@@ -52,7 +52,7 @@ fn eyes_ray(pixel: vec2u, place: vec2f) -> Ray {
 // To a point, which is at 1 of the ray's parameter, and up to `t_max` of it.
 fn eyes_ray_to(eye: u32, point: vec3f, t_max: f32) -> Ray {
     let depth = dot(point - frame.origin, frame.forward) / dot(frame.forward, frame.forward);
-    let side = 2.0 * frame.inverse_height * length(frame.up) * depth;
+    let side = frame_side(frame.inverse_height) * depth;
     return Ray(eyes_origin(eye), t_max, point - eyes_origin(eye), MISS, 0.0, vec2f(0.0, side));
 }
 

@@ -3,8 +3,6 @@
 const NUMBERS_SEED_STEP: u32 = 0x9e3779b9u;
 // The pair that says where in its pixel a sample is.
 const NUMBERS_PLACE_IN_PIXEL: u32 = 0u;
-// Of a tile of pixels, by its first: whether the other eye looks at its samples.
-const NUMBERS_LOOK: u32 = 1u;
 
 // Hash Functions for GPU Rendering (Jarzynski, Olano 2020): four words from four.
 fn numbers_pcg4d(words: vec4u) -> vec4u {

@@ -12,9 +12,11 @@ fn stopping_weight(pixel: vec2u) -> f32 {
     return 1.0 / (1.0 - stopping_probability(pixel));
 }
 
-// The share of samples at which the other eye looks: as many as go on in the middle of a tile of 8x8 pixels.
-fn stopping_looks(pixel: vec2u) -> f32 {
-    return max(1.0 - stopping_probability(pixel / 8u * 8u + 4u), 0.0);
+// The other eye looks at samples of the rows in which fewer paths than that stop below and above the gaze.
+const STOPPING_LOOKS: f32 = 0.25;
+
+fn stopping_looks(row: u32) -> bool {
+    return frame.stop * abs(f32(row) + 0.5 - frame.gaze.y) < STOPPING_LOOKS;
 }
 
 fn stopping_probability(pixel: vec2u) -> f32 {

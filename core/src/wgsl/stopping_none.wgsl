@@ -8,6 +8,6 @@ fn stopping_weight(pixel: vec2u) -> f32 {
     return 1.0;
 }
 
-fn stopping_looks(pixel: vec2u) -> f32 {
-    return 1.0;
+fn stopping_looks(row: u32) -> bool {
+    return true;
 }

@@ -78,9 +78,9 @@ fn what_crosses_over_changes_no_mean_unless_it_is_counted_as_in_the_paper() {
     assert!(noise(&weighted) < 0.9 * noise(&alone), "{} {}", noise(&weighted), noise(&alone));
 }
 
-/// Away from the gaze the other eye looks at fewer samples, from each pixel at another share of them.
+/// Rows away from the gaze do without the other eye.
 #[test]
-fn looking_seldom_changes_no_mean() {
+fn rows_without_the_other_eye_have_the_same_means() {
     const SAMPLES: u32 = 4000;
     let scene = stereo();
     let seldom = |crossing, seed| {
