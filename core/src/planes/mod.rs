@@ -1,8 +1,9 @@
 //! Samples of paths from the cores of a CPU beside those of a GPU (Kim & Sung 2021, 3.1 and Algorithms 1, 2, 4, 5).
 //!
-//! A core traces *planes*: one sample of every pixel of the picture, both eyes' where there are two, by [`reference::Frame::path`](crate::reference::Frame::path), which is
-//! the estimator of the shaders in f64. It begins the next one as soon as it has one, at its own pace. One [`Merge`] takes
-//! what is finished between two frames of the GPU and hands the sum to [`Renderer::merge`](crate::Renderer::merge).
+//! A core traces *planes*: one sample of every pixel of the picture, both eyes' where there are two, by
+//! [`reference::Frame::path`](crate::reference::Frame::path), which is the estimator of the shaders in f64. It begins the
+//! next one as soon as it has one, at its own pace. One [`Merge`] takes what is finished between two frames of the GPU and
+//! hands the sum to [`Renderer::merge`](crate::Renderer::merge).
 //!
 //! | Kim & Sung 2021 | here |
 //! | --- | --- |

@@ -202,17 +202,10 @@ impl Job {
 
 /// Full ray tracing, and the adaptive method with the same samples.
 fn pair(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
-    let rung = |name: &str, family, method, keeps_picture| Rung {
-        name: name.to_owned(),
-        family,
-        settings: Settings { method, ..*base },
-        rendered: size,
-        keeps_picture,
+    let rung = |name: &str, family, method| {
+        Rung::beside_full(name.to_owned(), family, Settings { method, ..*base }, size)
     };
-    vec![
-        rung("full", Family::Fixed, Method::Full, true),
-        rung("adaptive", Family::Tolerances, Method::Adaptive, false),
-    ]
+    vec![rung("full", Family::Fixed, Method::Full), rung("adaptive", Family::Tolerances, Method::Adaptive)]
 }
 
 impl Rung {

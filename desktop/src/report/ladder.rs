@@ -17,6 +17,14 @@ pub struct Rung {
     pub keeps_picture: bool,
 }
 
+impl Rung {
+    /// Of the whole frame, where others are compared with full ray tracing: its picture is kept for that.
+    pub fn beside_full(name: String, family: Family, settings: Settings, size: [u32; 2]) -> Self {
+        let keeps_picture = family == Family::Fixed;
+        Self { name, family, settings, rendered: size, keeps_picture }
+    }
+}
+
 /// What is varied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {

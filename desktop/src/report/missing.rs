@@ -12,13 +12,7 @@ use crate::output::grouped;
 
 /// Full ray tracing, then every base block without and with postcorrection.
 pub fn rungs(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
-    let rung = |name: String, family, settings| Rung {
-        name,
-        family,
-        settings,
-        rendered: size,
-        keeps_picture: family == Family::Fixed,
-    };
+    let rung = |name, family, settings| Rung::beside_full(name, family, settings, size);
     let mut rungs = vec![rung("full".to_owned(), Family::Fixed, Settings { method: Method::Full, ..*base })];
     for block in [2, 4, 8] {
         let adaptive = |postcorrect| Settings { method: Method::Adaptive, block, postcorrect, ..*base };

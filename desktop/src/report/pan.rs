@@ -15,13 +15,7 @@ const SHARES: [f32; 4] = [0.05, 0.1, 0.25, 0.5];
 
 /// Full ray tracing, and the adaptive method; then those that keep something, by their share.
 pub fn rungs(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
-    let rung = |name: String, family, settings| Rung {
-        name,
-        family,
-        settings,
-        rendered: size,
-        keeps_picture: family == Family::Fixed,
-    };
+    let rung = |name, family, settings| Rung::beside_full(name, family, settings, size);
     let of = |method| Settings { method, ..*base };
     let mut rungs = vec![
         rung("full".to_owned(), Family::Fixed, of(Method::Full)),

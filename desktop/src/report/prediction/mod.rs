@@ -32,12 +32,8 @@ const FULL: &str = "full";
 
 /// The methods that are asked about, full ray tracing first.
 pub fn rungs(base: &Settings) -> Vec<Rung> {
-    let rung = |name: &str, family, method, block| Rung {
-        name: name.to_owned(),
-        family,
-        settings: Settings { method, block, ..*base },
-        rendered: SIZE,
-        keeps_picture: family == Family::Fixed,
+    let rung = |name: &str, family, method, block| {
+        Rung::beside_full(name.to_owned(), family, Settings { method, block, ..*base }, SIZE)
     };
     vec![
         rung(FULL, Family::Fixed, Method::Full, base.block),
