@@ -164,11 +164,17 @@ impl Path<'_> {
         let chosen = lobes.choose(lobe, rounding);
         let diffuse = chosen.as_ref().is_some_and(|chosen| chosen.leaving.is_none());
         self.search.meet((&s, &lobes), diffuse, self.throughput, self.level);
+        self.foveate(rounding);
+        if self.stopped && self.frame.settings.paths.stopping == Stopping::Compensated {
+            return None;
+        }
         if lobes.diffuse != DVec3::ZERO {
             let irradiance = self.punctual(&s, rounding) + self.emitters(&s, &lobes, rounding);
             self.radiance += self.throughput * lobes.diffuse / PI * irradiance;
         }
-        self.foveate(rounding)?;
+        if self.stopped {
+            return None;
+        }
         self.leave(&s, &lobes, chosen?, survival, rounding)
     }
 
@@ -232,20 +238,16 @@ impl Path<'_> {
     }
 
     /// Stops the path by its pixel's distance from the gaze, behind the first bounces.
-    fn foveate(&mut self, rounding: &mut Rounding) -> Option<()> {
+    fn foveate(&mut self, rounding: &mut Rounding) {
         let paths = &self.frame.settings.paths;
         if paths.stopping == Stopping::Off || self.level <= paths.stop_after.saturating_add(1) {
-            return Some(());
+            return;
         }
         let [_, number] = self.pair(EMITTER);
-        if rounding.number(Cause::Branch, number, 1.0) < self.stop {
-            self.stopped = true;
-            return None;
-        }
-        if paths.stopping == Stopping::Compensated {
+        self.stopped = rounding.number(Cause::Branch, number, 1.0) < self.stop;
+        if !self.stopped && paths.stopping == Stopping::Compensated {
             self.throughput /= 1.0 - self.stop;
         }
-        Some(())
     }
 
     /// Goes on by one of the surface's lobes, unless roulette ends the path by a number in [0, 1).

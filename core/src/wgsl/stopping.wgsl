@@ -1,4 +1,5 @@
-// Paths stop away from the gaze, with a probability that grows with the distance (Kim & Sung 2021, equation 7).
+// Paths stop away from the gaze, with a probability that grows with the distance (Kim & Sung 2021, equation 7). Where
+// the others count for more, they stop before the lights of the surface instead of behind them: two thirds of its rays.
 
 fn stopping_stops(pixel: vec2u, number: f32) -> bool {
     return number < stopping_probability(pixel);

@@ -132,10 +132,12 @@ impl Bench<'_> {
             |index, (renderer, _)| {
                 let rung = &job.rungs[index];
                 let picture = shown(renderer.display_image()?, job.shown);
-                let error = match against(index) {
-                    Some(identity) => Some(metrics::compare(&picture, &self.reference(identity, &job)?)?),
-                    None => None,
+                let error_of = |identity: &String| {
+                    anyhow::Ok(metrics::compare(&picture, &self.reference(identity, &job)?)?)
                 };
+                let error = against(index).map(error_of).transpose()?;
+                let first = (index > 0 && job.is_against_first()).then(|| &identities[0]);
+                let error_of_first = first.map(error_of).transpose()?;
                 if rung.keeps_picture {
                     self.store.keep_picture(&identities[index], &picture)?;
                 }
@@ -153,7 +155,7 @@ impl Bench<'_> {
                 if job.counts_missing() {
                     objects.get_or_init(|| inspection.pixels);
                 }
-                Ok(Record { missing, work, ..record })
+                Ok(Record { error_of_first, missing, work, ..record })
             },
             |index, (renderer, timed_frames)| {
                 *timed_frames += 1;

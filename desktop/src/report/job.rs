@@ -112,6 +112,11 @@ impl Job {
         self.tables.contains(&table)
     }
 
+    /// And against the first one's picture too.
+    pub fn is_against_first(&self) -> bool {
+        self.shows(TableName::Eyes)
+    }
+
     /// The rungs are searched for the objects that the first one shows.
     pub fn counts_missing(&self) -> bool {
         self.shows(TableName::Missing)

@@ -22,6 +22,8 @@ pub struct Record {
     pub reflective_share: f64,
     /// Against the reference; none for a reference itself.
     pub error: Option<ErrorReport>,
+    /// Against the first setting's picture too; none where nobody asked.
+    pub error_of_first: Option<ErrorReport>,
     /// What full tracing shows of objects and this does not; none where nobody asked.
     pub missing: Option<Missing>,
     /// What it asks of a device; none where nobody asked.
@@ -75,6 +77,7 @@ impl Record {
             rt_ratio: inspection.counts.rt_ratio(),
             reflective_share: mirrors as f64 / inspection.pixels.len().max(1) as f64,
             error,
+            error_of_first: None,
             missing: None,
             work: None,
             frames: Vec::new(),
@@ -136,6 +139,7 @@ pub mod tests {
             rt_ratio: 0.34,
             reflective_share: 0.25,
             error: psnr_db.map(error),
+            error_of_first: None,
             missing: None,
             work: None,
             frames: vec![Frame {

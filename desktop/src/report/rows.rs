@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize};
 use super::bench::Measured;
 use super::pareto::{self, Point};
 use super::subject::Variant;
-use crate::args::TableName;
 
 /// One setting of one view of one scene.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
@@ -121,7 +120,6 @@ fn row(scene: &str, measured: &Measured, index: usize) -> Row {
     };
     let against = match record.error {
         None => "",
-        Some(_) if job.shows(TableName::Eyes) => "100 samples a pixel",
         Some(_) if job.is_against_converged() => "256 samples a pixel",
         Some(_) => "full",
     };
