@@ -184,7 +184,7 @@ impl Variant {
             ("RAY_KINDS", RAY_KINDS as u32),
             ("PATH_TILE", plan::PATH_TILE),
             ("LIGHT_SAMPLES", self.paths.light_samples),
-            ("STOP_AFTER", self.paths.stop_after),
+            ("STOPPING_LEVEL", self.paths.stopping_level()),
             ("COUNTER_RAYS", COUNTER_RAYS as u32),
             ("COUNTER_NODE_VISITS", COUNTER_NODE_VISITS as u32),
             ("COUNTER_PRIMITIVE_TESTS", COUNTER_PRIMITIVE_TESTS as u32),

@@ -14,9 +14,7 @@ fn main(
     let ray = eyes_ray(pixel, numbers_pair(pixel, NUMBERS_PLACE_IN_PIXEL));
     var look = Look(pixel, ray, 1u, crossing_begin());
     let place = samples_place(pixel);
-    if crossing_looks(pixel) {
-        look_along(&look, samples[place].next, samples[place].second);
-    }
+    look_along(&look, samples[place].next, samples[place].second);
     inspect_more(pixel);
     if !COUNTS {
         look_send(place, look.crossing);

@@ -3,16 +3,13 @@
 use glam::DVec3;
 
 use super::{Frame, Material, Ray, Reference, Rounding, Surface, lobes::Lobes};
-use crate::{Crossing, Method, Stopping};
+use crate::{Crossing, Method};
 
 /// Points coincide that are no farther apart, of the distance from the eye.
 const NEAR: f64 = 1e-3;
 
 /// Faces are of one plane whose normals have this cosine.
 const PLANE: f64 = 0.999_999;
-
-/// The other eye looks at samples of the rows in which fewer paths than that stop below and above the gaze.
-const LOOKS: f64 = 0.25;
 
 /// Where a sample lands in the other eye's picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,14 +112,6 @@ impl Frame<'_> {
         let depth = way.dot(forward) / forward.length_squared();
         let growth = middle.growth * length * depth / way.length();
         Ray { origin, direction: way.normalize_or_zero(), growth, ..middle }
-    }
-
-    /// Does the other eye look at the samples of this row? Samples land in the row that they are of: rows are right with it
-    /// and without.
-    pub(super) fn looked_at(&self, row: u32) -> bool {
-        let paths = &self.settings.paths;
-        let all = paths.crossing == Crossing::Paper || paths.stopping == Stopping::Off;
-        self.settings.crosses() && (all || self.stop_by_row(row) < LOOKS)
     }
 
     /// What the sample of a pixel counts for there, and where else it lands, by the surface at this level of its path;

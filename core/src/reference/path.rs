@@ -67,8 +67,6 @@ struct Path<'a> {
     level: u32,
     /// How densely the ray was drawn about a diffuse surface, per unit of solid angle.
     density: Option<f64>,
-    /// The other eye looks at what it meets.
-    looked_at: bool,
     /// The first hit, if that is a plane mirror.
     mirror: Option<Mirror>,
     /// What the sample counts for in its own pixel, and where else.
@@ -96,7 +94,6 @@ impl Frame<'_> {
             throughput: DVec3::ONE,
             level: 1,
             density: None,
-            looked_at: self.looked_at(pixel[1]),
             mirror: None,
             crossed: None,
             search: Search::new(length),
@@ -114,22 +111,12 @@ impl Frame<'_> {
     /// The probability of stopping in a pixel (Kim & Sung 2021, equation 7).
     fn stop(&self, pixel: [u32; 2]) -> f64 {
         let (_, pixel) = Self::eye(pixel, self.eye_size());
-        self.stop_away(pixel.map(|i| Some(f64::from(i) + 0.5)))
-    }
-
-    /// And in the row's pixel above or below the gaze.
-    pub(super) fn stop_by_row(&self, row: u32) -> f64 {
-        self.stop_away([None, Some(f64::from(row) + 0.5)])
-    }
-
-    /// At that place in an eye's picture; where a coordinate is none, at the gaze's.
-    fn stop_away(&self, place: [Option<f64>; 2]) -> f64 {
         let size = self.eye_size().map(f64::from);
         let gaze = [0, 1].map(|i| f64::from(self.settings.paths.gaze[i]) * size[i]);
         let away = |[x, y]: [f64; 2]| (x - gaze[0]).hypot(y - gaze[1]);
         let corners = [[0.0, 0.0], [size[0], 0.0], [0.0, size[1]], size];
         let farthest = corners.map(away).into_iter().fold(0.0, f64::max);
-        f64::from(self.settings.paths.p_max) * away([0, 1].map(|i| place[i].unwrap_or(gaze[i]))) / farthest
+        f64::from(self.settings.paths.p_max) * away(pixel.map(|i| f64::from(i) + 0.5)) / farthest
     }
 }
 
@@ -155,7 +142,7 @@ impl Path<'_> {
             return None;
         }
         let lobes = Lobes::of(reference, &s, &m, self.ray.direction, rounding);
-        if self.looked_at && self.crossed.is_none() {
+        if self.frame.settings.crosses() && self.crossed.is_none() {
             let place = (self.pixel, self.level);
             let met = (&s, &m, &lobes);
             self.crossed = self.frame.crossed(place, &self.ray, met, &mut self.mirror, rounding);
@@ -164,17 +151,11 @@ impl Path<'_> {
         let chosen = lobes.choose(lobe, rounding);
         let diffuse = chosen.as_ref().is_some_and(|chosen| chosen.leaving.is_none());
         self.search.meet((&s, &lobes), diffuse, self.throughput, self.level);
-        self.foveate(rounding);
-        if self.stopped && self.frame.settings.paths.stopping == Stopping::Compensated {
-            return None;
-        }
         if lobes.diffuse != DVec3::ZERO {
             let irradiance = self.punctual(&s, rounding) + self.emitters(&s, &lobes, rounding);
             self.radiance += self.throughput * lobes.diffuse / PI * irradiance;
         }
-        if self.stopped {
-            return None;
-        }
+        self.foveate(rounding)?;
         self.leave(&s, &lobes, chosen?, survival, rounding)
     }
 
@@ -238,16 +219,20 @@ impl Path<'_> {
     }
 
     /// Stops the path by its pixel's distance from the gaze, behind the first bounces.
-    fn foveate(&mut self, rounding: &mut Rounding) {
+    fn foveate(&mut self, rounding: &mut Rounding) -> Option<()> {
         let paths = &self.frame.settings.paths;
-        if paths.stopping == Stopping::Off || self.level <= paths.stop_after.saturating_add(1) {
-            return;
+        if paths.stopping == Stopping::Off || self.level < paths.stopping_level() {
+            return Some(());
         }
         let [_, number] = self.pair(EMITTER);
-        self.stopped = rounding.number(Cause::Branch, number, 1.0) < self.stop;
-        if !self.stopped && paths.stopping == Stopping::Compensated {
+        if rounding.number(Cause::Branch, number, 1.0) < self.stop {
+            self.stopped = true;
+            return None;
+        }
+        if paths.stopping == Stopping::Compensated {
             self.throughput /= 1.0 - self.stop;
         }
+        Some(())
     }
 
     /// Goes on by one of the surface's lobes, unless roulette ends the path by a number in [0, 1).

@@ -57,8 +57,7 @@ pub enum Stopping {
     Off,
     /// They stop with a probability that grows with the distance, and what they would have brought is missing: darker.
     Paper,
-    /// They stop, and those that go on count for more: noisier away from the gaze, but right. They stop before the lights
-    /// of the surface where `Paper` stops behind them, so that two thirds of its rays are saved too.
+    /// They stop, and those that go on count for more: noisier away from the gaze, but right.
     Compensated,
 }
 
@@ -123,7 +122,7 @@ pub struct Paths {
     pub gaze: [f32; 2],
     /// The probability of stopping where the picture is farthest from the gaze, at each bounce.
     pub p_max: f32,
-    /// Paths stop behind that many bounces and later.
+    /// Bounces that no path does without; [`Paths::stopping_level`] has where they may stop.
     pub stop_after: u32,
     /// Whether samples of one eye count for the other.
     pub crossing: Crossing,
@@ -161,6 +160,13 @@ impl Default for Paths {
 }
 
 impl Paths {
+    /// The first surface that a path may stop at, counted from 1 for what the eye sees. Kim & Sung 2021, Algorithm 3, follows
+    /// every path to the surface behind the threshold and shades it. Where those that go on count for more, that surface is
+    /// as right without: only one in 1 / (1 - p) paths is followed there.
+    pub fn stopping_level(&self) -> u32 {
+        self.stop_after.saturating_add(if self.stopping == Stopping::Compensated { 1 } else { 2 })
+    }
+
     /// Checks every value.
     pub(super) fn validate(&self) -> Result<()> {
         let wrong = |name: &str, expected: &str, found: String| {

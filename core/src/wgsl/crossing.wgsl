@@ -26,11 +26,6 @@ struct CrossingImage {
     face: vec3f,
 }
 
-// Does the other eye look at this sample? Samples land in the row that they are of: rows are right with it and without.
-fn crossing_looks(pixel: vec2u) -> bool {
-    return stopping_looks(pixel.y);
-}
-
 // Looks from the other eye at what the path has met; true where it is a mirror, to look at what is behind.
 fn crossing_at(look: ptr<function, Look>, s: Surface, m: Material, lobes: Lobes) -> bool {
     if crossing_mirrors(look, s, m, lobes) {

@@ -15,10 +15,6 @@ fn crossing_begin() -> Crossing {
     return Crossing(1.0, 0u, vec3f(1.0));
 }
 
-fn crossing_looks(pixel: vec2u) -> bool {
-    return true;
-}
-
 fn crossing_at(look: ptr<function, Look>, s: Surface, m: Material, lobes: Lobes) -> bool {
     if lobes.chances.x + lobes.chances.y > 0.0 {
         crossing_find(look, s, lobes);

@@ -83,24 +83,17 @@ fn path_step(path: ptr<function, Path>) -> bool {
     if lobes.sum <= 0.0 {
         return false;
     }
-    // The first hit is no bounce.
-    let behind = (*path).level - 1u > STOP_AFTER;
-    let stops = behind && stopping_stops(pixel, numbers_pair(pixel, dimension + PATH_EMITTER).y);
-    if stops {
-        guides_stop(path);
-    } else if behind {
-        (*path).throughput *= stopping_weight(pixel);
-    }
-    if stops && STOPPING_COMPENSATED {
-        return false;
-    }
     if lobes.chances.x > 0.0 {
         let chance = lobes.chances.x / lobes.sum;
         let irradiance = punctual_irradiance(s) + emitters_irradiance(s, chance, pixel, dimension);
         (*path).radiance += (*path).throughput * lobes.diffuse * (1.0 / PI) * irradiance;
     }
-    if stops {
-        return false;
+    if (*path).level >= STOPPING_LEVEL {
+        if stopping_stops(pixel, numbers_pair(pixel, dimension + PATH_EMITTER).y) {
+            guides_stop(path);
+            return false;
+        }
+        (*path).throughput *= stopping_weight(pixel);
     }
     return path_leave(path, s, m, lobes, direction, numbers);
 }

@@ -7,7 +7,3 @@ fn stopping_stops(pixel: vec2u, number: f32) -> bool {
 fn stopping_weight(pixel: vec2u) -> f32 {
     return 1.0;
 }
-
-fn stopping_looks(row: u32) -> bool {
-    return true;
-}

@@ -78,18 +78,17 @@ fn what_crosses_over_changes_no_mean_unless_it_is_counted_as_in_the_paper() {
     assert!(noise(&weighted) < 0.9 * noise(&alone), "{} {}", noise(&weighted), noise(&alone));
 }
 
-/// Rows away from the gaze do without the other eye.
 #[test]
-fn rows_without_the_other_eye_have_the_same_means() {
+fn what_crosses_over_changes_no_mean_where_paths_stop() {
     const SAMPLES: u32 = 4000;
     let scene = stereo();
-    let seldom = |crossing, seed| {
+    let stopped = |crossing, seed| {
         let mut settings = Settings { seed, ..settings(crossing) };
         (settings.paths.stopping, settings.paths.p_max) = (Stopping::Compensated, 1.0);
         settings.paths.gaze = [0.1, 0.9];
         sums(&scene, settings, SAMPLES)
     };
-    let z = deviations(&seldom(Crossing::Off, 0), &seldom(Crossing::Weighted, 1), SAMPLES);
+    let z = deviations(&stopped(Crossing::Off, 0), &stopped(Crossing::Weighted, 1), SAMPLES);
     assert!(mean_square(&z) < 1.4, "{}: {z:.1?}", mean_square(&z));
 }
 
