@@ -56,6 +56,12 @@ pub enum Family {
     Crossed,
     /// Whose picture is filtered.
     Filtered,
+    /// The last two of these three.
+    Unstopped,
+    /// The first and the last.
+    Uncrossed,
+    /// The first two.
+    Unfiltered,
     /// All of that.
     Together,
     /// All of that in the way of Kim & Sung 2021.
@@ -68,7 +74,7 @@ pub enum Family {
 
 impl Family {
     /// In the order of the legend.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 21] = [
         Self::Reduced,
         Self::Checkerboard,
         Self::Fixed,
@@ -83,6 +89,9 @@ impl Family {
         Self::Stopped,
         Self::Crossed,
         Self::Filtered,
+        Self::Unstopped,
+        Self::Uncrossed,
+        Self::Unfiltered,
         Self::Together,
         Self::Published,
         Self::Frameless,
@@ -106,6 +115,9 @@ impl Family {
             Self::Stopped => "stopped",
             Self::Crossed => "crossing",
             Self::Filtered => "filtered",
+            Self::Unstopped => "without stopping",
+            Self::Uncrossed => "without crossing",
+            Self::Unfiltered => "without filter",
             Self::Together => "together",
             Self::Published => "as in the paper",
             Self::Frameless => "frameless",

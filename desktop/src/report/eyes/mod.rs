@@ -55,34 +55,33 @@ pub fn converged(base: &Settings, scene: &Prepared) -> Settings {
     Settings { seed: base.seed.wrapping_add(1), paths, ..plain }
 }
 
-/// What the paper compares with; then each part alone, all together, and as in the paper, with growing numbers of samples.
+/// What is added to plain paths.
+type Parts = (Stopping, Crossing, Denoise);
+
+/// Ours, which leave the mean as it is, and the paper's.
+const OURS: Parts = (Stopping::Compensated, Crossing::Weighted, Denoise::Atrous);
+const PAPERS: Parts = (Stopping::Paper, Crossing::Paper, Denoise::Median);
+const NONE: Parts = (Stopping::Off, Crossing::Off, Denoise::Off);
+
+/// None, each part alone, all but each, all together, and as in the paper.
+const PARTS: [(Family, Parts); 9] = [
+    (Family::Plain, NONE),
+    (Family::Stopped, (OURS.0, NONE.1, NONE.2)),
+    (Family::Crossed, (NONE.0, OURS.1, NONE.2)),
+    (Family::Filtered, (NONE.0, NONE.1, OURS.2)),
+    (Family::Unstopped, (NONE.0, OURS.1, OURS.2)),
+    (Family::Uncrossed, (OURS.0, NONE.1, OURS.2)),
+    (Family::Unfiltered, (OURS.0, OURS.1, NONE.2)),
+    (Family::Together, OURS),
+    (Family::Published, PAPERS),
+];
+
+/// What the paper compares with; then all of [`PARTS`] with growing numbers of samples.
 pub fn rungs(base: &Settings, scene: &Prepared) -> Vec<Rung> {
     let plain = plain(base, scene);
-    let with = |change: fn(&mut Paths)| {
-        let mut settings = plain;
-        change(&mut settings.paths);
-        settings
-    };
-    let parts = [
-        (Family::Plain, plain),
-        (Family::Stopped, with(|paths| paths.stopping = Stopping::Compensated)),
-        (Family::Crossed, with(|paths| paths.crossing = Crossing::Weighted)),
-        (Family::Filtered, with(|paths| paths.denoise = Denoise::Atrous)),
-        (
-            Family::Together,
-            with(|paths| {
-                (paths.stopping, paths.crossing) = (Stopping::Compensated, Crossing::Weighted);
-                paths.denoise = Denoise::Atrous;
-            }),
-        ),
-        (
-            Family::Published,
-            with(|paths| {
-                (paths.stopping, paths.crossing) = (Stopping::Paper, Crossing::Paper);
-                paths.denoise = Denoise::Median;
-            }),
-        ),
-    ];
+    let parts = PARTS.map(|(family, (stopping, crossing, denoise))| {
+        (family, Settings { paths: Paths { stopping, crossing, denoise, ..plain.paths }, ..plain })
+    });
     let rung = |(family, settings): (Family, Settings), samples, keeps_picture| Rung {
         name: format!("{} {samples}", family.name()),
         family,
@@ -118,7 +117,7 @@ pub fn table(scenes: &[SceneReport]) -> Table {
              paper (the first setting, whose own noise is in them). Plain: next-event estimation with \
              two points on emitters at every diffuse surface, up to six vertices, no roulette. Stopped: away from the gaze, \
              which is in the middle, survivors count for more. Crossing: samples of one eye count for the other, weighted. \
-             Filtered: edge-avoiding a-trous wavelets. These have no error in the limit of many samples. As in the paper: \
+             Filtered: edge-avoiding a-trous wavelets. All three together, and without one. These have no error in the limit of many samples. As in the paper: \
              stopped paths are missing, samples are copied to the other eye, 3x3 medians. The number is that of samples a \
              pixel; times are of pictures with all of them, and what follows them is over plain 1."
         ),
