@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use glimpse::{Denoise, Method, Mip, Postcorrect, Preset, Settings, Show, Stopping};
 
-use crate::{Choices, FrameRate, Overlay, SCALES};
+use crate::{Choices, FrameRate, Lenses, Overlay, SCALES};
 
 /// One thing that is chosen.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +15,8 @@ pub enum Change {
     Show(Show),
     /// Full ray tracing beside it.
     Split(Option<f32>),
+    /// What two eyes look through.
+    Lenses(Lenses),
     /// The resolution while nothing governs it.
     Scale(f32),
     /// What holds the frame time.
@@ -105,6 +107,7 @@ impl Change {
             }
             Self::Show(show) => choices.show = *show,
             Self::Split(split) => choices.split = *split,
+            Self::Lenses(lenses) => choices.lenses = *lenses,
             Self::Scale(scale) => choices.scale = *scale,
             Self::Governor(governor) => choices.governor = *governor,
             Self::Overlay(overlay) => choices.overlay = *overlay,
@@ -122,6 +125,7 @@ impl FromStr for Change {
             "show" => Self::Show(value.parse()?),
             "split" if value == "off" => Self::Split(None),
             "split" => Self::Split(Some(number_within(value, [0.0, 1.0])?)),
+            "lenses" => Self::Lenses(one_of(value, &Lenses::ALL.map(|lenses| (lenses.name(), lenses)))?),
             "scale" => Self::Scale(number_within(value, SCALES)?),
             "governor" => Self::Governor(one_of(
                 value,

@@ -2,6 +2,8 @@
 
 use glimpse::{Paths, Settings, Show};
 
+use crate::Lenses;
+
 /// Everything that can be chosen while a scene is shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Choices {
@@ -11,6 +13,8 @@ pub struct Choices {
     pub show: Show,
     /// Full ray tracing to the right of this share of the width, 0 to 1.
     pub split: Option<f32>,
+    /// What two eyes' pictures are looked at through.
+    pub lenses: Lenses,
     /// Pixels of a frame along a side, over those of the view, while nothing governs it: [`SCALES`].
     pub scale: f32,
     /// Holds a frame time by scale, block and tolerances while the camera moves.
@@ -45,6 +49,7 @@ impl Default for Choices {
             },
             show: Show::Final,
             split: None,
+            lenses: Lenses::None,
             scale: 1.0,
             governor: Some(FrameRate::Thirty),
             navigation: Navigation::Orbit,

@@ -2,7 +2,7 @@
 
 use glimpse::Method;
 
-use crate::{Choices, FrameRate, Show};
+use crate::{Choices, FrameRate, Lenses, Show};
 
 impl Choices {
     /// Why no frame can be made like this, for people; `None` if one can.
@@ -52,6 +52,22 @@ impl Choices {
     #[must_use]
     pub fn paths_rest(&self) -> Option<&'static str> {
         (!self.settings.method.follows_paths()).then_some("The methods path and vr follow paths.")
+    }
+
+    /// Why nothing is bent for lenses; `None` if it is.
+    #[must_use]
+    pub fn lenses_rest(&self) -> Option<&'static str> {
+        match (self.settings.method, self.split) {
+            (Method::Vr, None) => None,
+            (Method::Vr, Some(_)) => Some("A split view is looked at without lenses."),
+            _ => Some("Lenses are before the pictures of two eyes: method vr."),
+        }
+    }
+
+    /// Are pictures bent for lenses?
+    #[must_use]
+    pub fn bends(&self) -> bool {
+        self.lenses != Lenses::None && self.lenses_rest().is_none()
     }
 
     /// Why the knobs of the adaptive method change nothing; `None` if they do.

@@ -130,8 +130,8 @@ impl App {
         known: Option<egui::TextureId>,
         known_full: Option<egui::TextureId>,
     ) {
+        let exact = self.is_exact(&frame);
         let Some(Device { gpu, painter, .. }) = &mut self.device else { return };
-        let exact = frame.job.size == self.picture;
         let picture = painter.register(gpu, &frame.picture, exact, known);
         let full = match &frame.full {
             Some(full) => Some(painter.register(gpu, full, exact, known_full)),

@@ -5,10 +5,7 @@ use std::time::Duration;
 use egui::{Context, Rect, Sense, Ui};
 use glimpse::{Method, Stopping};
 
-use crate::{
-    App, CameraControl, Hud, Motion, Request, Wish,
-    app::{Device, Shown},
-};
+use crate::{App, CameraControl, Frame, Hud, Motion, Request, Wish, app::Device, lenses::Bent};
 
 /// The gaze moves by so many steps across a picture: each begins another one.
 const GAZE_STEPS: f32 = 32.0;
@@ -42,9 +39,10 @@ impl App {
 
     /// Where paths stop far from, the gaze follows the pointer: of two eyes, in the picture of either.
     fn gaze(&mut self, context: &Context, picture: Rect) {
+        let at = context.input(|input| input.pointer.hover_pos()).filter(|at| picture.contains(*at));
+        let at = at.map(|at| self.bent(picture).map_or(at, |bent| bent.without(at)));
         let paths = &mut self.choices.settings.paths;
         let method = self.choices.settings.method;
-        let at = context.input(|input| input.pointer.hover_pos()).filter(|at| picture.contains(*at));
         let Some(at) = at.filter(|_| method.follows_paths() && paths.stopping != Stopping::Off) else {
             return;
         };
@@ -55,18 +53,32 @@ impl App {
         paths.gaze = [steps(x % 1.0), steps(y)];
     }
 
+    /// The picture behind lenses, where there are some.
+    fn bent(&self, picture: Rect) -> Option<Bent> {
+        let shown = self.shown.as_ref().filter(|shown| shown.frame.job.settings.method == Method::Vr)?;
+        self.choices.bends().then(|| Bent::new(self.choices.lenses, picture, &shown.frame.job.camera))
+    }
+
     /// Shows every pixel of the frame as it is where the picture has as many on the screen.
     fn sharpen(&mut self, picture: egui::Vec2) {
         self.picture = [picture.x, picture.y].map(|side| side as u32);
-        let picture = self.picture;
-        let other = |shown: &mut Shown| shown.exact != (shown.frame.job.size == picture);
-        if let Some(shown) = self.shown.take_if(other) {
+        let other = self.shown.as_ref().is_some_and(|shown| shown.exact != self.is_exact(&shown.frame));
+        if let Some(shown) = self.shown.take_if(|_| other) {
             self.present(shown.frame, Some(shown.picture), shown.full);
         }
     }
 
+    /// Does every pixel of the frame lie on one of the screen?
+    pub(crate) fn is_exact(&self, frame: &Frame) -> bool {
+        frame.job.size == self.picture && !self.choices.bends()
+    }
+
     fn draw_picture(&self, ui: &Ui, picture: Rect) {
         let Some(shown) = &self.shown else { return };
+        if let Some(bent) = self.bent(picture) {
+            ui.painter().add(bent.mesh(shown.picture, shown.frame.job.size));
+            return;
+        }
         let whole = Rect::from_min_max(egui::Pos2::ZERO, egui::pos2(1.0, 1.0));
         ui.painter().image(shown.picture, picture, whole, egui::Color32::WHITE);
         if let (Some(full), Some(split)) = (shown.full, self.choices.split) {

@@ -5,7 +5,7 @@ use glimpse::{Denoise, Method, Mip, Postcorrect, Preset, Stopping};
 
 use super::actions::Action;
 use super::{keys, style};
-use crate::{Choices, FrameRate, Navigation, Show, Vsync};
+use crate::{Choices, FrameRate, Lenses, Navigation, Show, Vsync};
 
 /// A choice between a few values.
 pub struct Options<T: 'static> {
@@ -203,6 +203,14 @@ pub const VSYNC: Options<Vsync> = Options {
     action: None,
     get: |choices| choices.vsync,
     set: |choices, vsync| choices.vsync = vsync,
+};
+
+pub const LENSES: Options<Lenses> = Options {
+    name: "lenses",
+    values: || named(&Lenses::ALL.map(|lenses| (lenses, lenses.name()))),
+    action: None,
+    get: |choices| choices.lenses,
+    set: |choices, lenses| choices.lenses = lenses,
 };
 
 pub const SHOW: Options<Show> = Options {

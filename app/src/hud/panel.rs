@@ -138,6 +138,8 @@ fn shown(ui: &mut Ui, hud: &mut Hud<'_>) {
         ui.label(RichText::new(hud.readings.legend.as_str()).small());
     }
     split::switch(ui, hud.choices, hud.readings);
+    let rests = hud.choices.lenses_rest();
+    options::LENSES.buttons(ui, hud.choices, rests);
 }
 
 fn speed(ui: &mut Ui, hud: &mut Hud<'_>) {
