@@ -230,6 +230,31 @@ impl Passes {
         })
     }
 
+    /// What is shown of the last frame's samples, now that others have been added: noise is removed once more.
+    ///
+    /// # Errors
+    /// A device that failed.
+    pub fn remove_noise(
+        &self,
+        gpu: &Gpu,
+        targets: &Targets,
+        constants: &Frame,
+        tolerances: &Tolerances,
+    ) -> Result<()> {
+        gpu.queue.write_buffer(&targets.frame, 0, &in_strides(&targets.plan.parts, constants, tolerances));
+        let submissions = targets.plan.submissions().into_iter().map(|mut parts| {
+            parts.retain(|(_, part)| part.stage.removes_noise());
+            parts
+        });
+        gpu.submit_all_and_wait(submissions.filter(|parts| !parts.is_empty()).map(|parts| {
+            let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+            for (index, part) in parts {
+                self.record(&mut encoder, targets, &self.bound[0][index], &part, constants.renewed);
+            }
+            encoder
+        }))
+    }
+
     /// The timestamps of the frame that has just been waited for.
     pub fn times(&self, gpu: &Gpu) -> Result<crate::FrameTime> {
         self.timer.read(gpu)

@@ -222,15 +222,7 @@ impl<'a> Renderer<'a> {
         if self.sequence.merged() > 0 && self.sequence.camera() == Some(*camera) {
             return self.merged_image(camera);
         }
-        let (passes, target) = match self.linear.take() {
-            Some(linked) => linked,
-            None => {
-                let format = wgpu::TextureFormat::Rgba32Float;
-                let target = texture(self.gpu, "linear", self.targets.size, format)?;
-                let variant = Variant { output: Output::Linear, ..Variant::new(self.scene, &self.settings) };
-                (self.link(&variant, &target, None)?, target)
-            }
-        };
+        let (passes, target) = self.linear()?;
         let frames = self.sequence.frames();
         self.sequence.reset();
         for _ in 0..frames {
@@ -242,6 +234,16 @@ impl<'a> Renderer<'a> {
         let image = self.read_linear(&target)?;
         self.linear = Some((passes, target));
         Ok(image)
+    }
+
+    /// The passes that write linear radiance, and where to.
+    fn linear(&mut self) -> Result<(Passes, wgpu::Texture)> {
+        if let Some(linked) = self.linear.take() {
+            return Ok(linked);
+        }
+        let target = texture(self.gpu, "linear", self.targets.size, wgpu::TextureFormat::Rgba32Float)?;
+        let variant = Variant { output: Output::Linear, ..Variant::new(self.scene, &self.settings) };
+        Ok((self.link(&variant, &target, None)?, target))
     }
 
     fn read_linear(&self, target: &wgpu::Texture) -> Result<LinearImage> {
@@ -257,8 +259,7 @@ impl<'a> Renderer<'a> {
     /// # Errors
     /// A device that failed.
     pub fn guides(&self) -> Result<Vec<[u32; 4]>> {
-        let settings = &self.settings;
-        if !settings.method.follows_paths() || settings.paths.denoise == Denoise::Off {
+        if self.settings.denoise() == Denoise::Off {
             return Ok(Vec::new());
         }
         Ok(bytemuck::pod_collect_to_vec(&self.gpu.read_buffer(&self.targets.guides)?))

@@ -131,7 +131,7 @@ impl Targets {
             supersamples,
             refines: settings.refines(),
             filter: settings.filter,
-            denoise: settings.paths.denoise,
+            denoise: settings.denoise(),
             landmarks: scene.landmark_count(),
             crosses: settings.crosses(),
         };
@@ -143,7 +143,7 @@ impl Targets {
         let storage = wgpu::BufferUsages::STORAGE;
         let moved = if settings.method == Method::Reproject { width * rows } else { 0 };
         let history = || gpu.buffer("history", HISTORY_BYTES * moved, storage);
-        let denoise = if settings.method.follows_paths() { settings.paths.denoise } else { Denoise::Off };
+        let denoise = settings.denoise();
         let guided = if denoise == Denoise::Off { 0 } else { width * rows };
         let filtered_pixels = if denoise == Denoise::Atrous { width * rows } else { 0 };
         let filtered = || gpu.buffer("filtered", FILTERED_BYTES * filtered_pixels, storage);

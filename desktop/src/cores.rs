@@ -42,9 +42,7 @@ pub struct Side {
 pub fn check(wishes: &[Wish], frames: u32) -> glimpse::Result<()> {
     let refused = wishes.iter().find(|wish| wish.cores > 0 && !wish.settings.takes_planes());
     if let Some(Wish { cores, settings, .. }) = refused {
-        let (denoise, crossing) = (settings.paths.denoise.name(), settings.paths.crossing.name());
-        let found = format!("found --denoise {denoise} --crossing {crossing}");
-        let reason = format!("expected --denoise off and no --crossing paper, {found}");
+        let reason = format!("expected no --crossing paper, found {}", settings.paths.crossing.name());
         return Err(Error::setting(format!("--cores {cores}"), reason));
     }
     // And one more, in which drivers finish compiling.

@@ -115,8 +115,7 @@ fn a_picture_of_paths_has_the_samples_that_were_asked_for() {
 #[test]
 fn cores_and_the_gpu_bring_a_pictures_samples_together() {
     let folder = tempfile::tempdir().unwrap();
-    let line =
-        "render builtin:cornell -o a.exr --size 70x40 --method path --samples 60 --cores 2 --stats a.json";
+    let line = "render builtin:cornell -o a.exr --size 70x40 --method path --samples 60 --denoise atrous --cores 2 --stats a.json";
     let output = glimpse(folder.path(), line);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let said = String::from_utf8(output.stdout).unwrap();

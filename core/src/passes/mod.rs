@@ -175,6 +175,12 @@ pub enum Stage {
 }
 
 impl Stage {
+    /// Does it come after all samples of paths, to show them with less noise?
+    #[must_use]
+    pub fn removes_noise(self) -> bool {
+        matches!(self, Self::Median | Self::AtrousBegin | Self::Atrous | Self::AtrousEnd)
+    }
+
     /// Every stage.
     pub const ALL: [Self; 46] = [
         Self::Full,

@@ -129,7 +129,7 @@ impl Variant {
     pub(super) fn merge_sources(&self) -> Vec<Source> {
         let mut sources = vec![self.constants(), wgsl!("wgsl/frame.wgsl"), self.jitter()];
         sources.extend(self.path_sums());
-        sources.extend(self.output.sources());
+        sources.extend(self.output_before_noise().sources());
         sources.push(Stage::MergePlanes.entry());
         sources
     }

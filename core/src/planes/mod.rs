@@ -11,6 +11,7 @@
 //! | Algorithm 1: core 1 merges what is finished, and no other core writes there | [`Merge::collect`] |
 //! | Algorithm 4, lines 2 and 3: merged colours are delivered | the upload in [`Renderer::merge`](crate::Renderer::merge) |
 //! | Algorithm 5, lines 4 to 9: merged into the GPU's buffer | `passes/merge_planes.wgsl` |
+//! | Algorithm 5, lines 10 to 14: noise is removed from the sum | `passes/median.wgsl`, or `atrous`, once more |
 //!
 //! Nobody waits. The paper's owner looks whether a core has filled its buffer, and cores fill others meanwhile: two buffers
 //! a core. Here a core has a slot for a plane that is on its way, and what it finishes while the slot is taken is added to
@@ -34,7 +35,7 @@ pub use merge::Merge;
 pub(crate) use pass::MergePass;
 pub use worker::Worker;
 
-use crate::{Camera, Settings};
+use crate::{Camera, Denoise, Paths, Settings};
 
 /// The number of the first sample of the cores. No GPU comes so far: at 100 frames a second it takes 248 days.
 pub const FIRST_SAMPLE: u32 = 1 << 31;
@@ -52,7 +53,8 @@ impl View {
     /// From where, in pixels, and how: settings that paths do not heed make no other view.
     #[must_use]
     pub fn new(camera: &Camera, size: [u32; 2], settings: &Settings) -> Self {
-        let Settings { method, depth, mip, seed, paths, .. } = *settings;
+        let Settings { method, depth, mip, seed, .. } = *settings;
+        let paths = Paths { denoise: Denoise::Off, ..settings.paths };
         let settings = Settings { method, depth, mip, seed, paths, ..Settings::default() };
         Self { camera: *camera, size, settings }
     }

@@ -23,11 +23,11 @@ const ROULETTE_LEVEL: u32 = 3;
 /// The numbers of a path: the place in the pixel is pair 0, and a vertex has as many of its own as [`DIMENSIONS`].
 const PLACE_IN_PIXEL: u32 = 0;
 const DIMENSIONS: u32 = 4;
-/// Which lobe; whether roulette ends the path.
+/// Which lobe; whether the path stops away from the gaze.
 const LOBE: u32 = 0;
 /// The diffuse direction.
 const DIRECTION: u32 = 1;
-/// Which emitter; whether the path stops away from the gaze.
+/// Which emitter; whether roulette ends the path.
 const EMITTER: u32 = 2;
 /// Where on it.
 const POINT: u32 = 3;
@@ -147,7 +147,7 @@ impl Path<'_> {
             let met = (&s, &m, &lobes);
             self.crossed = self.frame.crossed(place, &self.ray, met, &mut self.mirror, rounding);
         }
-        let [lobe, survival] = self.pair(LOBE);
+        let [lobe, stopping] = self.pair(LOBE);
         let chosen = lobes.choose(lobe, rounding);
         let diffuse = chosen.as_ref().is_some_and(|chosen| chosen.leaving.is_none());
         self.search.meet((&s, &lobes), diffuse, self.throughput, self.level);
@@ -155,8 +155,8 @@ impl Path<'_> {
             let irradiance = self.punctual(&s, rounding) + self.emitters(&s, &lobes, rounding);
             self.radiance += self.throughput * lobes.diffuse / PI * irradiance;
         }
-        self.foveate(rounding)?;
-        self.leave(&s, &lobes, chosen?, survival, rounding)
+        self.foveate(stopping, rounding)?;
+        self.leave(&s, &lobes, chosen?, rounding)
     }
 
     /// What the emission counts for that the path met at this distance from its last vertex: rays to emitters bring the
@@ -218,13 +218,12 @@ impl Path<'_> {
         sum
     }
 
-    /// Stops the path by its pixel's distance from the gaze, behind the first bounces.
-    fn foveate(&mut self, rounding: &mut Rounding) -> Option<()> {
+    /// Stops the path by a number in [0, 1) and its pixel's distance from the gaze, behind the first bounces.
+    fn foveate(&mut self, number: f64, rounding: &mut Rounding) -> Option<()> {
         let paths = &self.frame.settings.paths;
         if paths.stopping == Stopping::Off || self.level < paths.stopping_level() {
             return Some(());
         }
-        let [_, number] = self.pair(EMITTER);
         if rounding.number(Cause::Branch, number, 1.0) < self.stop {
             self.stopped = true;
             return None;
@@ -235,18 +234,12 @@ impl Path<'_> {
         Some(())
     }
 
-    /// Goes on by one of the surface's lobes, unless roulette ends the path by a number in [0, 1).
-    fn leave(
-        &mut self,
-        s: &Surface,
-        lobes: &Lobes,
-        chosen: Chosen,
-        survival: f64,
-        rounding: &mut Rounding,
-    ) -> Option<()> {
+    /// Goes on by one of the surface's lobes, unless roulette ends the path.
+    fn leave(&mut self, s: &Surface, lobes: &Lobes, chosen: Chosen, rounding: &mut Rounding) -> Option<()> {
         self.throughput *= chosen.weight;
         if self.frame.settings.paths.roulette == Roulette::On && self.level >= ROULETTE_LEVEL {
             let survivors = self.throughput.max_element().min(1.0);
+            let [_, survival] = self.pair(EMITTER);
             if rounding.number(Cause::Branch, survival, 1.0).max(0.0) >= survivors {
                 return None;
             }

@@ -2,7 +2,7 @@
 
 use super::Renderer;
 use crate::{
-    Camera, Error, LinearImage, Result,
+    Camera, Denoise, Error, LinearImage, Result,
     passes::{Output, Variant},
     planes::{Merge, MergePass, View},
     targets::texture,
@@ -17,8 +17,7 @@ impl Renderer<'_> {
     pub fn merge(&mut self, merge: &mut Merge) -> Result<()> {
         if !self.settings.takes_planes() {
             let found = format!("--method {}", self.settings.method.name());
-            let expected =
-                "expected path or vr where planes are merged, with --denoise off and no --crossing paper";
+            let expected = "expected path or vr where planes are merged, with no --crossing paper";
             return Err(Error::setting(found, expected));
         }
         let Some(camera) = self.sequence.camera() else { return Ok(()) };
@@ -31,18 +30,30 @@ impl Renderer<'_> {
         };
         self.sequence.merge(plane.samples);
         let step = self.sequence.again(&camera);
-        let done = pass.run(self.gpu, &self.constants(&camera, &step)?, &plane.rgb);
+        let constants = self.constants(&camera, &step)?;
+        let done = pass.run(self.gpu, &constants, &plane.rgb);
         self.merging = Some(pass);
-        done
+        done?;
+        if self.settings.denoise() == Denoise::Off {
+            return Ok(());
+        }
+        self.passes.remove_noise(self.gpu, &self.targets, &constants, &self.settings.tolerances)
     }
 
     /// The last frame in linear radiance, from the sums that are there: cores' samples cannot be made again.
     pub(super) fn merged_image(&mut self, camera: &Camera) -> Result<LinearImage> {
-        let target = texture(self.gpu, "linear", self.targets.size, wgpu::TextureFormat::Rgba32Float)?;
-        let pass = self.merge_pass(Output::Linear, &target)?;
-        // The buffer of planes is new, and zero.
-        pass.run(self.gpu, &self.constants(camera, &self.sequence.again(camera))?, &[])?;
-        self.read_linear(&target)
+        let constants = self.constants(camera, &self.sequence.again(camera))?;
+        if self.settings.denoise() == Denoise::Off {
+            let target = texture(self.gpu, "linear", self.targets.size, wgpu::TextureFormat::Rgba32Float)?;
+            // The buffer of planes is new, and zero.
+            self.merge_pass(Output::Linear, &target)?.run(self.gpu, &constants, &[])?;
+            return self.read_linear(&target);
+        }
+        let (passes, target) = self.linear()?;
+        passes.remove_noise(self.gpu, &self.targets, &constants, &self.settings.tolerances)?;
+        let image = self.read_linear(&target)?;
+        self.linear = Some((passes, target));
+        Ok(image)
     }
 
     fn merge_pass(&mut self, output: Output, color: &wgpu::Texture) -> Result<MergePass> {

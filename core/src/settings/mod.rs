@@ -278,12 +278,17 @@ impl Settings {
         }
     }
 
-    /// Can samples that were traced elsewhere be [merged](crate::Renderer::merge)? Not where pixels count them one by one, nor
-    /// where noise is removed when the GPU's frame ends.
+    /// Can samples that were traced elsewhere be [merged](crate::Renderer::merge)? Not where pixels count them one by one.
     #[must_use]
     pub fn takes_planes(&self) -> bool {
         let copied = self.crosses() && self.paths.crossing == Crossing::Paper;
-        self.method.follows_paths() && !copied && self.paths.denoise == Denoise::Off
+        self.method.follows_paths() && !copied
+    }
+
+    /// What is done about noise: it is that of paths.
+    #[must_use]
+    pub fn denoise(&self) -> Denoise {
+        if self.method.follows_paths() { self.paths.denoise } else { Denoise::Off }
     }
 
     /// Do samples of one eye count for the other?

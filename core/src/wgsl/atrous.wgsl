@@ -47,7 +47,7 @@ fn atrous_pixel(pixel: vec2u, words: vec4u) -> AtrousPixel {
     p.normal = normal;
     p.albedo = atrous_albedo(words.x);
     p.sum = bitcast<f32>(words.z);
-    p.narrow = f32(frame.sample + 1u) * f32(frame.step.x * frame.step.x) / (ATROUS_LIGHT * ATROUS_LIGHT);
+    p.narrow = f32(frame.sample + 1u + frame.merged) * f32(frame.step.x * frame.step.x) / (ATROUS_LIGHT * ATROUS_LIGHT);
     if (words.x & FILTERED_MIRRORED) != 0u {
         let along = 1.0 / (ATROUS_DEPTH * depth);
         p.plane_own = vec2f(-depth * along, along);

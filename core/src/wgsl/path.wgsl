@@ -5,11 +5,11 @@ const PATH_ROULETTE_LEVEL: u32 = 3u;
 
 // The numbers of a path: behind the place in the pixel a vertex has as many pairs of its own as PATH_DIMENSIONS.
 const PATH_DIMENSIONS: u32 = 4u;
-// Which lobe; whether roulette ends the path.
+// Which lobe; whether the path stops away from the gaze.
 const PATH_LOBE: u32 = 0u;
 // The diffuse direction.
 const PATH_DIRECTION: u32 = 1u;
-// Which emitter; whether the path stops away from the gaze.
+// Which emitter; whether roulette ends the path.
 const PATH_EMITTER: u32 = 2u;
 // Where on it.
 const PATH_POINT: u32 = 3u;
@@ -89,26 +89,26 @@ fn path_step(path: ptr<function, Path>) -> bool {
         (*path).radiance += (*path).throughput * lobes.diffuse * (1.0 / PI) * irradiance;
     }
     if (*path).level >= STOPPING_LEVEL {
-        if stopping_stops(pixel, numbers_pair(pixel, dimension + PATH_EMITTER).y) {
+        if stopping_stops(pixel, numbers.y) {
             guides_stop(path);
             return false;
         }
         (*path).throughput *= stopping_weight(pixel);
     }
-    return path_leave(path, s, m, lobes, direction, numbers);
+    return path_leave(path, s, m, lobes, direction, numbers.x * lobes.sum);
 }
 
-// Goes on by one of the surface's lobes, unless roulette ends the path, as these numbers have it; `direction` is the unit
+// Goes on by the surface's lobe that a number up to their sum chooses, unless roulette ends the path; `direction` is the unit
 // direction of the ray that hit.
 fn path_leave(
-    path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes, direction: vec3f, numbers: vec2f
+    path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes, direction: vec3f, number: f32
 ) -> bool {
-    let number = numbers.x * lobes.sum;
+    let dimension = PATH_DIMENSIONS * (*path).level;
     var leaving: Leaving;
     var density = 0.0;
     guides_leave(path, number < lobes.chances.x);
     if number < lobes.chances.x {
-        let drawn = path_scattered(s.normal, numbers_pair((*path).pixel, PATH_DIMENSIONS * (*path).level + PATH_DIRECTION));
+        let drawn = path_scattered(s.normal, numbers_pair((*path).pixel, dimension + PATH_DIRECTION));
         density = max(dot(drawn, s.normal), 0.0) / PI * (lobes.chances.x / lobes.sum);
         let weight = lobes.diffuse * (lobes.sum / lobes.chances.x);
         leaving = Leaving(surface_spawn(s, drawn, FAR, vec2f(0.0)), weight, RAY_DIFFUSE);
@@ -121,7 +121,7 @@ fn path_leave(
     (*path).throughput *= leaving.weight;
     if ROULETTE && (*path).level >= PATH_ROULETTE_LEVEL {
         let survivors = min(channels_largest((*path).throughput), 1.0);
-        if numbers.y >= survivors {
+        if numbers_pair((*path).pixel, dimension + PATH_EMITTER).y >= survivors {
             return false;
         }
         (*path).throughput /= survivors;

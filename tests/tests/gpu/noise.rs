@@ -37,7 +37,7 @@ fn picture(stage: &Stage, settings: &Settings, samples: u32) -> (LinearImage, Ve
     (image, guides)
 }
 
-fn colors(image: &LinearImage) -> Vec<DVec3> {
+pub fn colors(image: &LinearImage) -> Vec<DVec3> {
     image.pixels().map(|pixel| DVec3::from(pixel.0.map(f64::from))).collect()
 }
 

@@ -2,15 +2,16 @@
 
 use std::collections::BTreeMap;
 
+use glam::DVec3;
 use glimpse::{
-    Crossing, Error, LinearImage, Method, Renderer, Sampler, Settings, Stopping, encode_display,
+    Crossing, Denoise, Error, LinearImage, Method, Renderer, Sampler, Settings, Stopping, encode_display,
     planes::{Fates, Merge, View, Worker},
-    reference::Reference,
+    reference::{Frame, Guide, Noise, Reference},
     scene::builtin,
 };
 use glimpse_tests::{Stage, gpu, note};
 
-use super::agreement::srgb;
+use super::{agreement::srgb, noise::colors};
 
 /// Neither side is a multiple of a tile's.
 const SIZE: [u32; 2] = [45, 26];
@@ -181,6 +182,56 @@ fn every_share_of_the_cores_has_the_same_mean() {
     }
 }
 
+/// Kim & Sung 2021, Algorithm 5: noise is removed from the sum of both sides, at once and in the frames that follow.
+#[test]
+fn noise_is_removed_from_the_sum_of_both_sides() {
+    let one_eye = || Settings { paths: two_eyes().paths, ..settings() };
+    for (wish, denoise) in
+        [(one_eye(), Denoise::Median), (one_eye(), Denoise::Atrous), (two_eyes(), Denoise::Atrous)]
+    {
+        let [plain, filtered] = [Denoise::Off, denoise].map(|denoise| {
+            let mut settings = wish;
+            settings.paths.denoise = denoise;
+            Fixture::new(settings)
+        });
+        let camera = plain.stage.camera;
+        let mut renderers = [plain.renderer(), filtered.renderer()];
+        for renderer in &mut renderers {
+            // The same samples for both.
+            let (mut merge, mut workers) = Merge::new(&plain.view, 1);
+            (0..2).for_each(|_| drop(renderer.render(&camera).expect("a frame")));
+            plain.trace(&mut workers[0], &mut merge, 3);
+            renderer.merge(&mut merge).expect("three samples");
+        }
+        assert_filtered(&filtered, &mut renderers, denoise, 5);
+        renderers.each_mut().map(|renderer| renderer.render(&camera).expect("a frame"));
+        assert_filtered(&filtered, &mut renderers, denoise, 6);
+    }
+}
+
+/// The second renderer's picture is that of the first without its noise, as the reference removes it.
+fn assert_filtered(fixture: &Fixture, renderers: &mut [Renderer<'_>; 2], denoise: Denoise, samples: u32) {
+    let (camera, settings) = (fixture.stage.camera, fixture.settings);
+    assert!(renderers.iter().all(|renderer| renderer.samples() == samples));
+    let [means, found] =
+        renderers.each_mut().map(|renderer| renderer.linear_image(&camera).expect("a picture"));
+    assert_shown(&renderers[1], &found);
+    let [means, found] = [means, found].map(|image| colors(&image));
+    let guides: Vec<_> = renderers[1].guides().expect("guides").into_iter().map(Guide::unpacked).collect();
+    let frame = Frame { reference: &fixture.reference, camera, size: SIZE, settings };
+    let noise = Noise { frame: &frame, samples, means: &means, guides: &guides };
+    let pixels = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| [x, y]));
+    let right = match denoise {
+        Denoise::Median => pixels.map(|pixel| noise.median(pixel)).collect(),
+        _ => noise.atrous(),
+    };
+    let off = |(found, right): (&DVec3, &DVec3)| (found - right).length() / (right.length() + 0.01);
+    let worst = found.iter().zip(&right).map(off).fold(0.0, f64::max);
+    let changed = right.iter().zip(&means).filter(|(a, b)| a != b).count();
+    note(&format!("{denoise:?}, {samples} samples: worst {worst:.2e}, {changed} pixels changed"));
+    assert!(worst <= 1e-3 && changed > 100, "{denoise:?}, {samples} samples: {worst}, {changed}");
+}
+
 #[test]
 fn methods_that_add_nothing_up_merge_nothing() {
     let fixture = Fixture::new(settings());
@@ -190,10 +241,7 @@ fn methods_that_add_nothing_up_merge_nothing() {
     let Err(Error::Setting { what, reason }) = renderer.merge(&mut merge) else { panic!("no error") };
     assert_eq!(
         (what.as_str(), reason.as_str()),
-        (
-            "--method full",
-            "expected path or vr where planes are merged, with --denoise off and no --crossing paper"
-        )
+        ("--method full", "expected path or vr where planes are merged, with no --crossing paper")
     );
 }
 

@@ -132,3 +132,30 @@ fn every_way_to_find_light_finds_the_same() {
         }
     }
 }
+
+/// With both ways, what a surface adds to a sample is at most what the lamp itself shows (Veach 1997, 9.2: the balance heuristic's
+/// estimate is at most that of the better way, and a lobe's weight is at most 1), once by a ray to the lamp and once by the path that
+/// meets it. Rays to lamps alone have no such bound: beside a lamp there is always a point that is nearer.
+#[test]
+fn no_sample_outshines_the_lamps() {
+    let brightest = |scene: &Scene, direct, depth| {
+        let mut brightest = 0.0_f64;
+        for_each(scene, &settings(direct, depth), [16; 2], 100, |_, path| {
+            brightest = brightest.max(path.radiance.max_element());
+        });
+        brightest
+    };
+    let mut b = Builder::new();
+    let floor = b.object(matte(vec3(0.8, 0.5, 0.2)));
+    b.quad(floor, vec3(-1.0, -1.0, 0.0), 2.0 * Vec3::X, 2.0 * Vec3::Y);
+    let lamp = b.object(Material { emission: Vec3::ONE, ..matte(Vec3::ZERO) });
+    b.quad(lamp, Vec3::NEG_Y, 2.0 * Vec3::Y, Vec3::Z);
+    let standing = b.seen_by(front_camera());
+    for (scene, emission, depth) in [(&standing, 1.0, 2), (&lit_room(), 60.0, 8)] {
+        let most = emission * f64::from(1 + 2 * (depth - 1));
+        let found = brightest(scene, Direct::Mis, depth);
+        assert!(found <= most, "{found} of {most}");
+    }
+    let alone = brightest(&standing, Direct::Light, 2);
+    assert!(alone > 5.0 * 3.0, "{alone}");
+}
