@@ -204,7 +204,9 @@ fn noise_is_removed_from_the_sum_of_both_sides() {
             renderer.merge(&mut merge).expect("three samples");
         }
         assert_filtered(&filtered, &mut renderers, denoise, 5);
-        renderers.each_mut().map(|renderer| renderer.render(&camera).expect("a frame"));
+        for renderer in &mut renderers {
+            renderer.render(&camera).expect("a frame");
+        }
         assert_filtered(&filtered, &mut renderers, denoise, 6);
     }
 }
