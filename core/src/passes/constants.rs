@@ -53,9 +53,14 @@ pub const OFFSET_SIZE: f32 = 40.0 / 16_777_216.0;
 /// Two hits at distances that differ by no more than this share count as one, and the lower object has it.
 pub const SAME_DISTANCE: f32 = 4.0 / 16_777_216.0;
 
-/// Along a footprint's longer axis points lie at most so far apart from end to end, in units of their distance: 5 points.
-/// Longer footprints are taken for wider ones.
+/// Footprints whose longer axis is so many texels of the level in which one texel is as wide as the shorter axis, or longer,
+/// are taken for wider ones.
 pub const TEXTURE_MOST_LENGTH: f32 = 5.0;
+/// Up to where points lie along the longer and the shorter axis, squared, in units of their distance: 9 points and 3.
+pub const TEXTURE_LONGEST: f32 = 81.0;
+pub const TEXTURE_WIDEST: f32 = 9.0;
+/// One over the part of a level, in its logarithm, in which the next one sets in.
+pub const TEXTURE_STEPS: f32 = 4.0;
 /// log2 of the second moments of footprints that are stored, in texture coordinates: from a quarter of a texel of the
 /// largest image to more than [`CONE_MOST`].
 pub const FOOTPRINT_LEAST: f32 = -32.0;
@@ -206,6 +211,9 @@ impl Variant {
             ("FOOTPRINT_LEAST", FOOTPRINT_LEAST),
             ("FOOTPRINT_MOST", FOOTPRINT_MOST),
             ("TEXTURE_MOST_LENGTH", TEXTURE_MOST_LENGTH),
+            ("TEXTURE_LONGEST", TEXTURE_LONGEST),
+            ("TEXTURE_WIDEST", TEXTURE_WIDEST),
+            ("TEXTURE_STEPS", TEXTURE_STEPS),
             ("CONE_LEAST_COSINE", CONE_LEAST_COSINE),
             ("CONE_MOST", CONE_MOST),
             ("CONE_MOST_GROWTH", CONE_MOST_GROWTH),

@@ -55,8 +55,9 @@ impl AddAssign for Demand {
 /// What few tests need: an edge where rounding does not decide it, a triangle beyond the range of f32, and what is asked
 /// about hits, of which a ray has one or two among many tests.
 const RARE: [&str; 5] = ["edge_sign", "triangle_scaled_edges", "bvh_ahead", "bvh_nearer", "hit_counts"];
-/// What texture averages are made of, in loops of their own. They are taken for two levels of three points each, of one texture.
-const AVERAGES: [&str; 2] = ["texture_along", "texture_level"];
+/// What texture averages are made of, in loops of their own. They are taken for three rows of three points each, in the second
+/// level of one texture.
+const AVERAGES: [&str; 2] = ["texture_points", "texture_level"];
 const TRAVERSAL: &str = "bvh_traverse";
 const SHADOWS: &str = "shadow_bits";
 
@@ -125,8 +126,8 @@ impl Demands {
 /// A texture's average, besides what happens once.
 fn average(kernel: &Linked) -> Demand {
     let of = |function| count(kernel, Some(function), &[]).unwrap_or_default();
-    let [[point, pair, _], [level, above, _]] = AVERAGES.map(of);
-    (point + pair).times(2.0) + level + above
+    let [[points, row, point], [level, above, _]] = AVERAGES.map(of);
+    points + row.times(3.0) + point.times(9.0) + level + above
 }
 
 /// What is not traced: at each sample, and there for each light.

@@ -5,8 +5,12 @@ use glam::{DVec2, DVec3, DVec4};
 use super::Reference;
 use crate::scene::{Image8, Material, Texture, Wrap};
 
-/// The longest row of points, in units of their distance.
+/// The most that a footprint is longer than wide.
 const MOST_LENGTH: f64 = 5.0;
+/// The longest row of points and the longest column, in units of their distance.
+const LONGEST: [f64; 2] = [9.0, 3.0];
+/// Above this part of a level the next one sets in.
+const SETS_IN: f64 = 0.75;
 
 /// What the bytes of an image mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,8 +25,8 @@ impl Reference {
     /// A texture's average over a footprint with these second moments (ss, tt, st) of its axes in texture coordinates,
     /// linear RGBA; ones without a texture.
     ///
-    /// It is the mean of two mip levels, in each of which points lie along the longer axis so far apart as texels. How far
-    /// that is and how far they reach is such that second moments are those of an average of the image itself.
+    /// It is that of points of a mip level, along both axes and so far apart as its texels, or of two levels. How far they
+    /// reach is such that second moments are those of an average of the image itself.
     #[must_use]
     pub fn texture(
         &self,
@@ -43,20 +47,31 @@ impl Reference {
         }
         let (longer2, shorter2) = (longer2 - 1.0, (shorter2 - 1.0).max(0.0));
         let texel2 = (1.0 + shorter2 / 3.0).max((longer2 + 3.0) / (MOST_LENGTH * MOST_LENGTH + 2.0));
-        let length = ((longer2 + 3.0) / texel2 - 2.0).max(1.0).sqrt();
-        let step = texel2.sqrt() * axis / size;
-        let level = texel2.sqrt().log2().min(self.levels[texture.image as usize].len() as f64);
-        let along = |level: f64| {
-            let weight = |i: f64| (0.5 * length + 0.5 - i.abs()).clamp(0.0, 1.0);
-            let points = (-8..=8).map(f64::from).filter(|i| weight(*i) > 0.0);
-            points
-                .map(|i| {
-                    weight(i) * self.point(texture, level as usize, false, encoding, texcoord + i * step)
+        let level = (0.5 * texel2.log2()).min(self.levels[texture.image as usize].len() as f64);
+        let points = |level: f64| {
+            let side = level.exp2();
+            let length =
+                |axis2: f64, longest: f64| ((axis2 + 3.0) / (side * side) - 2.0).max(1.0).sqrt().min(longest);
+            let (columns, rows) = (length(longer2, LONGEST[0]), length(shorter2, LONGEST[1]));
+            let weight = |i: i32, length: f64| (0.5 * length + 0.5 - f64::from(i.abs())).clamp(0.0, 1.0);
+            let grid = (-2..=2).flat_map(|j| (-5..=5).map(move |i| (i, j)));
+            grid.map(|(i, j)| (i, j, weight(i, columns) * weight(j, rows)))
+                .filter(|(.., weight)| *weight > 0.0)
+                .map(|(i, j, weight)| {
+                    let away = f64::from(i) * axis + f64::from(j) * axis.perp();
+                    let at = texcoord + side * away / size;
+                    weight * self.point(texture, level as usize, false, encoding, at)
                 })
                 .sum::<DVec4>()
-                / length
+                / (columns * rows)
         };
-        along(level.floor()).lerp(along(level.ceil()), level - level.floor())
+        let (below, part) = (level.floor(), level - level.floor());
+        let finer = points(below);
+        if part <= SETS_IN {
+            finer
+        } else {
+            finer.lerp(points(below + 1.0), (part - SETS_IN) / (1.0 - SETS_IN))
+        }
     }
 
     /// A level of a texture at one point.

@@ -1,19 +1,20 @@
 // Textures with mip levels: the average over a footprint, an ellipse in texture coordinates with the second moments
-// (ss, tt, st) of its axes. It is sampled by points of two levels along its longer axis (after McCormack et al. 1999,
-// "Feline"), whose weights cover a length r in units of their distance and so change smoothly with it.
+// (ss, tt, st) of its axes. It is sampled by points of a level along both axes (along the longer one as McCormack et al. 1999,
+// "Feline"), a texel of the level apart, whose weights cover lengths r in units of that distance and so change smoothly
+// with them: they are closer to a square pixel's average than one wide texel is.
 //
-// Level and length are such that the second moment is that of the average which many samples of the image itself
-// converge to. With texels s wide in a level, an average over the footprint's axis w and the bilinear filters on both sides:
+// The lengths are such that second moments are those of the average which many samples of the image itself converge to. With
+// texels s wide in a level, an average over the footprint's axis w and the bilinear filters on both sides:
 //   2 + w^2 = (s^2 - 1) + 2 s^2 + (r^2 - 1) s^2, in texels of the image,
-// where r = 1 along the shorter axis gives s^2 = 1 + w^2 / 3. One is taken off w^2: what is magnified is the image as it is.
+// so r^2 = (w^2 + 3) / s^2 - 2, and one point does for s^2 = 1 + w^2 / 3: the level is the one below that. One is taken off
+// w^2: what is magnified is the image as it is.
 
-struct Average {
-    // log2 s
-    level: f32,
-    // r
-    length: f32,
-    // From point to point, in texture coordinates.
-    step: vec2f,
+// An ellipse in texels of the image.
+struct Ellipse {
+    // Of its longer axis.
+    direction: vec2f,
+    // w^2 along the longer and the shorter axis.
+    axes: vec2f,
 }
 
 // A level from 1 on.
@@ -40,39 +41,43 @@ fn texture_average(atlas: texture_2d_array<f32>, place: vec4u, texcoord: vec2f, 
     }
     let long = middle + spread - 1.0;
     let short = max(middle - spread - 1.0, 0.0);
-    let s2 = max(1.0 + short / 3.0, (long + 3.0) / (TEXTURE_MOST_LENGTH * TEXTURE_MOST_LENGTH + 2.0));
     let along = select(vec2f(e.z, spread - half_difference), vec2f(spread + half_difference, e.z), half_difference >= 0.0);
-    let direction = along * inverseSqrt(max(dot(along, along), 1.0e-30));
+    let ellipse = Ellipse(along * inverseSqrt(max(dot(along, along), 1.0e-30)), vec2f(long, short));
+    let s2 = max(1.0 + short / 3.0, (long + 3.0) / (TEXTURE_MOST_LENGTH * TEXTURE_MOST_LENGTH + 2.0));
     let smallest = f32(firstLeadingBit(max(u32(size.x), u32(size.y))));
-    let average = Average(
-        min(0.5 * log2(s2), smallest),
-        sqrt(max((long + 3.0) / s2 - 2.0, 1.0)),
-        direction * sqrt(s2) / size,
-    );
-    let level = u32(average.level);
+    let level = min(0.5 * log2(s2), smallest);
+    let below = u32(level);
+    let finer = texture_points(atlas, place, below, texcoord, ellipse);
+    // From level to level there is no step.
+    let part = 1.0 - TEXTURE_STEPS * (f32(below + 1u) - level);
+    if part <= 0.0 {
+        return finer;
+    }
+    return mix(finer, texture_points(atlas, place, below + 1u, texcoord, ellipse), part);
+}
+
+fn texture_points(atlas: texture_2d_array<f32>, place: vec4u, level: u32, texcoord: vec2f, ellipse: Ellipse) -> vec4f {
     // glTF's nearest texel is for what is magnified.
     var t = texture_whole(place);
     t.nearest = false;
     if level > 0u {
         t = texture_level(place, level);
     }
-    let finer = texture_along(atlas, t, texture_wrap(place.z), texcoord, average);
-    let part = average.level - f32(level);
-    if part == 0.0 {
-        return finer;
+    let wrap = texture_wrap(place.z);
+    let side = exp2(f32(level));
+    let lengths = sqrt(clamp((ellipse.axes + 3.0) / (side * side) - 2.0, vec2f(1.0), vec2f(TEXTURE_LONGEST, TEXTURE_WIDEST)));
+    let step = side / vec2f(texture_corner(place.y));
+    let column = ellipse.direction * step;
+    let row = vec2f(-ellipse.direction.y, ellipse.direction.x) * step;
+    let last = ceil(0.5 * lengths - 0.5);
+    var sum = vec4f(0.0);
+    for (var j = -last.y; j <= last.y; j += 1.0) {
+        for (var i = -last.x; i <= last.x; i += 1.0) {
+            let weights = min(0.5 * lengths + 0.5 - abs(vec2f(i, j)), vec2f(1.0));
+            sum += weights.x * weights.y * texture_point(atlas, t, wrap, texcoord + i * column + j * row);
+        }
     }
-    let coarser = texture_along(atlas, texture_level(place, level + 1u), texture_wrap(place.z), texcoord, average);
-    return mix(finer, coarser, part);
-}
-
-fn texture_along(atlas: texture_2d_array<f32>, t: Texels, wrap: vec2u, texcoord: vec2f, average: Average) -> vec4f {
-    var sum = texture_point(atlas, t, wrap, texcoord);
-    for (var i = 1.0; i < 0.5 * average.length + 0.5; i += 1.0) {
-        let offset = i * average.step;
-        let weight = min(0.5 * average.length + 0.5 - i, 1.0);
-        sum += weight * (texture_point(atlas, t, wrap, texcoord - offset) + texture_point(atlas, t, wrap, texcoord + offset));
-    }
-    return sum / average.length;
+    return sum / (lengths.x * lengths.y);
 }
 
 fn texture_color(place: vec4u, texcoord: vec2f, footprint: vec3f) -> vec4f {
