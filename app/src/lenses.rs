@@ -28,7 +28,7 @@ impl Lenses {
         }
     }
 
-    /// What lies at r on the screen is seen at r (1 + a r^2 + b r^4), both tangents of angles from the lens's axis.
+    /// What lies at r on the screen is seen 1 + a r^2 + b r^4 times as far out, both tangents of angles from the lens's axis.
     fn coefficients(self) -> [f32; 2] {
         match self {
             Self::None => [0.0, 0.0],
@@ -37,9 +37,13 @@ impl Lenses {
         }
     }
 
-    fn seen(self, r: f32) -> f32 {
+    fn magnified(self, r: f32) -> f32 {
         let [a, b] = self.coefficients();
-        r * (1.0 + r * r * (a + r * r * b))
+        1.0 + r * r * (a + r * r * b)
+    }
+
+    fn seen(self, r: f32) -> f32 {
+        r * self.magnified(r)
     }
 
     /// Where on the screen that lies which is seen at a tangent.
@@ -97,17 +101,15 @@ impl Bent {
     pub fn without(&self, at: Pos2) -> Pos2 {
         let eye = self.eye(usize::from(at.x >= self.picture.center().x));
         let away = at - eye.center();
-        let r = away.length() / self.bent;
-        let scale = if r > 0.0 { self.lenses.seen(r) * self.flat / (r * self.bent) } else { 1.0 };
-        eye.clamp(eye.center() + scale * away)
+        let magnified = self.lenses.magnified(away.length() / self.bent);
+        eye.clamp(eye.center() + magnified * self.flat / self.bent * away)
     }
 
     /// A point of an eye's picture behind its lens.
     fn on_screen(&self, eye: Rect, at: Pos2) -> Pos2 {
         let away = at - eye.center();
-        let seen = away.length() / self.flat;
-        let scale = if seen > 0.0 { self.lenses.placed(seen) * self.bent / (seen * self.flat) } else { 0.0 };
-        eye.center() + scale * away
+        let magnified = self.lenses.magnified(self.lenses.placed(away.length() / self.flat));
+        eye.center() + self.bent / (magnified * self.flat) * away
     }
 
     fn eye(&self, index: usize) -> Rect {
