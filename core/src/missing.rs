@@ -22,10 +22,11 @@ pub struct Missing {
 }
 
 impl Missing {
-    /// Of a frame against the same frame by full tracing, pixel by pixel; `None` for frames of different sizes.
+    /// Of a frame against the same frame by full tracing, pixel by pixel; `None` for frames of different
+    /// sizes, or without records.
     #[must_use]
     pub fn of(full: &[PixelRecord], frame: &[PixelRecord]) -> Option<Self> {
-        if full.len() != frame.len() {
+        if full.is_empty() || full.len() != frame.len() {
             return None;
         }
         // Pixels by object: shown by full tracing, and lost of these.

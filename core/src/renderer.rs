@@ -16,7 +16,7 @@ use crate::{
     planes::MergePass,
     scene::octahedral_decode,
     sequence::{Sequence, Step},
-    targets::{Targets, inspection_buffer, texture},
+    targets::{Targets, inspection_buffer, inspection_fits, texture},
 };
 
 /// Renders frames of one size of one scene.
@@ -177,13 +177,15 @@ impl<'a> Renderer<'a> {
     /// once more, which changes nothing for those that follow, if the camera is that of the last frame.
     ///
     /// # Errors
-    /// A device that failed, or whose buffers cannot hold a record for every pixel.
+    /// A device that failed.
     pub fn inspect(&mut self, camera: &Camera) -> Result<Inspection> {
         let (passes, buffer) = match self.inspecting.take() {
             Some(linked) => linked,
             None => {
                 let buffer = inspection_buffer(self.gpu, self.records())?;
-                let mut variant = Variant { inspect: true, ..Variant::new(self.scene, &self.settings) };
+                let records = self.records() > 0;
+                let mut variant =
+                    Variant { inspect: true, records, ..Variant::new(self.scene, &self.settings) };
                 if self.settings.sampling > 1 {
                     variant.output = Output::Nowhere;
                 }
@@ -271,10 +273,11 @@ impl<'a> Renderer<'a> {
         self.targets.memory(self.scene)
     }
 
-    /// Pixels have a record each if they are one sample.
+    /// Pixels have a record each if they are one sample and the device can hold so many.
     fn records(&self) -> u64 {
         let [width, height] = self.targets.size.map(u64::from);
-        if self.settings.sampling == 1 { width * height } else { 0 }
+        let records = width * height;
+        if self.settings.sampling == 1 && inspection_fits(self.gpu, records) { records } else { 0 }
     }
 
     fn link(

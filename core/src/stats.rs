@@ -185,7 +185,8 @@ impl PixelRecord {
 pub struct Inspection {
     /// The frame's counters.
     pub counts: Counts,
-    /// Row by row from the top left, `width * height`; empty where pixels have several samples.
+    /// Row by row from the top left, `width * height`; empty where pixels have several samples, or where the device cannot
+    /// hold them all in one binding.
     pub pixels: Vec<PixelRecord>,
     /// Samples that postcorrection found and did not come to: they are interpolated.
     pub uncorrected: u64,

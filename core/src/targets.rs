@@ -243,7 +243,15 @@ pub fn texture(gpu: &Gpu, label: &str, size: [u32; 2], format: wgpu::TextureForm
 
 /// What the counting kernels write into: counters, then that many records.
 pub fn inspection_buffer(gpu: &Gpu, records: u64) -> Result<wgpu::Buffer> {
-    let records = records.max(1) * size_of::<PixelRecord>() as u64;
     let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
-    gpu.buffer("inspection", 4 * COUNTER_WORDS as u64 + records, usage)
+    gpu.buffer("inspection", inspection_bytes(records), usage)
+}
+
+/// Can one binding hold the counters and that many records?
+pub fn inspection_fits(gpu: &Gpu, records: u64) -> bool {
+    gpu.check_binding("inspection", inspection_bytes(records)).is_ok()
+}
+
+fn inspection_bytes(records: u64) -> u64 {
+    4 * COUNTER_WORDS as u64 + records.max(1) * size_of::<PixelRecord>() as u64
 }

@@ -128,7 +128,7 @@ impl Variant {
             ("LIGHT_COUNT_KNOWN", self.linking == Linking::Auto),
             ("VERTEX_STRIDE_KNOWN", self.linking == Linking::Auto),
             ("COUNTS", self.inspect),
-            ("HAS_RECORDS", self.sampling == 1),
+            ("HAS_RECORDS", self.records),
             ("HAS_POSTCORRECTION", self.postcorrects()),
             ("COMPARES_SHADOWS", self.postcorrect != Postcorrect::Objects),
         ];

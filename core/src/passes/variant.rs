@@ -35,6 +35,8 @@ pub struct Variant {
     pub on_cpu: bool,
     /// Counting kernels.
     pub inspect: bool,
+    /// They keep a record of every pixel.
+    pub records: bool,
     /// Where colours go.
     pub output: Output,
     /// Samples along a side of a pixel.
@@ -115,6 +117,7 @@ impl Variant {
             has_panes: features.panes,
             on_cpu: false,
             inspect: false,
+            records: false,
             output: Output::Display,
             sampling: settings.sampling,
             postcorrect: settings.postcorrect,
