@@ -33,7 +33,7 @@ gpu_struct! {
 gpu_struct! {
     /// What the counting kernels write of a pixel.
     pub struct PixelRecord {
-        origin: u32, failed: u32, cost: u32, object: u32, depth: f32, normal: u32, edges: u32,
+        origin: u32, failed: u32, cost: u32, object: u32, depth: f32, normal: u32, edges: u32, cells: u32,
     }
 }
 

@@ -330,7 +330,8 @@ fn tiles(stage: Stage, columns: u32, rows: Rows) -> Vec<Part> {
 
 /// A stage that works through a list of at most that many samples.
 fn chunks(stage: Stage, longest: u32, rows: Rows) -> Vec<Part> {
-    let per_sample = if stage == Stage::PostcorrectSeed { INTERPOLATED_PER_TRACED } else { 1 };
+    let traces = !matches!(stage, Stage::PostcorrectSeed | Stage::CellTest);
+    let per_sample = if traces { 1 } else { INTERPOLATED_PER_TRACED };
     let count = longest.div_ceil(SAMPLES_PER_SUBMISSION).max(1);
     let part = |chunk: u32| {
         let first = chunk * SAMPLES_PER_SUBMISSION;

@@ -158,6 +158,8 @@ pub struct PixelRecord {
     /// bit 16 on, 1 + the round in which a pixel is refined ([`crate::Refine::On`]), of whose `active` a bit is set for each
     /// four samples, from the first bit on.
     pub differing: u32,
+    /// Bit i is set where a refined pixel has the i-th of its sixteen samples.
+    pub cells: u32,
     /// OID of the first hit; `None` where nothing is hit.
     pub object: Option<u32>,
     /// View depth of the first hit (in units of the camera's forward vector), infinite where nothing is hit.
@@ -176,7 +178,7 @@ impl PixelRecord {
     /// Samples besides its own, of a refined pixel.
     #[must_use]
     pub fn refined(&self) -> u32 {
-        4 * self.active.trailing_ones() * u32::from(self.round().is_some())
+        self.cells.count_ones()
     }
 }
 

@@ -20,8 +20,10 @@ pub const TRACE_ROW: u32 = 32_768;
 /// Samples that a refined pixel gets at once, and in all.
 pub const REFINE_STEP: u32 = 4;
 pub const REFINE_MOST: u32 = 16;
-/// Words of what is known of a pixel that is refined.
-pub const REFINE_WORDS: u32 = 9;
+/// Words of what is known of a pixel that is refined: four samples and a sum.
+pub const REFINE_WORDS: u32 = 15;
+/// What quarters of pixels must exceed the least threshold by for the cells between them to get samples.
+pub const CELL_CONTRAST: f32 = 1.5;
 
 /// By what share of the distance a box grows on all sides in the traversal, so that it loses no hit of what is inside.
 /// With `e = 2^-24` (half a unit in the last place), WGSL's 5 e for a quotient and `D`, the largest distance from the ray's
@@ -185,6 +187,7 @@ impl Variant {
             ("REFINE_STEP", REFINE_STEP),
             ("REFINE_MOST", REFINE_MOST),
             ("REFINE_WORDS", REFINE_WORDS),
+            ("REFINE_FIRST", (1 << REFINE_STEP) - 1),
             ("RAY_DIFFUSE", 4),
             ("RAY_KINDS", RAY_KINDS as u32),
             ("PATH_TILE", plan::PATH_TILE),
@@ -206,6 +209,7 @@ impl Variant {
             ("OFFSET_SIZE", if self.robustness.offset { OFFSET_SIZE } else { 0.0 }),
             // Rays that pass straight on need one order of the surfaces, without a tolerance.
             ("SAME_DISTANCE", if self.has_panes { 0.0 } else { SAME_DISTANCE }),
+            ("CELL_CONTRAST", CELL_CONTRAST),
             ("SPHERE_MARK", gpu_scene::SPHERE_MARK),
             ("NORMAL_ERROR", OCTAHEDRAL_ERROR),
             ("FOOTPRINT_LEAST", FOOTPRINT_LEAST),

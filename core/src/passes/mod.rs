@@ -24,6 +24,10 @@
 //! | refine_test | ours, after Jin 2009, 4.3.2 | `passes/refine_test.wgsl` |
 //! | compact_refine | ours | `passes/compact.wgsl` |
 //! | refine | ours, after Jin 2009, 4.3.3, and Kim 2016, 4 | `passes/refine.wgsl` |
+//! | compact_cell_test | ours | `passes/compact.wgsl` |
+//! | cell_test | ours, after Jin 2009, 4.2.2 | `passes/cell_test.wgsl` |
+//! | compact_cells | ours | `passes/compact.wgsl` |
+//! | cells | ours | `passes/cells.wgsl` |
 //! | quincunx_base | lecture, "Adaptive supersampling (1)" | `passes/quincunx_base.wgsl` |
 //! | quincunx_split_a, quincunx_split_b | the same, (2) | `passes/quincunx_split_a.wgsl`, `passes/quincunx_split_b.wgsl` |
 //! | compact_quincunx_a, compact_quincunx_b | ours | `passes/compact.wgsl` |
@@ -56,7 +60,7 @@ mod variant;
 
 pub use constants::{
     COUNTER_CLAIMED, COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS,
-    COUNTER_RAYS, COUNTER_WORDS, RAY_KINDS, REFINE_MOST, REFINE_STEP, REFINE_WORDS, TRACE_GROUP, TRACE_ROW,
+    CELL_CONTRAST, COUNTER_RAYS, COUNTER_WORDS, RAY_KINDS, REFINE_MOST, REFINE_STEP, REFINE_WORDS, TRACE_GROUP, TRACE_ROW,
 };
 pub use demand::{Demand, Demands};
 pub use linked::Linked;
@@ -126,8 +130,16 @@ pub enum Stage {
     RefineTest,
     /// Those of the next round.
     CompactRefine,
-    /// Their samples.
+    /// The first four samples of each.
     Refine,
+    /// All that are refined.
+    CompactCellTest,
+    /// Which of their cells get samples.
+    CellTest,
+    /// Those of the next step.
+    CompactCells,
+    /// Their samples.
+    Cells,
     /// Centres and corners of all pixels.
     QuincunxBase,
     /// Which quarters of pixels are divided.
@@ -182,7 +194,7 @@ impl Stage {
     }
 
     /// Every stage.
-    pub const ALL: [Self; 46] = [
+    pub const ALL: [Self; 50] = [
         Self::Full,
         Self::Base,
         Self::SimilarityA1,
@@ -207,6 +219,10 @@ impl Stage {
         Self::RefineTest,
         Self::CompactRefine,
         Self::Refine,
+        Self::CompactCellTest,
+        Self::CellTest,
+        Self::CompactCells,
+        Self::Cells,
         Self::QuincunxBase,
         Self::QuincunxSplitA,
         Self::CompactQuincunxA,
@@ -259,6 +275,10 @@ impl Stage {
             Self::RefineTest => "refine_test",
             Self::CompactRefine => "compact_refine",
             Self::Refine => "refine",
+            Self::CompactCellTest => "compact_cell_test",
+            Self::CellTest => "cell_test",
+            Self::CompactCells => "compact_cells",
+            Self::Cells => "cells",
             Self::QuincunxBase => "quincunx_base",
             Self::QuincunxSplitA => "quincunx_split_a",
             Self::CompactQuincunxA => "compact_quincunx_a",
@@ -295,6 +315,8 @@ impl Stage {
             | Self::CompactPostcorrect
             | Self::CompactActive
             | Self::CompactRefine
+            | Self::CompactCellTest
+            | Self::CompactCells
             | Self::CompactQuincunxA
             | Self::CompactQuincunxB
             | Self::CompactRenew => wgsl!("passes/compact.wgsl"),
@@ -303,6 +325,8 @@ impl Stage {
             Self::ExtraSamples => wgsl!("passes/extra_samples.wgsl"),
             Self::RefineTest => wgsl!("passes/refine_test.wgsl"),
             Self::Refine => wgsl!("passes/refine.wgsl"),
+            Self::CellTest => wgsl!("passes/cell_test.wgsl"),
+            Self::Cells => wgsl!("passes/cells.wgsl"),
             Self::QuincunxBase => wgsl!("passes/quincunx_base.wgsl"),
             Self::QuincunxSplitA => wgsl!("passes/quincunx_split_a.wgsl"),
             Self::QuincunxSplitB => wgsl!("passes/quincunx_split_b.wgsl"),

@@ -1,6 +1,6 @@
-// Four more samples of each listed pixel, which is listed again where they differ. Where the first four show what no pixel around
-// a neighbour does, the neighbour is listed too: a line thinner than a pixel is followed from where a centre hits it (as Kim 2016,
-// section 4, spreads from pixel to pixel).
+// Four samples of each listed pixel, one in each quarter. Where they show what no pixel around a neighbour does, the neighbour is
+// listed too: a line thinner than a pixel is followed from where a centre hits it (as Kim 2016, section 4, spreads from pixel to
+// pixel).
 
 var<workgroup> refine_colors: array<vec3f, TRACE_GROUP>;
 
@@ -13,41 +13,22 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
         entry = list.words[index];
     }
     let pixel = refine_pixel(entry);
-    let taken = refine_taken(entry);
     let part = local % REFINE_STEP;
     if listed {
-        let traced = sample_follow(frame_ray_in(4u * pixel + order_cell(taken + part), 4.0));
+        let traced = sample_follow(frame_ray_in(4u * pixel + order_cell(part), 4.0));
         refine_colors[local] = traced.color;
+        refine_store(pixel, part, traced.color);
         inspect_extra(pixel);
     }
     workgroupBarrier();
-    if listed && taken == 0u {
+    if listed {
         refine_spread(pixel, part, local - part);
     }
     if listed && part == 0u {
-        refine_add(pixel, taken, local);
-    }
-}
-
-// The samples of a pixel whose first four, or next four, are from that place on.
-fn refine_add(pixel: vec2u, before: u32, local: u32) {
-    let center = edges_color(pixel);
-    var known = refine_begin(center);
-    if before > 0u {
-        known = refine_load(pixel);
-    }
-    known.sum += refine_colors[local] + refine_colors[local + 1u] + refine_colors[local + 2u] + refine_colors[local + 3u];
-    for (var i = 0u; i < REFINE_STEP; i += 1u) {
-        let shown = contrast_shown(refine_colors[local + i]);
-        known.low = min(known.low, shown);
-        known.high = max(known.high, shown);
-    }
-    let taken = before + REFINE_STEP;
-    output(pixel, refine_mean(known, center, taken));
-    inspect_refined(pixel, taken, refine_round(pixel));
-    if refine_goes_on(known, taken) {
-        refine_store(pixel, known);
-        refine_append(pixel, taken);
+        let sum = refine_colors[local] + refine_colors[local + 1u] + refine_colors[local + 2u] + refine_colors[local + 3u];
+        refine_store(pixel, REFINE_SUM, sum);
+        output(pixel, (sum + edges_color(pixel)) / 5.0);
+        inspect_refined(pixel, REFINE_FIRST, refine_round(pixel));
     }
 }
 
@@ -69,4 +50,22 @@ fn refine_spread(pixel: vec2u, part: u32, local: u32) {
             refine_append(vec2u(beside), 0u);
         }
     }
+}
+
+// Do samples around a neighbour show what no pixel around it does?
+fn refine_surprises(neighbour: vec2u, shown: array<vec3f, 4>) -> bool {
+    var low = vec3f(1.0);
+    var high = vec3f(0.0);
+    for (var i = 0u; i < 9u; i += 1u) {
+        let around = contrast_shown(edges_color(edges_neighbour(neighbour, i)));
+        low = min(low, around);
+        high = max(high, around);
+    }
+    for (var i = 0u; i < REFINE_STEP; i += 1u) {
+        let nearest = clamp(shown[i], low, high);
+        if contrast_exceeds(min(shown[i], nearest), max(shown[i], nearest), frame.tau_least) {
+            return true;
+        }
+    }
+    return false;
 }

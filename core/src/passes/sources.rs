@@ -24,10 +24,14 @@ impl Variant {
             | Stage::CompactRenew
             | Stage::CompactQuincunxA
             | Stage::CompactQuincunxB => self.compact_sources(stage, wgsl!("wgsl/list_step.wgsl")),
-            Stage::CompactSeed => self.compact_sources(stage, wgsl!("wgsl/list_all.wgsl")),
+            Stage::CompactSeed | Stage::CompactCellTest => {
+                self.compact_sources(stage, wgsl!("wgsl/list_all.wgsl"))
+            }
             Stage::CompactPostcorrect => self.compact_sources(stage, wgsl!("wgsl/list_round.wgsl")),
             Stage::CompactActive => self.compact_sources(stage, wgsl!("wgsl/list_active.wgsl")),
-            Stage::CompactRefine => self.compact_sources(stage, wgsl!("wgsl/list_refine.wgsl")),
+            Stage::CompactRefine | Stage::CompactCells => {
+                self.compact_sources(stage, wgsl!("wgsl/list_refine.wgsl"))
+            }
             Stage::SimilarityA1 | Stage::SimilarityA2 => self.shading_sources(
                 wgsl!("wgsl/attributes_planes.wgsl"),
                 [
@@ -65,7 +69,13 @@ impl Variant {
             ),
             Stage::RefineTest => self.test_sources(stage, [wgsl!("wgsl/refine_list.wgsl")]),
             Stage::ExtraSamples => self.extra_sources(),
-            Stage::Refine => self.refine_sources(),
+            Stage::Refine | Stage::Cells => self.refine_sources(stage),
+            Stage::CellTest => {
+                let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_claims.wgsl"));
+                sources.extend(refined_sources());
+                sources.extend([wgsl!("wgsl/edges.wgsl"), stage.entry()]);
+                sources
+            }
             Stage::Full | Stage::Base | Stage::Presample => {
                 self.tracing_sources([self.order(), stage.entry()])
             }
@@ -171,14 +181,8 @@ impl Variant {
         Self { jitter, secondary: false, ..*self }
     }
 
-    fn refine_sources(&self) -> Vec<Source> {
-        let entry = [
-            wgsl!("wgsl/refine_list.wgsl"),
-            wgsl!("wgsl/order_net.wgsl"),
-            wgsl!("wgsl/contrast.wgsl"),
-            wgsl!("wgsl/refine.wgsl"),
-            Stage::Refine.entry(),
-        ];
+    fn refine_sources(&self, stage: Stage) -> Vec<Source> {
+        let entry = refined_sources().into_iter().chain([stage.entry()]);
         self.extra().tracing_sources_from(wgsl!("wgsl/attributes_claims.wgsl"), self.hit(), entry)
     }
 
@@ -336,6 +340,16 @@ impl Variant {
 
 pub(super) fn pick(present: bool, with: Source, without: Source) -> Source {
     if present { with } else { without }
+}
+
+/// What is known of pixels that are refined.
+fn refined_sources() -> [Source; 4] {
+    [
+        wgsl!("wgsl/refine_list.wgsl"),
+        wgsl!("wgsl/order_net.wgsl"),
+        wgsl!("wgsl/contrast.wgsl"),
+        wgsl!("wgsl/refine.wgsl"),
+    ]
 }
 
 fn postcorrect_sources(stage: Stage) -> [Source; 4] {

@@ -9,13 +9,10 @@ use crate::{
 /// The most samples that a pixel gets besides its own.
 const EXTRA_SAMPLES: u32 = 16;
 
-/// Rounds of four samples a pixel: a line is followed over fewer pixels from where a centre hits it.
+/// Rounds of pixels that are refined: a line is followed over fewer pixels from where a centre hits it.
 pub const REFINE_ROUNDS: u32 = 16;
 
-/// After so many, pixels of the first round have all their samples.
-const REFINE_LONG_ROUNDS: u32 = 4;
-
-/// What is refined later is this part of the frame at most.
+/// What is listed after the first is this part of the frame at most.
 const REFINE_LATER: u32 = 8;
 
 /// Levels of the a-trous filter, each of which looks twice as far as the one before.
@@ -56,15 +53,22 @@ impl Plan {
         self.push(chunks(Stage::ExtraSamples, longest, rows));
     }
 
-    /// All pixels that the test finds, and what they lead to.
+    /// All pixels that the test finds and what they lead to; then the cells in them that differ.
     fn refine(&mut self, shape: &Shape, rows: Rows) {
-        let longest = REFINE_MOST / REFINE_STEP * shape.grid[0] * rows.count();
+        let pixels = shape.grid[0] * rows.count();
+        let longest = REFINE_MOST / REFINE_STEP * pixels;
         self.longest_list = self.longest_list.max(longest);
         self.push(tiles(Stage::RefineTest, shape.grid[0], rows));
         for round in 0..REFINE_ROUNDS {
-            let most = if round < REFINE_LONG_ROUNDS { longest } else { longest.div_ceil(REFINE_LATER) };
+            let most = if round == 0 { longest } else { longest.div_ceil(REFINE_LATER) };
             self.push(once(Stage::CompactRefine, rows));
             self.push(chunks(Stage::Refine, most, rows));
+        }
+        self.push(once(Stage::CompactCellTest, rows));
+        self.push(chunks(Stage::CellTest, pixels, rows));
+        for _ in 1..REFINE_MOST / REFINE_STEP {
+            self.push(once(Stage::CompactCells, rows));
+            self.push(chunks(Stage::Cells, longest, rows));
         }
     }
 

@@ -1,4 +1,4 @@
-//! Extra samples for whole pixels, step by step: `refine.wgsl` in f64.
+//! Extra samples for whole pixels, step by step: `refine.wgsl` and `cell_test.wgsl` in f64.
 
 use glam::DVec3;
 
@@ -6,22 +6,22 @@ use super::{
     Frame, Rounding,
     contrast::{contrasts, exceeds, shown},
 };
-use crate::{Jitter, plan::REFINE_ROUNDS};
+use crate::{Jitter, passes::CELL_CONTRAST, plan::REFINE_ROUNDS};
 
-/// What the eight samples of a pixel must exceed the least threshold by to become sixteen.
-const LAST_CONTRAST: f64 = 4.0;
+/// The first four of the sixteen samples, as bits.
+const FIRST: u32 = 0b1111;
 
 /// How a pixel is refined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Refinement {
     /// In which round, 0 the first.
     pub round: Option<u32>,
-    /// How many samples it gets besides its own: 0, 4, 8, 16, fewer where the rounds end.
-    pub samples: u32,
+    /// Which samples it gets besides its own, as [`crate::PixelRecord::cells`].
+    pub cells: u32,
 }
 
 impl Frame<'_> {
-    /// Whether and when a pixel is refined, given when its neighbours are.
+    /// Whether, when and where a pixel is refined, given when its neighbours are.
     #[must_use]
     pub fn refinement(
         &self,
@@ -36,23 +36,32 @@ impl Frame<'_> {
         } else {
             Some(0)
         };
-        let Some(first) = round else { return Refinement { round, samples: 0 } };
-        let wanted = match () {
-            () if !self.differs(pixel, 4, 1.0, rounding) => 4,
-            () if !self.differs(pixel, 8, LAST_CONTRAST, rounding) => 8,
-            () => 16,
-        };
-        Refinement { round, samples: wanted.min(4 * (REFINE_ROUNDS - first)) }
+        if round.is_none() {
+            return Refinement { round, cells: 0 };
+        }
+        let differing = (4..16).filter(|i| self.cell_differs(pixel, *i, round_of, rounding));
+        let mut cells = differing.fold(0, |cells, i| cells | 1 << i);
+        // As many more in their order as make whole steps.
+        for i in 4..16 {
+            if u32::count_ones(cells) % 4 != 0 {
+                cells |= 1 << i;
+            }
+        }
+        Refinement { round, cells: cells | FIRST }
     }
 
-    /// Linear radiance of a pixel that has so many samples besides its own.
+    /// Linear radiance of a pixel that has these samples besides its own.
     #[must_use]
-    pub fn refined(&self, pixel: [u32; 2], samples: u32, rounding: &mut Rounding) -> DVec3 {
-        let sum: DVec3 = (0..samples).map(|i| self.refining_sample(pixel, i, rounding)).sum();
-        if samples == 16 {
-            return sum / 16.0;
+    pub fn refined(&self, pixel: [u32; 2], cells: u32, rounding: &mut Rounding) -> DVec3 {
+        let sample = |i: u32| self.refining_sample(pixel, i, rounding);
+        match cells {
+            0 => self.presampled(pixel, rounding).color,
+            FIRST => ((0..4).map(sample).sum::<DVec3>() + self.presampled(pixel, rounding).color) / 5.0,
+            _ => {
+                let nearest = |i: u32| if cells >> i & 1 == 1 { i } else { in_quarter(quarter(cell(i))) };
+                (0..16).map(|i| sample(nearest(i))).sum::<DVec3>() / 16.0
+            }
         }
-        (sum + self.presampled(pixel, rounding).color) / f64::from(samples + 1)
     }
 
     /// Do the first samples of a neighbour show what no pixel around this one does?
@@ -71,20 +80,43 @@ impl Frame<'_> {
         })
     }
 
-    /// Do the centre and the first so many samples differ by so many times what is worth a sample?
-    fn differs(&self, pixel: [u32; 2], samples: u32, factor: f64, rounding: &mut Rounding) -> bool {
-        let own = self.presampled(pixel, rounding).color;
-        let colors: Vec<_> = (0..samples).map(|i| self.refining_sample(pixel, i, rounding)).collect();
-        let contrasts = contrasts(colors.into_iter().chain([own])).map(|c| rounding.contrast(c));
-        exceeds(contrasts, factor * self.least_threshold())
+    /// Does the quarter in which a sample lies differ from the three at the corner to which its cell is nearest?
+    fn cell_differs(
+        &self,
+        pixel: [u32; 2],
+        sample: u32,
+        round_of: &dyn Fn([u32; 2]) -> Option<u32>,
+        rounding: &mut Rounding,
+    ) -> bool {
+        let cell = cell(sample);
+        let own = [0, 1].map(|i| i64::from(2 * pixel[i] + cell[i] / 2));
+        let beside = [0, 1].map(|i| own[i] + 2 * i64::from(cell[i] & 1) - 1);
+        let corner = [own, [beside[0], own[1]], [own[0], beside[1]], beside];
+        let colors: Vec<_> = corner.map(|at| self.quarter_color(at, round_of, rounding)).into();
+        let contrasts = contrasts(colors.into_iter()).map(|c| rounding.contrast(c));
+        exceeds(contrasts, f64::from(CELL_CONTRAST) * self.least_threshold())
+    }
+
+    /// Of a quarter of a refined pixel its sample, of others the pixel's; beyond the frame, the nearest inside.
+    fn quarter_color(
+        &self,
+        at: [i64; 2],
+        round_of: &dyn Fn([u32; 2]) -> Option<u32>,
+        rounding: &mut Rounding,
+    ) -> DVec3 {
+        let at = [0, 1].map(|i| at[i].clamp(0, 2 * i64::from(self.size[i]) - 1) as u32);
+        let pixel = at.map(|place| place / 2);
+        match round_of(pixel) {
+            Some(_) => self.refining_sample(pixel, in_quarter((at[0] & 1) + 2 * (at[1] & 1)), rounding),
+            None => self.presampled(pixel, rounding).color,
+        }
     }
 
     /// In Sobol's order; samples that lie side by side are off alike.
     fn refining_sample(&self, pixel: [u32; 2], i: u32, rounding: &Rounding) -> DVec3 {
         let jitters = self.settings.jitter != Jitter::Off;
-        let [a, b, c, d] = [0, 1, 2, 3].map(|bit| i >> bit & 1);
-        let order = [2 * a + b, 2 * (a ^ b ^ c ^ d) + (b ^ d)];
-        let cell = [0, 1].map(|axis| 4 * pixel[axis] + order[axis]);
+        let inside = cell(i);
+        let cell = [0, 1].map(|axis| 4 * pixel[axis] + inside[axis]);
         self.sample_in(cell, 4, jitters, &mut rounding.clone()).color
     }
 
@@ -101,4 +133,20 @@ impl Frame<'_> {
             (0..2).all(|i| beside[i] < size[i]).then_some(beside)
         })
     }
+}
+
+/// Where the i-th of sixteen samples lies.
+fn cell(i: u32) -> [u32; 2] {
+    let [a, b, c, d] = [0, 1, 2, 3].map(|bit| i >> bit & 1);
+    [2 * a + b, 2 * (a ^ b ^ c ^ d) + (b ^ d)]
+}
+
+/// The quarter of a cell: 0 upper left, 1 upper right, 2 lower left, 3 lower right.
+fn quarter([x, y]: [u32; 2]) -> u32 {
+    x / 2 + 2 * (y / 2)
+}
+
+/// Which of the first four samples lies in a quarter.
+fn in_quarter(quarter: u32) -> u32 {
+    [0, 3, 2, 1][quarter as usize]
 }

@@ -67,7 +67,12 @@ fn edges_store(pixel: vec2u, e: Edges) {
 
 // The eight around a pixel and itself, row by row from the upper left; beyond the frame, the nearest inside.
 fn edges_neighbour(pixel: vec2u, index: u32) -> vec2u {
-    let low = vec2i(0, i32(max(frame.row, EDGES_APRON) - EDGES_APRON));
     let beside = vec2i(pixel) + vec2i(i32(index % 3u), i32(index / 3u)) - 1;
-    return vec2u(clamp(beside, low, vec2i(frame.size) - 1));
+    return edges_inside(beside);
+}
+
+// The nearest pixel of which is known what is compared.
+fn edges_inside(pixel: vec2i) -> vec2u {
+    let low = vec2i(0, i32(max(frame.row, EDGES_APRON) - EDGES_APRON));
+    return vec2u(clamp(pixel, low, vec2i(frame.size) - 1));
 }

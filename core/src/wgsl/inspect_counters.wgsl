@@ -9,6 +9,8 @@ struct PixelRecord {
     normal: u32,
     // Active quarters in bits 0 to 3, then what differs, see quarters.wgsl; from bit 20 on, 1 + the round of a refined pixel.
     edges: u32,
+    // The samples of a refined pixel, in their order.
+    cells: u32,
 }
 
 struct Inspection {
@@ -112,10 +114,12 @@ fn inspect_edges(pixel: vec2u, edges: u32) {
     }
 }
 
-// A pixel that has so many samples besides its own, since that round.
-fn inspect_refined(pixel: vec2u, samples: u32, round: u32) {
+// A pixel that has these samples besides its own, since that round.
+fn inspect_refined(pixel: vec2u, cells: u32, round: u32) {
     if HAS_RECORDS {
         let index = pixel.y * frame.size.x + pixel.x;
-        inspection.pixels[index].edges |= ((1u << (samples / 4u)) - 1u) | ((round + 1u) << 20u);
+        let steps = countOneBits(cells) / REFINE_STEP;
+        inspection.pixels[index].edges |= ((1u << steps) - 1u) | ((round + 1u) << 20u);
+        inspection.pixels[index].cells = cells;
     }
 }

@@ -9,4 +9,4 @@ fn inspect_failed(pixel: vec2u, failed: u32) {}
 fn inspect_extra(pixel: vec2u) {}
 fn inspect_more(pixel: vec2u) {}
 fn inspect_edges(pixel: vec2u, edges: u32) {}
-fn inspect_refined(pixel: vec2u, samples: u32, round: u32) {}
+fn inspect_refined(pixel: vec2u, cells: u32, round: u32) {}

@@ -10,16 +10,16 @@ struct RefineList {
 
 var<storage, read_write> list: RefineList;
 
-// The next samples of a pixel that has so many.
-fn refine_append(pixel: vec2u, taken: u32) {
+// The next four samples of a pixel, after that many steps of four.
+fn refine_append(pixel: vec2u, step: u32) {
     let place = atomicAdd(&list.count, 1u);
-    list.words[place] = pixel.x | (pixel.y << 14u) | (taken / REFINE_STEP << 28u);
+    list.words[place] = pixel.x | (pixel.y << 14u) | (step << 28u);
 }
 
 fn refine_pixel(entry: u32) -> vec2u {
     return vec2u(entry & 0x3fffu, (entry >> 14u) & 0x3fffu);
 }
 
-fn refine_taken(entry: u32) -> u32 {
-    return REFINE_STEP * (entry >> 28u);
+fn refine_step(entry: u32) -> u32 {
+    return entry >> 28u;
 }

@@ -170,7 +170,7 @@ impl Frames<'_> {
         })
     }
 
-    /// In which round pixels are refined, given when their neighbours are, and how many samples they get.
+    /// In which round pixels are refined, given when their neighbours are, and which samples they get.
     pub fn refinements(&self) -> Tally {
         self.tally(|p| {
             let labels = |round: Option<u32>, samples| Answer::<0> {
@@ -179,18 +179,18 @@ impl Frames<'_> {
                 tolerances: [],
             };
             let record = self.record(p);
-            judge(&labels(record.round(), record.refined()), |r| {
+            judge(&labels(record.round(), record.cells), |r| {
                 let refinement = self.frame.refinement(p, &|q| self.record(q).round(), r);
-                labels(refinement.round, refinement.samples)
+                labels(refinement.round, refinement.cells)
             })
         })
     }
 
-    /// Pixels from their samples, given how many they got.
+    /// Pixels from their samples, given which they got.
     pub fn refined_colors(&self) -> Tally {
         self.tally(|p| {
             judge(&self.found_color(p), |r| {
-                Answer::radiance(self.frame.refined(p, self.record(p).refined(), r))
+                Answer::radiance(self.frame.refined(p, self.record(p).cells, r))
             })
         })
     }
