@@ -8,6 +8,9 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
         return;
     }
     let pixel = refine_pixel(list.words[index]);
+    if (refine_known(pixel) & REFINE_TRACED) == 0u {
+        return;
+    }
     let differing = cell_differing(pixel);
     if differing == 0u {
         return;
@@ -21,7 +24,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
         }
     }
     refine_store(pixel, REFINE_SUM, sum);
-    atomicOr(&attributes[edges_place(pixel, EDGE_ROUND)], cells << REFINE_CELLS_SHIFT);
+    refine_tell(pixel, cells << REFINE_CELLS_SHIFT);
     refine_append(pixel, 0u);
 }
 
@@ -56,7 +59,8 @@ fn cell_differing(pixel: vec2u) -> u32 {
 fn cell_shown(pixel: vec2u, i: u32) -> vec3f {
     let at = clamp(2 * vec2i(pixel) + vec2i(i32(i % 4u), i32(i / 4u)) - 1, vec2i(0), 2 * vec2i(frame.size) - 1);
     let owner = vec2u(at) / 2u;
-    if owner.y < frame.row || owner.y >= frame.end || !refine_claimed(owner) {
+    let stored = owner.y >= frame.row && owner.y < frame.end;
+    if !stored || (refine_known(owner) & REFINE_TRACED) == 0u {
         return contrast_shown(edges_color(edges_inside(vec2i(owner))));
     }
     let quarter = (u32(at.x) & 1u) + 2u * (u32(at.y) & 1u);

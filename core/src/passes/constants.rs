@@ -23,7 +23,7 @@ pub const REFINE_MOST: u32 = 16;
 /// Words of what is known of a pixel that is refined: four samples and a sum.
 pub const REFINE_WORDS: u32 = 15;
 /// What quarters of pixels must exceed the least threshold by for the cells between them to get samples.
-pub const CELL_CONTRAST: f32 = 1.5;
+pub const CELL_CONTRAST: f32 = 2.0;
 
 /// By what share of the distance a box grows on all sides in the traversal, so that it loses no hit of what is inside.
 /// With `e = 2^-24` (half a unit in the last place), WGSL's 5 e for a quotient and `D`, the largest distance from the ray's

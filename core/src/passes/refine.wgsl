@@ -27,6 +27,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     if listed && part == 0u {
         let sum = refine_colors[local] + refine_colors[local + 1u] + refine_colors[local + 2u] + refine_colors[local + 3u];
         refine_store(pixel, REFINE_SUM, sum);
+        refine_tell(pixel, REFINE_TRACED);
         output(pixel, (sum + edges_color(pixel)) / 5.0);
         inspect_refined(pixel, REFINE_FIRST, refine_round(pixel));
     }
@@ -43,7 +44,7 @@ fn refine_spread(pixel: vec2u, part: u32, local: u32) {
         let index = select(i, i + 1u, i >= 4u);
         let beside = vec2i(pixel) + vec2i(i32(index % 3u), i32(index / 3u)) - 1;
         let inside = beside.x >= 0 && beside.y >= i32(frame.row) && beside.x < i32(frame.size.x) && beside.y < i32(frame.end);
-        if !inside || refine_claimed(vec2u(beside)) || !refine_surprises(vec2u(beside), shown) {
+        if !inside || refine_known(vec2u(beside)) != 0u || !refine_surprises(vec2u(beside), shown) {
             continue;
         }
         if refine_claim(vec2u(beside), refine_round(pixel) + 1u) {

@@ -42,6 +42,7 @@ fn variants() -> impl Iterator<Item = Variant> {
         has_panes: bits & 64 != 0,
         on_cpu: bits & 8 != 0,
         inspect,
+        records: inspect,
         output,
         sampling: 1,
         interpolates: true,

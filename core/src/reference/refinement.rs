@@ -39,7 +39,8 @@ impl Frame<'_> {
         if round.is_none() {
             return Refinement { round, cells: 0 };
         }
-        let differing = (4..16).filter(|i| self.cell_differs(pixel, *i, round_of, rounding));
+        let quarters = self.quarters_around(pixel, round_of, rounding);
+        let differing = (4..16).filter(|i| self.cell_differs(&quarters, *i, rounding));
         let mut cells = differing.fold(0, |cells, i| cells | 1 << i);
         // As many more in their order as make whole steps.
         for i in 4..16 {
@@ -80,36 +81,35 @@ impl Frame<'_> {
         })
     }
 
-    /// Does the quarter in which a sample lies differ from the three at the corner to which its cell is nearest?
-    fn cell_differs(
+    /// The 4x4 quarters in and around a pixel, row by row from the upper left: of a refined pixel the samples, of others the
+    /// pixel's; beyond the frame, the nearest inside.
+    fn quarters_around(
         &self,
         pixel: [u32; 2],
-        sample: u32,
         round_of: &dyn Fn([u32; 2]) -> Option<u32>,
         rounding: &mut Rounding,
-    ) -> bool {
-        let cell = cell(sample);
-        let own = [0, 1].map(|i| i64::from(2 * pixel[i] + cell[i] / 2));
-        let beside = [0, 1].map(|i| own[i] + 2 * i64::from(cell[i] & 1) - 1);
-        let corner = [own, [beside[0], own[1]], [own[0], beside[1]], beside];
-        let colors: Vec<_> = corner.map(|at| self.quarter_color(at, round_of, rounding)).into();
-        let contrasts = contrasts(colors.into_iter()).map(|c| rounding.contrast(c));
-        exceeds(contrasts, f64::from(CELL_CONTRAST) * self.least_threshold())
+    ) -> [DVec3; 16] {
+        std::array::from_fn(|i| {
+            let step = [i % 4, i / 4].map(|place| place as i64 - 1);
+            let last = self.size.map(|side| 2 * i64::from(side) - 1);
+            let at = [0, 1].map(|axis| (2 * i64::from(pixel[axis]) + step[axis]).clamp(0, last[axis]) as u32);
+            let owner = at.map(|place| place / 2);
+            match round_of(owner) {
+                Some(_) => self.refining_sample(owner, in_quarter((at[0] & 1) + 2 * (at[1] & 1)), rounding),
+                None => self.presampled(owner, rounding).color,
+            }
+        })
     }
 
-    /// Of a quarter of a refined pixel its sample, of others the pixel's; beyond the frame, the nearest inside.
-    fn quarter_color(
-        &self,
-        at: [i64; 2],
-        round_of: &dyn Fn([u32; 2]) -> Option<u32>,
-        rounding: &mut Rounding,
-    ) -> DVec3 {
-        let at = [0, 1].map(|i| at[i].clamp(0, 2 * i64::from(self.size[i]) - 1) as u32);
-        let pixel = at.map(|place| place / 2);
-        match round_of(pixel) {
-            Some(_) => self.refining_sample(pixel, in_quarter((at[0] & 1) + 2 * (at[1] & 1)), rounding),
-            None => self.presampled(pixel, rounding).color,
-        }
+    /// Does the quarter in which a sample lies differ from the three at the corner to which its cell is nearest?
+    fn cell_differs(&self, quarters: &[DVec3; 16], sample: u32, rounding: &mut Rounding) -> bool {
+        let cell = cell(sample).map(|place| place as usize);
+        let own = cell.map(|place| place / 2 + 1);
+        let beside = [0, 1].map(|axis| own[axis] + 2 * (cell[axis] & 1) - 1);
+        let corner = [own, [beside[0], own[1]], [own[0], beside[1]], beside];
+        let colors = corner.map(|[x, y]| quarters[x + 4 * y]);
+        let contrasts = contrasts(colors.into_iter()).map(|c| rounding.contrast(c));
+        exceeds(contrasts, f64::from(CELL_CONTRAST) * self.least_threshold())
     }
 
     /// In Sobol's order; samples that lie side by side are off alike.

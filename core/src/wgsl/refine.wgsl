@@ -26,9 +26,11 @@ fn refine_in_quarter(quarter: u32) -> u32 {
     return (4u - quarter) & 3u;
 }
 
-// What is known of a pixel besides its samples: 1 + the round in which it was listed, and which samples it gets.
+// What is known of a pixel besides its samples: 1 + the round in which it was listed, whether it was traced, for which the rounds
+// may not suffice, and which samples it gets.
 
-const REFINE_ROUND: u32 = 0xffu;
+const REFINE_ROUND: u32 = 0x7fu;
+const REFINE_TRACED: u32 = 0x80u;
 const REFINE_CELLS_SHIFT: u32 = 8u;
 
 fn refine_known(pixel: vec2u) -> u32 {
@@ -39,11 +41,11 @@ fn refine_round(pixel: vec2u) -> u32 {
     return (refine_known(pixel) & REFINE_ROUND) - 1u;
 }
 
-fn refine_claimed(pixel: vec2u) -> bool {
-    return (refine_known(pixel) & REFINE_ROUND) != 0u;
-}
-
 // Is the pixel this thread's to list, for that round?
 fn refine_claim(pixel: vec2u, round: u32) -> bool {
     return atomicMax(&attributes[edges_place(pixel, EDGE_ROUND)], round + 1u) == 0u;
+}
+
+fn refine_tell(pixel: vec2u, bits: u32) {
+    atomicOr(&attributes[edges_place(pixel, EDGE_ROUND)], bits);
 }

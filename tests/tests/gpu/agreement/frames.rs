@@ -189,9 +189,7 @@ impl Frames<'_> {
     /// Pixels from their samples, given which they got.
     pub fn refined_colors(&self) -> Tally {
         self.tally(|p| {
-            judge(&self.found_color(p), |r| {
-                Answer::radiance(self.frame.refined(p, self.record(p).cells, r))
-            })
+            judge(&self.found_color(p), |r| Answer::radiance(self.frame.refined(p, self.record(p).cells, r)))
         })
     }
 
