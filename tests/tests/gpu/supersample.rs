@@ -152,6 +152,29 @@ fn a_wire_is_followed_where_no_centre_hits_it() {
     assert!(pixels < 0.5 * quarters, "{pixels} with it, {quarters} without");
 }
 
+/// Along a clean edge, cells that the edge does not come near are spared, and what is left is about as good as all sixteen.
+#[test]
+fn cells_follow_an_edge() {
+    let mut builder = Builder::new();
+    builder.environment(Vec3::ZERO, Vec3::ONE);
+    let object = builder.object(matte(Vec3::ONE));
+    builder.quad(object, vec3(-0.9, -0.7, 0.0), vec3(1.5, 0.2, 0.0), vec3(-0.3, 1.3, 0.0));
+    let stage = Stage::new(builder.seen_by(front_camera()));
+    let refined = Settings { refine: Refine::On, ..supersample(Preset::Refined.thresholds()) };
+    let numbers: Vec<_> =
+        stage.inspect(SIZE, &refined).pixels.iter().map(|p| p.refined()).filter(|number| *number > 0).collect();
+    let mean = f64::from(numbers.iter().sum::<u32>()) / numbers.len() as f64;
+    let show = |settings: &Settings| stage.frame(SIZE, settings).display;
+    let full = Settings { method: Method::Full, ..Settings::default() };
+    let many = show(&Settings { sampling: 12, ..full });
+    let error = |settings| glimpse::metrics::compare(&show(&settings), &many).expect("of one size").rmse;
+    let [ours, nine, sixteen] =
+        [refined, Settings { sampling: 3, ..full }, Settings { sampling: 4, jitter: Jitter::On, ..full }].map(error);
+    println!("{mean} samples, {ours} with them, {nine} with nine, {sixteen} with sixteen");
+    assert!(mean < 10.0 && numbers.len() > 100, "{mean} samples for {} pixels", numbers.len());
+    assert!(ours < 1.2 * sixteen && ours < nine, "{ours}, {nine} with nine, {sixteen} with sixteen");
+}
+
 #[test]
 fn the_seed_moves_extra_samples_and_nothing_else_does() {
     let stage = Stage::builtin("room");

@@ -87,6 +87,20 @@ fn the_least_phone_takes_the_passes_that_treat_noise() {
 }
 
 #[test]
+fn frames_are_counted_whose_records_one_binding_cannot_hold() {
+    let gpu = device(phone()).unwrap();
+    let scene = builtin("room").unwrap();
+    let camera = *scene.camera(None).unwrap();
+    let scene = GpuScene::upload(&gpu, scene).unwrap();
+    let settings = Settings { method: Method::Full, ..Settings::default() };
+    for (size, recorded) in [([2560, 1440], true), ([4096, 2160], false)] {
+        let mut renderer = Renderer::new(&gpu, &scene, size, &settings).unwrap();
+        renderer.render(&camera).unwrap();
+        assert_eq!(!renderer.inspect(&camera).unwrap().pixels.is_empty(), recorded, "{size:?}");
+    }
+}
+
+#[test]
 fn too_few_storage_buffers_are_named() {
     let error = device(wgpu::Limits { max_storage_buffers_per_shader_stage: 4, ..phone() }).err();
     let Some(Error::Missing { what, need, have, .. }) = &error else { panic!("{error:?}") };
