@@ -122,7 +122,7 @@ impl<'a> Studio<'a> {
             (self.handed_out(false)?, String::new())
         } else {
             let inspection = renderer.inspect(&job.camera)?;
-            let (picture, legend) = show::picture(job.show, &renderer.display_image()?, &inspection.pixels);
+            let (picture, legend) = show::picture(job.show, &renderer.display_image()?, &inspection.pixels)?;
             (self.uploaded(&picture), legend)
         };
         let full = if job.split {
@@ -187,7 +187,7 @@ impl<'a> Studio<'a> {
             return Ok(image);
         }
         let inspection = renderer.inspect(&job.camera)?;
-        Ok(show::picture(job.show, &image, &inspection.pixels).0)
+        Ok(show::picture(job.show, &image, &inspection.pixels)?.0)
     }
 
     fn pick(&self, camera: &Camera, at: [f32; 2]) -> Result<Option<Vec3>> {

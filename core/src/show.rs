@@ -1,6 +1,6 @@
 //! Pictures of what is known about the pixels, made from an inspection.
 
-use crate::{CHECK_NAMES, DisplayImage, PixelRecord, THRESHOLD_NAMES};
+use crate::{CHECK_NAMES, DisplayImage, Error, PixelRecord, Result, THRESHOLD_NAMES};
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,9 +87,17 @@ const NOTHING: Rgb = [0, 0, 0];
 const RAMP: [Rgb; 5] = [[10, 10, 40], [60, 40, 160], [200, 50, 110], [250, 150, 40], [255, 255, 200]];
 
 /// The picture and its legend in one line. `pixels` are those of `frame`, row by row.
-#[must_use]
-pub fn picture(show: Show, frame: &DisplayImage, pixels: &[PixelRecord]) -> (DisplayImage, String) {
-    match show {
+///
+/// # Errors
+/// There are fewer: the device could not hold them.
+pub fn picture(show: Show, frame: &DisplayImage, pixels: &[PixelRecord]) -> Result<(DisplayImage, String)> {
+    let (width, height) = frame.dimensions();
+    if show != Show::Final && pixels.len() as u64 != u64::from(width) * u64::from(height) {
+        let expected =
+            format!("expected final: records of {width}x{height} pixels exceed a binding of the device");
+        return Err(Error::setting(format!("--show {}", show.name()), expected));
+    }
+    Ok(match show {
         Show::Final => (frame.clone(), String::new()),
         Show::Origin => origin(frame, pixels),
         Show::Check(check) => failing(frame, pixels, check),
@@ -105,7 +113,7 @@ pub fn picture(show: Show, frame: &DisplayImage, pixels: &[PixelRecord]) -> (Dis
             let legend = "objects, a colour each; black is no hit".to_owned();
             (painted(frame, pixels, |_, p| p.object.map_or(NOTHING, hashed)), legend)
         }
-    }
+    })
 }
 
 /// 1234567 as `1,234,567`.
@@ -275,7 +283,7 @@ mod tests {
 
     fn shown(show: Show) -> ([Rgb; 2], String) {
         let frame = DisplayImage::from_raw(2, 1, vec![200, 200, 200, 255, 100, 100, 100, 255]).unwrap();
-        let (image, legend) = picture(show, &frame, &[HIT, MISS]);
+        let (image, legend) = picture(show, &frame, &[HIT, MISS]).unwrap();
         let rgb = |x| {
             let [r, g, b, a] = image.get_pixel(x, 0).0;
             assert_eq!(a, 255);
@@ -333,6 +341,8 @@ mod tests {
     #[test]
     fn an_empty_view_has_a_depth_picture() {
         let frame = DisplayImage::from_raw(1, 1, vec![9; 4]).unwrap();
-        assert!(picture(Show::Depth, &frame, &[MISS]).1.contains("no ray hits"));
+        assert!(picture(Show::Depth, &frame, &[MISS]).unwrap().1.contains("no ray hits"));
+        let without = picture(Show::Depth, &frame, &[]).unwrap_err().to_string();
+        assert!(without.contains("--show depth: expected final"), "{without}");
     }
 }

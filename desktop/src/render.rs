@@ -106,13 +106,7 @@ fn write_picture(options: &RenderOptions, run: &Run) -> anyhow::Result<String> {
         files::write(&options.output.path, &to_png(&run.picture)?)?;
         return Ok(String::new());
     }
-    if run.inspection.pixels.is_empty() {
-        let [width, height] = run.picture.dimensions().into();
-        let expected =
-            format!("final: a record for each of {width}x{height} pixels exceeds one binding of the adapter");
-        return Err(glimpse::Error::setting("--show", format!("expected {expected}")).into());
-    }
-    let (picture, legend) = show::picture(options.show, &run.picture, &run.inspection.pixels);
+    let (picture, legend) = show::picture(options.show, &run.picture, &run.inspection.pixels)?;
     files::write(&options.output.path, &to_png(&picture)?)?;
     Ok(summary::row("shown", &legend))
 }

@@ -171,8 +171,8 @@ pub enum Jitter {
 pub enum Refine {
     /// [`Refine::On`] after an adaptive frame, [`Refine::Off`] as a method of its own.
     Auto,
-    /// Four in the whole pixel; eight where these differ by the least of the thresholds, sixteen where the eight differ by four
-    /// times that. Where they show what no pixel around a neighbour does, the neighbour gets some too.
+    /// One in each quarter of the pixel, and where they show what no pixel around a neighbour does, of the neighbour; then four to
+    /// twelve more, where quarters differ by twice the least of the thresholds.
     On,
     /// Four in each quarter that differs (Jin 2009, 4.1.4).
     Off,

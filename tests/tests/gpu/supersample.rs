@@ -161,15 +161,21 @@ fn cells_follow_an_edge() {
     builder.quad(object, vec3(-0.9, -0.7, 0.0), vec3(1.5, 0.2, 0.0), vec3(-0.3, 1.3, 0.0));
     let stage = Stage::new(builder.seen_by(front_camera()));
     let refined = Settings { refine: Refine::On, ..supersample(Preset::Refined.thresholds()) };
-    let numbers: Vec<_> =
-        stage.inspect(SIZE, &refined).pixels.iter().map(|p| p.refined()).filter(|number| *number > 0).collect();
+    let numbers: Vec<_> = stage
+        .inspect(SIZE, &refined)
+        .pixels
+        .iter()
+        .map(|p| p.refined())
+        .filter(|number| *number > 0)
+        .collect();
     let mean = f64::from(numbers.iter().sum::<u32>()) / numbers.len() as f64;
     let show = |settings: &Settings| stage.frame(SIZE, settings).display;
     let full = Settings { method: Method::Full, ..Settings::default() };
     let many = show(&Settings { sampling: 12, ..full });
     let error = |settings| glimpse::metrics::compare(&show(&settings), &many).expect("of one size").rmse;
     let [ours, nine, sixteen] =
-        [refined, Settings { sampling: 3, ..full }, Settings { sampling: 4, jitter: Jitter::On, ..full }].map(error);
+        [refined, Settings { sampling: 3, ..full }, Settings { sampling: 4, jitter: Jitter::On, ..full }]
+            .map(error);
     println!("{mean} samples, {ours} with them, {nine} with nine, {sixteen} with sixteen");
     assert!(mean < 10.0 && numbers.len() > 100, "{mean} samples for {} pixels", numbers.len());
     assert!(ours < 1.2 * sixteen && ours < nine, "{ours}, {nine} with nine, {sixteen} with sixteen");
