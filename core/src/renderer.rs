@@ -182,8 +182,9 @@ impl<'a> Renderer<'a> {
         let (passes, buffer) = match self.inspecting.take() {
             Some(linked) => linked,
             None => {
-                let buffer = inspection_buffer(self.gpu, self.records())?;
-                let records = self.records() > 0;
+                let count = self.records();
+                let buffer = inspection_buffer(self.gpu, count)?;
+                let records = count > 0;
                 let mut variant =
                     Variant { inspect: true, records, ..Variant::new(self.scene, &self.settings) };
                 if self.settings.sampling > 1 {

@@ -2,34 +2,23 @@
 // listed too: a line thinner than a pixel is followed from where a centre hits it (as Kim 2016, section 4, spreads from pixel to
 // pixel).
 
-var<workgroup> refine_colors: array<vec3f, TRACE_GROUP>;
-
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let index = list.begin + (frame.first + group.x * TRACE_GROUP + local) / REFINE_STEP;
-    let listed = index < list.end;
-    var entry = 0u;
-    if listed {
-        entry = list.words[index];
-    }
-    let pixel = refine_pixel(entry);
-    let part = local % REFINE_STEP;
-    if listed {
-        let traced = sample_follow(frame_ray_in(4u * pixel + order_cell(part), 4.0));
-        refine_colors[local] = traced.color;
-        refine_store(pixel, part, traced.color);
-        inspect_extra(pixel);
+    let its = refine_begin(group.x, local);
+    if its.listed {
+        refine_store(its.pixel, its.part, refine_trace(its.pixel, its.part, local));
     }
     workgroupBarrier();
-    if listed {
-        refine_spread(pixel, part, local - part);
+    if !its.listed {
+        return;
     }
-    if listed && part == 0u {
-        let sum = refine_colors[local] + refine_colors[local + 1u] + refine_colors[local + 2u] + refine_colors[local + 3u];
-        refine_store(pixel, REFINE_SUM, sum);
-        refine_tell(pixel, REFINE_TRACED);
-        output(pixel, (sum + edges_color(pixel)) / 5.0);
-        inspect_refined(pixel, REFINE_FIRST, refine_round(pixel));
+    refine_spread(its.pixel, its.part, local - its.part);
+    if its.part == 0u {
+        let sum = refine_sum(local);
+        refine_store(its.pixel, REFINE_SUM, sum);
+        refine_tell(its.pixel, REFINE_TRACED);
+        output(its.pixel, (sum + edges_color(its.pixel)) / 5.0);
+        inspect_refined(its.pixel, REFINE_FIRST, refine_round(its.pixel));
     }
 }
 
@@ -55,15 +44,9 @@ fn refine_spread(pixel: vec2u, part: u32, local: u32) {
 
 // Do samples around a neighbour show what no pixel around it does?
 fn refine_surprises(neighbour: vec2u, shown: array<vec3f, 4>) -> bool {
-    var low = vec3f(1.0);
-    var high = vec3f(0.0);
-    for (var i = 0u; i < 9u; i += 1u) {
-        let around = contrast_shown(edges_color(edges_neighbour(neighbour, i)));
-        low = min(low, around);
-        high = max(high, around);
-    }
+    let range = edges_range(neighbour);
     for (var i = 0u; i < REFINE_STEP; i += 1u) {
-        let nearest = clamp(shown[i], low, high);
+        let nearest = clamp(shown[i], range.low, range.high);
         if contrast_exceeds(min(shown[i], nearest), max(shown[i], nearest), frame.tau_least) {
             return true;
         }

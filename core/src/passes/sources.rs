@@ -166,6 +166,7 @@ impl Variant {
         sources.extend([
             wgsl!("wgsl/edges.wgsl"),
             wgsl!("wgsl/contrast.wgsl"),
+            wgsl!("wgsl/edges_range.wgsl"),
             wgsl!("wgsl/quarters.wgsl"),
             self.inactive(),
             self.order(),
@@ -182,7 +183,8 @@ impl Variant {
     }
 
     fn refine_sources(&self, stage: Stage) -> Vec<Source> {
-        let entry = refined_sources().into_iter().chain([stage.entry()]);
+        let of_tracing = [wgsl!("wgsl/edges_range.wgsl"), wgsl!("wgsl/refine_trace.wgsl"), stage.entry()];
+        let entry = refined_sources().into_iter().chain(of_tracing);
         self.extra().tracing_sources_from(wgsl!("wgsl/attributes_claims.wgsl"), self.hit(), entry)
     }
 

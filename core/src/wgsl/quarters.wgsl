@@ -9,11 +9,11 @@ struct Test {
 }
 
 fn quarters_test(pixel: vec2u) -> Test {
-    let own_shown = contrast_shown(edges_color(pixel));
-    if !COUNTS && !quarters_may_differ(pixel, own_shown) {
+    if !COUNTS && !quarters_may_differ(pixel) {
         return Test(0u, 0u);
     }
     let own = edges_load(pixel);
+    let own_shown = contrast_shown(own.color);
     // Textures count whatever the neighbours are.
     let own_bits = quarters_textures(own);
     var bits: array<u32, 9>;
@@ -43,15 +43,9 @@ fn quarters_test(pixel: vec2u) -> Test {
 }
 
 // Colours that differ less than this around the whole pixel differ less around each quarter, whatever the attributes are.
-fn quarters_may_differ(pixel: vec2u, own: vec3f) -> bool {
-    var low = own;
-    var high = own;
-    for (var i = 0u; i < 9u; i += 1u) {
-        let other = contrast_shown(edges_color(edges_neighbour(pixel, i)));
-        low = min(low, other);
-        high = max(high, other);
-    }
-    return contrast_exceeds(low, high, 0.999 * frame.tau_least);
+fn quarters_may_differ(pixel: vec2u) -> bool {
+    let range = edges_range(pixel);
+    return contrast_exceeds(range.low, range.high, 0.999 * frame.tau_least);
 }
 
 fn quarters_in_focus(word: u32) -> bool {

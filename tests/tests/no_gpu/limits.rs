@@ -1,6 +1,6 @@
 //! Every pipeline is created and whole frames are recorded on a device that has the limits of a phone and no driver.
 
-use glimpse::{Denoise, Error, Gpu, GpuScene, Linking, Method, Renderer, Settings, scene::builtin};
+use glimpse::{Camera, Denoise, Error, Gpu, GpuScene, Linking, Method, Renderer, Settings, scene::builtin};
 use glimpse_app::Phone;
 
 /// A device without a driver that enforces these limits.
@@ -47,10 +47,14 @@ fn takes_every_pass(gpu: &Gpu, scenes: &[&str]) {
     }
 }
 
-fn every_pass(gpu: &Gpu, name: &str) -> glimpse::Result<()> {
+fn uploaded(gpu: &Gpu, name: &str) -> glimpse::Result<(GpuScene, Camera)> {
     let scene = builtin(name).expect("a built-in scene");
     let camera = *scene.camera(None)?;
-    let scene = GpuScene::upload(gpu, scene)?;
+    Ok((GpuScene::upload(gpu, scene)?, camera))
+}
+
+fn every_pass(gpu: &Gpu, name: &str) -> glimpse::Result<()> {
+    let (scene, camera) = uploaded(gpu, name)?;
     for method in Method::ALL {
         for features in [Linking::Auto, Linking::All] {
             let settings = Settings { method, features, ..Settings::default() };
@@ -66,9 +70,7 @@ fn every_pass(gpu: &Gpu, name: &str) -> glimpse::Result<()> {
 #[test]
 fn the_least_phone_takes_the_passes_that_treat_noise() {
     let gpu = device(phone()).unwrap();
-    let scene = builtin("room").unwrap();
-    let camera = *scene.camera(None).unwrap();
-    let scene = GpuScene::upload(&gpu, scene).unwrap();
+    let (scene, camera) = uploaded(&gpu, "room").unwrap();
     for denoise in Denoise::ALL {
         let mut settings = Settings { method: Method::Path, ..Settings::default() };
         settings.paths.denoise = denoise;
@@ -89,9 +91,7 @@ fn the_least_phone_takes_the_passes_that_treat_noise() {
 #[test]
 fn frames_are_counted_whose_records_one_binding_cannot_hold() {
     let gpu = device(phone()).unwrap();
-    let scene = builtin("room").unwrap();
-    let camera = *scene.camera(None).unwrap();
-    let scene = GpuScene::upload(&gpu, scene).unwrap();
+    let (scene, camera) = uploaded(&gpu, "room").unwrap();
     let settings = Settings { method: Method::Full, ..Settings::default() };
     for (size, recorded) in [([2560, 1440], true), ([4096, 2160], false)] {
         let mut renderer = Renderer::new(&gpu, &scene, size, &settings).unwrap();

@@ -1,0 +1,16 @@
+// The darkest and the brightest, as shown, of a pixel and the eight around it.
+
+struct EdgesRange {
+    low: vec3f,
+    high: vec3f,
+}
+
+fn edges_range(pixel: vec2u) -> EdgesRange {
+    var range = EdgesRange(vec3f(1.0), vec3f(0.0));
+    for (var i = 0u; i < 9u; i += 1u) {
+        let shown = contrast_shown(edges_color(edges_neighbour(pixel, i)));
+        range.low = min(range.low, shown);
+        range.high = max(range.high, shown);
+    }
+    return range;
+}
