@@ -60,14 +60,6 @@ impl Drop for Lent {
     }
 }
 
-/// One frame, both ways of reading it.
-pub struct Frame {
-    /// As shown.
-    pub display: DisplayImage,
-    /// As computed.
-    pub linear: LinearImage,
-}
-
 /// A scene on the device with the camera to look through.
 pub struct Stage {
     /// The uploaded scene.
@@ -96,25 +88,34 @@ impl Stage {
         Self::new(glimpse::scene::builtin(name).unwrap_or_else(|| panic!("builtin:{name} is missing")))
     }
 
-    /// Renders a frame.
+    /// A frame as it is computed.
     ///
     /// # Panics
     /// Where the renderer fails.
     #[must_use]
-    pub fn frame(&self, size: [u32; 2], settings: &Settings) -> Frame {
+    pub fn frame(&self, size: [u32; 2], settings: &Settings) -> LinearImage {
+        let frame = self.renderer(size, settings).linear_image(&self.camera).expect("the frame can be read");
+        assert_eq!(frame.dimensions(), size.into(), "size of the linear image");
+        frame
+    }
+
+    /// A frame as it is shown: by kernels of its own, which are as many again to compile.
+    ///
+    /// # Panics
+    /// Where the renderer fails.
+    #[must_use]
+    pub fn shown(&self, size: [u32; 2], settings: &Settings) -> DisplayImage {
         let mut renderer = self.renderer(size, settings);
         renderer.render(&self.camera).expect("the frame renders");
-        let display = renderer.display_image().expect("the frame can be read");
-        assert_eq!([display.width(), display.height()], size, "size of the display image");
-        let linear = renderer.linear_image(&self.camera).expect("the linear frame can be read");
-        assert_eq!([linear.width(), linear.height()], size, "size of the linear image");
-        Frame { display, linear }
+        let shown = renderer.display_image().expect("the frame can be read");
+        assert_eq!(shown.dimensions(), size.into(), "size of the display image");
+        shown
     }
 
     /// The linear radiance of a frame by `full`.
     #[must_use]
     pub fn full(&self, size: [u32; 2]) -> LinearImage {
-        self.frame(size, &full()).linear
+        self.frame(size, &full())
     }
 
     /// Renders a frame with the counting kernels.

@@ -35,7 +35,7 @@ fn compare(image: &LinearImage, tolerance: f64, expected: impl Fn(u32, u32) -> O
 fn a_furnace_is_one_everywhere() {
     let stage = Stage::builtin("furnace");
     for method in [Method::Full, Method::Adaptive, Method::Checkerboard] {
-        let image = stage.frame([621, 523], &Settings { method, ..Settings::default() }).linear;
+        let image = stage.frame([621, 523], &Settings { method, ..Settings::default() });
         for (x, y, pixel) in image.enumerate_pixels() {
             for channel in pixel.0 {
                 assert!((channel - 1.0).abs() <= 1e-5, "{method:?} ({x}, {y}): {:?}", pixel.0);
@@ -244,7 +244,7 @@ fn recursion_ends_where_it_is_told_to() {
     let stage = Stage::new(builder.seen_by(camera));
     for depth in [1, 2, 3, 5, 12] {
         let settings = Settings { depth, ..full() };
-        let image = stage.frame([5, 5], &settings).linear;
+        let image = stage.frame([5, 5], &settings);
         compare(&image, 1e-4, |_, _| Some(DVec3::splat(0.5_f64.powi(depth as i32))));
     }
 }

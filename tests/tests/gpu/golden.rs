@@ -7,9 +7,9 @@ const SIZE: [u32; 2] = [128, 96];
 
 fn check(scene: &str, method: Method) {
     let settings = Settings { method, ..Settings::default() };
-    let frame = Stage::builtin(scene).frame(SIZE, &settings);
+    let shown = Stage::builtin(scene).shown(SIZE, &settings);
     let name = format!("{scene}-{}", if method == Method::Full { "full" } else { "adaptive" });
-    if let Err(error) = Goldens::of_project(&gpu().facts().info).check(&name, &frame.display) {
+    if let Err(error) = Goldens::of_project(&gpu().facts().info).check(&name, &shown) {
         panic!("{error}");
     }
 }

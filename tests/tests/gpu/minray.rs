@@ -19,7 +19,7 @@ fn the_picture_is_heckberts() {
     let frame = Stage::builtin("minray").frame([SIZE, SIZE], &settings);
     let expected = picture();
     let (mut off, mut worst, mut wrong) = (Vec::new(), 0.0_f64, Vec::new());
-    for (x, y, pixel) in frame.linear.enumerate_pixels() {
+    for (x, y, pixel) in frame.enumerate_pixels() {
         let expected_pixel = expected[(y * SIZE + x) as usize].radiance.to_array();
         let error = (0..3).map(|c| (f64::from(pixel[c]) - expected_pixel[c]).abs()).fold(0.0, f64::max);
         // Written so that a NaN is wrong.

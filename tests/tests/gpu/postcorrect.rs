@@ -136,7 +136,7 @@ fn a_missing_shadow_is_found_by_its_bits_alone() {
     let stage = Stage::new(thin_shadow());
     let full = stage.full(SIZE);
     let full = glimpse::encode_display(&full);
-    let picture = |postcorrect| stage.frame(SIZE, &settings(postcorrect)).display;
+    let picture = |postcorrect| stage.shown(SIZE, &settings(postcorrect));
     let [off, objects, on] = [Postcorrect::Off, Postcorrect::Objects, Postcorrect::On].map(picture);
     let lost = differing(&off, &full);
     assert!(lost > 20, "{lost} pixels of the shadow are lost");
@@ -151,8 +151,8 @@ fn where_everything_is_traced_nothing_is_corrected() {
     for scene in [wire(), thin_shadow()] {
         let stage = Stage::new(scene);
         let frame =
-            |postcorrect| stage.frame(SIZE, &Settings { tolerances: strict, ..settings(postcorrect) }).linear;
-        let full = stage.frame(SIZE, &Settings { method: Method::Full, ..Settings::default() }).linear;
+            |postcorrect| stage.frame(SIZE, &Settings { tolerances: strict, ..settings(postcorrect) });
+        let full = stage.frame(SIZE, &Settings { method: Method::Full, ..Settings::default() });
         for postcorrect in [Postcorrect::On, Postcorrect::Scans] {
             assert!(frame(postcorrect).as_raw() == full.as_raw(), "{postcorrect:?}");
         }

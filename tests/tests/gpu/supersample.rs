@@ -2,11 +2,11 @@
 
 use glam::{Vec3, vec3};
 use glimpse::{
-    Filter, Focus, Inactive, Inspection, Jitter, Method, Preset, Refine, Scene, Settings, THRESHOLD_NAMES,
-    Thresholds, Tolerances,
+    Filter, Focus, Inactive, Inspection, Jitter, LinearImage, Method, Preset, Refine, Scene, Settings,
+    THRESHOLD_NAMES, Thresholds, Tolerances,
 };
 use glimpse_tests::{
-    Frame, Stage,
+    Stage,
     builder::{Builder, front_camera, matte, mirror},
 };
 
@@ -16,10 +16,9 @@ fn supersample(thresholds: Thresholds) -> Settings {
     Settings { method: Method::Supersample, thresholds, ..Settings::default() }
 }
 
-fn assert_same(found: &Frame, expected: &Frame, what: &str) {
-    assert_eq!(found.display.as_raw(), expected.display.as_raw(), "{what}, as shown");
-    let bits = |frame: &Frame| frame.linear.as_raw().iter().map(|c| c.to_bits()).collect::<Vec<_>>();
-    assert_eq!(bits(found), bits(expected), "{what}, linear");
+fn assert_same(found: &LinearImage, expected: &LinearImage, what: &str) {
+    let bits = |frame: &LinearImage| frame.as_raw().iter().map(|c| c.to_bits()).collect::<Vec<_>>();
+    assert_eq!(bits(found), bits(expected), "{what}");
 }
 
 #[test]
@@ -88,7 +87,7 @@ fn the_furnace_stays_what_it_is() {
         Settings { method: Method::Quincunx, ..Settings::default() },
         Settings { method: Method::Quincunx, similar: 0.0, ..Settings::default() },
     ] {
-        let image = stage.frame([101, 63], &settings).linear;
+        let image = stage.frame([101, 63], &settings);
         let worst = image.as_raw().iter().map(|c| (c - 1.0).abs()).fold(0.0, f32::max);
         assert!(worst <= 1e-5, "{settings:?}: off by {worst:e}");
     }
@@ -142,7 +141,7 @@ fn a_wire_is_followed_where_no_centre_hits_it() {
     };
     let (found, followed) = (seen(0..1), seen(1..16));
     assert!(found > 50 && followed > 50, "{found} found, {followed} followed");
-    let show = |settings: &Settings| stage.frame(SIZE, settings).display;
+    let show = |settings: &Settings| stage.shown(SIZE, settings);
     let many = show(&Settings { method: Method::Full, sampling: 12, ..Settings::default() });
     let error = |refine| {
         let picture = show(&Settings { refine, ..supersample(thresholds) });
@@ -169,7 +168,7 @@ fn cells_follow_an_edge() {
         .filter(|number| *number > 0)
         .collect();
     let mean = f64::from(numbers.iter().sum::<u32>()) / numbers.len() as f64;
-    let show = |settings: &Settings| stage.frame(SIZE, settings).display;
+    let show = |settings: &Settings| stage.shown(SIZE, settings);
     let full = Settings { method: Method::Full, ..Settings::default() };
     let many = show(&Settings { sampling: 12, ..full });
     let error = |settings| glimpse::metrics::compare(&show(&settings), &many).expect("of one size").rmse;
@@ -187,7 +186,7 @@ fn the_seed_moves_extra_samples_and_nothing_else_does() {
     let frame = |seed| stage.frame(SIZE, &Settings { seed, ..supersample(Thresholds::default()) });
     let first = frame(1);
     assert_same(&frame(1), &first, "the same seed");
-    assert_ne!(frame(2).linear.as_raw(), first.linear.as_raw(), "another seed");
+    assert_ne!(frame(2).as_raw(), first.as_raw(), "another seed");
 }
 
 /// What one attribute alone sees: a wall of one colour that nothing but it tells the halves of.
@@ -301,8 +300,8 @@ fn inactive_quarters_are_bilinear_where_it_is_asked_for() {
     let frame =
         |inactive, tau| stage.frame(SIZE, &Settings { inactive, ..supersample(Thresholds::uniform(tau)) });
     assert_same(&frame(Inactive::Bilinear, 0.0), &frame(Inactive::Nearest, 0.0), "all active");
-    let (soft, sharp) = (frame(Inactive::Bilinear, 1.0).linear, frame(Inactive::Nearest, 1.0).linear);
-    let roughness = |image: &glimpse::LinearImage| -> f64 {
+    let (soft, sharp) = (frame(Inactive::Bilinear, 1.0), frame(Inactive::Nearest, 1.0));
+    let roughness = |image: &LinearImage| -> f64 {
         let steps = image.as_raw().windows(4).map(|w| f64::from(w[3].min(1.0) - w[0].min(1.0)).abs());
         steps.sum()
     };
@@ -327,7 +326,7 @@ fn a_quincunx_that_is_divided_everywhere_traces_each_sample_once() {
 #[test]
 fn a_quincunx_comes_nearer_to_many_samples_the_more_it_divides() {
     let stage = Stage::builtin("room");
-    let frame = |settings: Settings| stage.frame(SIZE, &settings).display;
+    let frame = |settings: Settings| stage.shown(SIZE, &settings);
     let many = frame(Settings { method: Method::Full, sampling: 12, ..Settings::default() });
     let error = |similar| {
         let picture = frame(Settings { method: Method::Quincunx, similar, ..Settings::default() });
@@ -344,9 +343,9 @@ fn a_tent_is_the_weighted_mean_of_the_samples_around() {
     let [width, height] = [41, 37];
     for sampling in [2, 3] {
         let full = Settings { method: Method::Full, ..Settings::default() };
-        let samples = stage.frame([width * sampling, height * sampling], &full).linear;
+        let samples = stage.frame([width * sampling, height * sampling], &full);
         let tent = Settings { sampling, filter: Filter::Tent, ..full };
-        let found = stage.frame([width, height], &tent).linear;
+        let found = stage.frame([width, height], &tent);
         let n = f64::from(sampling);
         for (x, y, pixel) in found.enumerate_pixels() {
             let (mut sum, mut weights) = ([0.0; 3], 0.0);
