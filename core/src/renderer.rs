@@ -182,22 +182,39 @@ impl<'a> Renderer<'a> {
         let (passes, buffer) = match self.inspecting.take() {
             Some(linked) => linked,
             None => {
-                let count = self.records();
-                let buffer = inspection_buffer(self.gpu, count)?;
-                let records = count > 0;
-                let mut variant =
-                    Variant { inspect: true, records, ..Variant::new(self.scene, &self.settings) };
-                if self.settings.sampling > 1 {
-                    variant.output = Output::Nowhere;
-                }
+                let output = if self.settings.sampling > 1 { Output::Nowhere } else { Output::Display };
                 let display = self.targets.display.clone();
-                (self.link(&variant, &display, Some(&buffer))?, buffer)
+                self.link_counting(output, &display)?
             }
         };
-        let step = self.sequence.again(camera);
-        self.submit(&passes, camera, &step, Some(&buffer))?;
-        let bytes = self.gpu.read_buffer(&buffer)?;
+        let inspection = self.count(camera, &passes, &buffer)?;
         self.inspecting = Some((passes, buffer));
+        Ok(inspection)
+    }
+
+    /// What [`Renderer::inspect`] gives and the linear radiance that the counting kernels compute, which are half as many to compile
+    /// as those of `inspect` and [`Renderer::linear_image`].
+    ///
+    /// # Errors
+    /// A device that failed.
+    pub fn inspect_linear(&mut self, camera: &Camera) -> Result<(Inspection, LinearImage)> {
+        let target = self.linear_target()?;
+        let (passes, buffer) = self.link_counting(Output::Linear, &target)?;
+        Ok((self.count(camera, &passes, &buffer)?, self.read_linear(&target)?))
+    }
+
+    /// The counting passes, and what they count in.
+    fn link_counting(&mut self, output: Output, target: &wgpu::Texture) -> Result<(Passes, wgpu::Buffer)> {
+        let buffer = inspection_buffer(self.gpu, self.records())?;
+        let records = self.records() > 0;
+        let variant = Variant { inspect: true, records, output, ..Variant::new(self.scene, &self.settings) };
+        Ok((self.link(&variant, target, Some(&buffer))?, buffer))
+    }
+
+    fn count(&self, camera: &Camera, passes: &Passes, buffer: &wgpu::Buffer) -> Result<Inspection> {
+        let step = self.sequence.again(camera);
+        self.submit(passes, camera, &step, Some(buffer))?;
+        let bytes = self.gpu.read_buffer(buffer)?;
         let inspection = inspection(&bytes, self.targets.grid, self.records())?;
         if inspection.uncorrected > 0 {
             log::warn!("postcorrection found {} samples that it did not come to", inspection.uncorrected);
@@ -244,9 +261,13 @@ impl<'a> Renderer<'a> {
         if let Some(linked) = self.linear.take() {
             return Ok(linked);
         }
-        let target = texture(self.gpu, "linear", self.targets.size, wgpu::TextureFormat::Rgba32Float)?;
+        let target = self.linear_target()?;
         let variant = Variant { output: Output::Linear, ..Variant::new(self.scene, &self.settings) };
         Ok((self.link(&variant, &target, None)?, target))
+    }
+
+    fn linear_target(&self) -> Result<wgpu::Texture> {
+        texture(self.gpu, "linear", self.targets.size, wgpu::TextureFormat::Rgba32Float)
     }
 
     fn read_linear(&self, target: &wgpu::Texture) -> Result<LinearImage> {

@@ -157,18 +157,17 @@ fn compare_prints_the_errors() {
 #[test]
 fn a_report_is_complete_and_is_not_measured_again() {
     let folder = tempfile::tempdir().unwrap();
-    let line =
-        "report builtin:minray -o out/new --size 32x24 --frames 1 --tables 5,missing --table5-sizes 16";
+    let line = "report builtin:wires -o out/new --size 32x24 --frames 1 --tables 5,missing --table5-sizes 16";
     let run = || {
         let output = glimpse(folder.path(), line);
         assert_eq!(output.status.code(), Some(0), "{output:?}");
         assert!(output.stderr.is_empty(), "{output:?}");
         let read = |name: &str| std::fs::read_to_string(folder.path().join("out/new").join(name)).unwrap();
-        let files = ["report.csv", "report.html", "minray-time.svg", "minray-rays.svg"].map(read);
+        let files = ["report.csv", "report.html", "wires-time.svg", "wires-rays.svg"].map(read);
         (String::from_utf8(output.stdout).unwrap(), files)
     };
     let (said, first) = run();
-    assert!(!said.contains("already") && said.contains("builtin:minray: "), "{said}");
+    assert!(!said.contains("already") && said.contains("builtin:wires: "), "{said}");
     let rows = first[0].lines().count() - 1;
     assert!(
         rows > 20 && first[0].lines().filter(|l| l.contains(",tables,")).count() == 6 + 7,

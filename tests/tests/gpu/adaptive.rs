@@ -50,6 +50,7 @@ fn assert_leaving_out_changes_nothing(name: &str, stage: &Stage, size: [u32; 2],
     assert_same(&stage.frame(size, &all), &stage.frame(size, &auto), &format!("{name}, {method:?}"));
 }
 
+/// All methods trace by the same pieces; what else is made of them differs in scenes that have everything and nothing.
 #[test]
 fn leaving_out_changes_nothing() {
     let scenes = [
@@ -62,9 +63,9 @@ fn leaving_out_changes_nothing() {
     ];
     for (name, scene) in scenes {
         let stage = Stage::new(scene);
-        assert_leaving_out_changes_nothing(name, &stage, [128, 96], Method::Adaptive);
+        assert_leaving_out_changes_nothing(name, &stage, [128, 96], Method::Full);
         if ["room", "wires"].contains(&name) {
-            assert_leaving_out_changes_nothing(name, &stage, [128, 96], Method::Full);
+            assert_leaving_out_changes_nothing(name, &stage, [128, 96], Method::Adaptive);
             assert_leaving_out_changes_nothing(name, &stage, [128, 96], Method::Checkerboard);
         }
     }
@@ -79,7 +80,7 @@ fn built_in(name: &str) -> Scene {
 fn leaving_out_changes_nothing_in_shared_scenes() {
     for file in ["vr_bunny.glb", "coffee_maker.glb", "wooden_staircase.glb", "contemporary_bathroom.glb"] {
         let Some(scene) = shared_scene(file) else { continue };
-        assert_leaving_out_changes_nothing(file, &Stage::new(scene), [96, 54], Method::Adaptive);
+        assert_leaving_out_changes_nothing(file, &Stage::new(scene), [96, 54], Method::Full);
     }
 }
 

@@ -74,6 +74,7 @@ fn srgb_is_decoded_within_half_a_byte() {
 fn agree(name: &str, scene: Scene, size: [u32; 2], settings: Settings) {
     let pair = Pair::new(scene, size, settings);
     agree_in_adaptive_frames(name, &pair);
+    agree_in_supersampled_frames(name, &pair);
     if name != "cornell" {
         agree_in_quincunx_frames(name, &pair);
     }
@@ -90,22 +91,43 @@ fn agree_in_adaptive_frames(name: &str, pair: &Pair) {
     adaptive.corrections().check(&format!("{name}, adaptive, postcorrection"), SHARES);
     adaptive.adaptive_hits().check(&format!("{name}, adaptive, attributes"), SHARES);
     adaptive.adaptive_colors().check(&format!("{name}, adaptive, radiance"), SHARES);
+    let other = adaptive.other_origins();
+    note(&format!("{name}, adaptive: {other} pixels come to be in another way in f64 alone"));
+}
+
+fn agree_in_supersampled_frames(name: &str, pair: &Pair) {
     let checkerboard = pair.frames(Method::Checkerboard);
     checkerboard.checkerboard_colors().check(&format!("{name}, checkerboard, radiance"), SHARES);
     let supersample = pair.frames(Method::Supersample);
     supersample.tested().check(&format!("{name}, supersample, test"), SHARES);
     supersample.supersampled_colors().check(&format!("{name}, supersample, radiance"), SHARES);
-    let refine = Settings {
+    let refined = pair.frames_with(refined(pair));
+    refined.refinements().check(&format!("{name}, refined, rounds"), SHARES);
+    refined.refined_colors().check(&format!("{name}, refined, radiance"), SHARES);
+}
+
+fn refined(pair: &Pair) -> Settings {
+    Settings {
         method: Method::Supersample,
         refine: Refine::On,
         thresholds: Preset::Refined.thresholds(),
         ..pair.settings
-    };
-    let refined = pair.frames_with(refine);
-    refined.refinements().check(&format!("{name}, refined, rounds"), SHARES);
-    refined.refined_colors().check(&format!("{name}, refined, radiance"), SHARES);
-    let other = adaptive.other_origins();
-    note(&format!("{name}, adaptive: {other} pixels come to be in another way in f64 alone"));
+    }
+}
+
+/// The frames that are compared here are those of counting kernels.
+#[test]
+fn counting_changes_no_bit() {
+    for name in ["room", "minray"] {
+        let pair = Pair::new(built_in(name), [96, 61], Settings::default());
+        let methods =
+            [Method::Full, Method::Adaptive, Method::Checkerboard, Method::Supersample, Method::Quincunx];
+        let wishes = methods.map(|method| Settings { method, ..pair.settings });
+        for settings in wishes.into_iter().chain([refined(&pair)]) {
+            let frames = pair.frames_with(settings);
+            assert!(frames.uncounted_is_the_same(&pair.stage), "{name}, {settings:?}");
+        }
+    }
 }
 
 /// Not of the box of `cornell`: its edges are drawn along diagonals on which samples of a quincunx lie in frames of every
@@ -157,6 +179,7 @@ fn textures_without_averages() {
     let settings = Settings { mip: Mip::Off, ..Settings::default() };
     let pair = Pair::new(gallery::textures(), [96, 64], settings);
     agree_in_adaptive_frames("textures without averages", &pair);
+    agree_in_supersampled_frames("textures without averages", &pair);
 }
 
 #[test]
