@@ -3,12 +3,12 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail wherever it is surprised")]
 
 mod display;
+mod events;
 mod files;
 mod frames;
 mod governor;
 mod input;
 mod life_cycle;
 mod phones;
-mod random;
 mod scripts;
 mod stage;

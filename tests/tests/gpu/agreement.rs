@@ -115,18 +115,16 @@ fn refined(pair: &Pair) -> Settings {
     }
 }
 
-/// The frames that are compared here are those of counting kernels.
+/// The frames that are compared here are those of counting kernels. (`adaptive` shows it of the room's adaptive frame.)
 #[test]
 fn counting_changes_no_bit() {
-    for name in ["room", "minray"] {
-        let pair = Pair::new(built_in(name), [96, 61], Settings::default());
-        let methods =
-            [Method::Full, Method::Adaptive, Method::Checkerboard, Method::Supersample, Method::Quincunx];
-        let wishes = methods.map(|method| Settings { method, ..pair.settings });
-        for settings in wishes.into_iter().chain([refined(&pair)]) {
-            let frames = pair.frames_with(settings);
-            assert!(frames.uncounted_is_the_same(&pair.stage), "{name}, {settings:?}");
-        }
+    let pair = Pair::new(built_in("minray"), [65, 64], Settings::default());
+    let methods =
+        [Method::Full, Method::Adaptive, Method::Checkerboard, Method::Supersample, Method::Quincunx];
+    let wishes = methods.map(|method| Settings { method, ..pair.settings });
+    for settings in wishes.into_iter().chain([refined(&pair)]) {
+        let frames = pair.frames_with(settings);
+        assert!(frames.uncounted_is_the_same(&pair.stage), "{settings:?}");
     }
 }
 
