@@ -135,6 +135,16 @@ impl Stage {
     }
 }
 
+/// Frames are the same to the last bit, and every radiance is a number that light can have.
+///
+/// # Panics
+/// Where they are not.
+pub fn assert_same(found: &LinearImage, expected: &LinearImage, what: &str) {
+    let bits = |frame: &LinearImage| frame.as_raw().iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+    assert!(bits(found) == bits(expected), "{what}: the frames differ");
+    assert!(found.as_raw().iter().all(|v| v.is_finite() && *v >= 0.0), "{what}: radiance is finite");
+}
+
 /// Every pixel traced, every ray followed to the depth limit.
 #[must_use]
 pub fn full() -> Settings {

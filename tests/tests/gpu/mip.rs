@@ -2,12 +2,12 @@
 
 use glam::{Vec2, Vec3, vec2, vec3};
 use glimpse::{
-    Camera, LinearImage, Method, Mip, Scene, Settings,
+    Camera, Method, Mip, Scene, Settings,
     metrics::rmse,
     scene::{Image8, Material, Texture, Wrap},
 };
 use glimpse_tests::{
-    Stage,
+    Stage, assert_same,
     builder::{Builder, front_camera, matte, mirror, unlit},
     gallery, note,
 };
@@ -92,15 +92,11 @@ fn what_a_ball_shows_small_does_not_alias() {
     assert!(2.0 * on < off, "{on} and {off}");
 }
 
-fn bits(image: &LinearImage) -> Vec<u32> {
-    image.as_raw().iter().map(|v| v.to_bits()).collect()
-}
-
 fn assert_unchanged(what: &str, scene: Scene) {
     let stage = Stage::new(scene);
     for method in [Method::Full, Method::Adaptive] {
         let [off, on] = Mip::ALL.map(|mip| stage.frame(SIZE, &Settings { method, ..settings(mip) }));
-        assert!(bits(&off) == bits(&on), "{what}, {method:?}");
+        assert_same(&off, &on, &format!("{what}, {method:?}"));
     }
 }
 

@@ -6,7 +6,7 @@ use glimpse::{
     THRESHOLD_NAMES, Thresholds, Tolerances,
 };
 use glimpse_tests::{
-    Stage,
+    Stage, assert_same,
     builder::{Builder, front_camera, matte, mirror},
 };
 
@@ -14,11 +14,6 @@ const SIZE: [u32; 2] = [123, 77];
 
 fn supersample(thresholds: Thresholds) -> Settings {
     Settings { method: Method::Supersample, thresholds, ..Settings::default() }
-}
-
-fn assert_same(found: &LinearImage, expected: &LinearImage, what: &str) {
-    let bits = |frame: &LinearImage| frame.as_raw().iter().map(|c| c.to_bits()).collect::<Vec<_>>();
-    assert_eq!(bits(found), bits(expected), "{what}");
 }
 
 #[test]

@@ -9,7 +9,7 @@ use glimpse::{
 use glimpse_tests::{
     Stage,
     agreement::{Answer, Outcome, Tally, judge},
-    gpu,
+    assert_same, gpu,
 };
 
 use super::{EPSILON, Pair};
@@ -53,10 +53,10 @@ impl Frames<'_> {
         }
     }
 
-    /// Whether kernels that count nothing compute the same bits.
-    pub fn uncounted_is_the_same(&self, stage: &Stage) -> bool {
-        let bits = |image: &LinearImage| image.as_raw().iter().map(|c| c.to_bits()).collect::<Vec<_>>();
-        bits(&stage.frame(self.frame.size, &self.frame.settings)) == bits(&self.linear)
+    /// Kernels that count nothing compute the same bits.
+    pub fn assert_same_uncounted(&self, stage: &Stage) {
+        let Frame { size, settings, .. } = &self.frame;
+        assert_same(&stage.frame(*size, settings), &self.linear, &format!("{settings:?}"));
     }
 
     fn pixels(&self) -> Vec<[u32; 2]> {

@@ -33,8 +33,7 @@ fn kept(pair: &Pair) -> Vec<Kept> {
     let camera = pair.stage.camera;
     let mut full =
         Renderer::new(gpu(), &pair.stage.scene, pair.size, &settings(Method::Full)).expect("a renderer");
-    let linear = full.linear_image(&camera).expect("a frame");
-    let records = full.inspect(&camera).expect("counts").pixels;
+    let (inspection, linear) = full.inspect_linear(&camera).expect("a frame");
     let frame = frame(pair, camera);
     let of_pixel = |(index, record): (usize, &glimpse::PixelRecord)| {
         let [x, y] = [index as u32 % pair.size[0], index as u32 / pair.size[0]];
@@ -43,7 +42,7 @@ fn kept(pair: &Pair) -> Vec<Kept> {
         let radiance = DVec3::from_array(linear.get_pixel(x, y).0.map(f64::from));
         Kept { point: seen.then(|| frame.position([x, y], depth)), radiance }
     };
-    records.iter().enumerate().map(of_pixel).collect()
+    inspection.pixels.iter().enumerate().map(of_pixel).collect()
 }
 
 fn agree(name: &str, scene: Scene, moved: impl Fn(&Camera) -> Camera) {
