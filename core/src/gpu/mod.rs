@@ -2,6 +2,7 @@
 
 mod health;
 mod kernel;
+mod lavapipe;
 mod memory;
 pub(crate) mod mirror;
 mod pipelines;
@@ -100,6 +101,7 @@ impl Gpu {
 
     fn from_adapter(adapter: wgpu::Adapter, most: Option<&wgpu::Limits>) -> Result<Self> {
         let facts = AdapterFacts::of(&adapter);
+        lavapipe::check_cache(&facts.info.driver, |name| std::env::var_os(name).is_some())?;
         let offered = match most {
             Some(most) => facts.limits.clone().or_worse_values_from(most),
             None => facts.limits.clone(),

@@ -1,0 +1,39 @@
+//! A trap of lavapipe's.
+
+use crate::{Error, Result};
+
+const WIDTH: &str = "LP_NATIVE_VECTOR_WIDTH";
+const DIRECTORY: &str = "MESA_SHADER_CACHE_DIR";
+const DISABLE: &str = "MESA_SHADER_CACHE_DISABLE";
+
+/// Refuses to render where pictures may be wrong without a sign of it: what lavapipe keeps of compiled kernels and texture
+/// reads does not say for how wide vectors it was compiled (Mesa 25.0.7), and a kernel for one width with texture reads for
+/// another shows stripes. Who chooses a width must keep what was compiled apart.
+pub(super) fn check_cache(driver: &str, is_set: impl Fn(&str) -> bool) -> Result<()> {
+    if driver != "llvmpipe" || !is_set(WIDTH) || is_set(DIRECTORY) || is_set(DISABLE) {
+        return Ok(());
+    }
+    Err(Error::Setting {
+        what: WIDTH.to_owned(),
+        reason: format!(
+            "Mesa mixes up what it compiled for this width of vectors and for others, and pictures come out wrong: set \
+             {DIRECTORY} to a directory for this width alone"
+        ),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{DIRECTORY, DISABLE, WIDTH, check_cache};
+
+    #[test]
+    fn a_width_needs_a_directory_of_its_own() {
+        let check = |driver, set: &[&str]| check_cache(driver, |name| set.contains(&name)).map_err(|e| e.to_string());
+        let error = check("llvmpipe", &[WIDTH]).expect_err("compiled kernels are mixed up");
+        assert!(error.starts_with(WIDTH) && error.contains(DIRECTORY), "{error}");
+        for set in [&[][..], &[DIRECTORY], &[WIDTH, DIRECTORY], &[WIDTH, DISABLE]] {
+            assert_eq!(check("llvmpipe", set), Ok(()), "{set:?}");
+        }
+        assert_eq!(check("radv", &[WIDTH]), Ok(()));
+    }
+}
