@@ -28,7 +28,8 @@ mod tests {
 
     #[test]
     fn a_width_needs_a_directory_of_its_own() {
-        let check = |driver, set: &[&str]| check_cache(driver, |name| set.contains(&name)).map_err(|e| e.to_string());
+        let check =
+            |driver, set: &[&str]| check_cache(driver, |name| set.contains(&name)).map_err(|e| e.to_string());
         let error = check("llvmpipe", &[WIDTH]).expect_err("compiled kernels are mixed up");
         assert!(error.starts_with(WIDTH) && error.contains(DIRECTORY), "{error}");
         for set in [&[][..], &[DIRECTORY], &[WIDTH, DIRECTORY], &[WIDTH, DISABLE]] {

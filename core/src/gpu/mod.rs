@@ -101,7 +101,9 @@ impl Gpu {
 
     fn from_adapter(adapter: wgpu::Adapter, most: Option<&wgpu::Limits>) -> Result<Self> {
         let facts = AdapterFacts::of(&adapter);
-        lavapipe::check_cache(&facts.info.driver, |name| std::env::var_os(name).is_some())?;
+        lavapipe::check_cache(&facts.info.driver, |name| {
+            std::env::var_os(name).is_some_and(|v| !v.is_empty())
+        })?;
         let offered = match most {
             Some(most) => facts.limits.clone().or_worse_values_from(most),
             None => facts.limits.clone(),
