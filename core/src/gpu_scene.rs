@@ -6,7 +6,7 @@ use crate::{
     Error, Features, Gpu, Result,
     atlas::Atlas,
     bvh::Bvh,
-    gpu::mirror::gpu_struct,
+    gpu::{Words, mirror::gpu_struct},
     scene::{self, Emitters, Environment, LightKind, MAX_LIGHTS, Material, Scene, Thinness},
 };
 
@@ -59,8 +59,8 @@ gpu_struct! {
 
 /// A scene on the device: geometry, acceleration structure, materials, lights, textures.
 pub struct GpuScene {
-    nodes: wgpu::Buffer,
-    primitives: wgpu::Buffer,
+    nodes: Words,
+    primitives: Words,
     shading: wgpu::Buffer,
     vertices: wgpu::Buffer,
     objects: wgpu::Buffer,
@@ -105,19 +105,35 @@ impl GpuScene {
         }
         // Before the tree is built, which takes long for a scene that does not fit.
         let primitive_count = scene.positions.len() + scene.spheres.len();
-        gpu.check_binding("primitives", (primitive_count * size_of::<[f32; 9]>()) as u64)?;
+        if gpu.on_cpu {
+            gpu.check_texels("primitives", (primitive_count * size_of::<[[f32; 4]; 3]>()) as u64)?;
+        } else {
+            gpu.check_binding("primitives", (primitive_count * size_of::<[[f32; 3]; 3]>()) as u64)?;
+        }
         let features = Features::of(&scene);
         let thinness = Thinness::of(&scene);
         let landmarks: Vec<[f32; 3]> = thinness.landmarks().iter().map(|p| p.to_array()).collect();
         let emitting = Emitters::of(&scene);
         let bvh = Bvh::build(&scene);
         let atlas = Atlas::upload(gpu, &mut scene)?;
-        let nodes = gpu.storage("nodes", &bvh.nodes)?;
+        let nodes = if gpu.on_cpu {
+            gpu.texels("nodes", &bvh.nodes)?
+        } else {
+            Words::Buffer(gpu.storage("nodes", &bvh.nodes)?)
+        };
         log::debug!("{} primitives in {} nodes, stack of {}", bvh.order.len(), bvh.nodes.len(), bvh.stack);
         let Bvh { order, stack, nodes: tree } = bvh;
         drop(tree);
         let emitters = gpu.storage("emitters", &emitters(&emitting, &order))?;
-        let primitives = gpu.storage("primitives", &primitives(&scene, &order))?;
+        let corners = primitives(&scene, &order);
+        let primitives = if gpu.on_cpu {
+            let texels: Vec<_> =
+                corners.iter().map(|corners| corners.map(|[x, y, z]| [x, y, z, 0.0])).collect();
+            gpu.texels("primitives", &texels)?
+        } else {
+            Words::Buffer(gpu.storage("primitives", &corners)?)
+        };
+        drop(corners);
         scene.positions = Vec::new();
         let shading = gpu.storage("shading", &shading(&scene, &order))?;
         scene.normals = Vec::new();
@@ -150,7 +166,7 @@ impl GpuScene {
             environment: scene.environment,
             has_texcoords,
             has_colors,
-            on_cpu: gpu.facts().info.device_type == wgpu::DeviceType::Cpu,
+            on_cpu: gpu.on_cpu,
             features,
             thinness,
             bounds,
@@ -191,8 +207,8 @@ impl GpuScene {
     /// Everything that shaders read of the scene, by name.
     pub(crate) fn resources(&self) -> Vec<(&'static str, wgpu::BindingResource<'_>)> {
         vec![
-            ("nodes", self.nodes.as_entire_binding()),
-            ("primitives", self.primitives.as_entire_binding()),
+            ("nodes", self.nodes.binding()),
+            ("primitives", self.primitives.binding()),
             ("shading", self.shading.as_entire_binding()),
             ("vertices", self.vertices.as_entire_binding()),
             ("objects", self.objects.as_entire_binding()),
@@ -207,26 +223,20 @@ impl GpuScene {
     /// Bytes of everything but the acceleration structure, and of the latter.
     #[must_use]
     pub fn bytes(&self) -> (u64, u64) {
-        let buffers = [
-            &self.primitives,
-            &self.shading,
-            &self.vertices,
-            &self.objects,
-            &self.lights,
-            &self.landmarks,
-            &self.emitters,
-        ];
-        let scene = buffers.iter().map(|b| b.size()).sum::<u64>() + self.atlas.bytes();
-        (scene, self.nodes.size())
+        let buffers =
+            [&self.shading, &self.vertices, &self.objects, &self.lights, &self.landmarks, &self.emitters];
+        let scene =
+            buffers.iter().map(|b| b.size()).sum::<u64>() + self.primitives.bytes() + self.atlas.bytes();
+        (scene, self.nodes.bytes())
     }
 }
 
-fn primitives(scene: &Scene, order: &[u32]) -> Vec<[f32; 9]> {
+fn primitives(scene: &Scene, order: &[u32]) -> Vec<[[f32; 3]; 3]> {
     let place = |&index: &u32| match scene.positions.get(index as usize) {
-        Some([a, b, c]) => [a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z],
+        Some(corners) => corners.map(|corner| corner.to_array()),
         None => {
             let s = scene.spheres[index as usize - scene.positions.len()];
-            [s.center.x, s.center.y, s.center.z, s.radius, SPHERE_MARK, 0.0, 0.0, 0.0, 0.0]
+            [s.center.to_array(), [s.radius, SPHERE_MARK, 0.0], [0.0; 3]]
         }
     };
     order.iter().map(place).collect()

@@ -11,6 +11,7 @@ pub mod shader;
 mod tests;
 mod timer;
 mod wait;
+mod words;
 
 use std::{
     sync::{Arc, Mutex},
@@ -21,6 +22,7 @@ use health::Health;
 
 pub use kernel::{Bound, Kernel, Kernels};
 pub use timer::Timer;
+pub(crate) use words::{TEXEL_ROW, Words};
 
 use crate::{Error, Result};
 
@@ -65,6 +67,8 @@ pub struct Gpu {
     turn: Mutex<()>,
     /// What drivers compiled before.
     compiled: Option<wgpu::PipelineCache>,
+    /// It is a CPU and gets kernels that are made for one.
+    pub(crate) on_cpu: bool,
 }
 
 impl Gpu {
@@ -144,7 +148,14 @@ impl Gpu {
         );
         let health = Health::watch(&device);
         let turn = Mutex::new(());
-        Ok(Self { device, queue, adapter, facts, health, patience: PATIENCE, turn, compiled: None })
+        let on_cpu = facts.info.device_type == wgpu::DeviceType::Cpu;
+        Ok(Self { device, queue, adapter, facts, health, patience: PATIENCE, turn, compiled: None, on_cpu })
+    }
+
+    /// With the kernels that a GPU gets, even if it is none: for tests of them where there is no GPU.
+    #[must_use]
+    pub fn as_hardware(self) -> Self {
+        Self { on_cpu: false, ..self }
     }
 
     /// Waits at most that long for a frame or a readback ([`PATIENCE`]).

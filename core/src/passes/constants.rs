@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::Variant;
 use crate::{
     Crossing, Direct, Linking, MAX_RAYS, Postcorrect, Roulette, SAMPLES_PER_SUBMISSION, Stopping, atlas,
-    gpu::shader::Source,
+    gpu::{self, shader::Source},
     gpu_scene, plan,
     scene::OCTAHEDRAL_ERROR,
     sequence::{RANK_TILE, RANKS},
@@ -150,6 +150,7 @@ impl Variant {
             ("OBJECT_MASK", self.shadow_shift().map_or(u32::MAX, |shift| (1 << shift) - 1)),
             ("TRACE_GROUP", TRACE_GROUP),
             ("TRACE_ROW", TRACE_ROW),
+            ("TEXEL_ROW", gpu::TEXEL_ROW),
             ("CHUNK_SAMPLES", SAMPLES_PER_SUBMISSION),
             ("ORIGIN_BASE", Origin::Base as u32),
             ("ORIGIN_TRACED_A1", Origin::TracedA1 as u32),

@@ -88,7 +88,9 @@ impl Demands {
     /// # Errors
     /// [`crate::Error::Shader`] where a kernel does not link.
     pub fn of(scene: &GpuScene, settings: &Settings) -> Result<Self> {
-        Self::of_variant(&Variant::new(scene, settings), settings.method)
+        // As a GPU has them.
+        let variant = Variant { on_cpu: false, ..Variant::new(scene, settings) };
+        Self::of_variant(&variant, settings.method)
     }
 
     fn of_variant(variant: &Variant, method: Method) -> Result<Self> {

@@ -286,6 +286,7 @@ impl Variant {
                     wgsl!("wgsl/edge_rounded.wgsl"),
                 ),
                 wgsl!("wgsl/triangle.wgsl"),
+                pick(self.on_cpu, wgsl!("wgsl/tree_texels.wgsl"), wgsl!("wgsl/tree_buffers.wgsl")),
                 wgsl!("wgsl/bvh.wgsl"),
                 pick(f.spheres, wgsl!("wgsl/sphere_analytic.wgsl"), wgsl!("wgsl/sphere_none.wgsl")),
                 pick(

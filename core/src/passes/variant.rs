@@ -31,7 +31,7 @@ pub struct Variant {
     pub has_colors: bool,
     /// Light passes straight through some surfaces of the scene, whatever is linked.
     pub has_panes: bool,
-    /// The device is a CPU, whose cores share a dispatch by ranges.
+    /// The device is a CPU, whose cores share a dispatch by ranges and read images faster than buffers.
     pub on_cpu: bool,
     /// Counting kernels.
     pub inspect: bool,

@@ -1,10 +1,6 @@
 // Traversal of the compressed wide BVH (Ylitie, Karras, Laine 2017) that obvhs builds: 80-byte nodes of eight
 // children with boxes of 8-bit planes, visited front to back by the octant of the ray.
 
-var<storage, read> nodes: array<vec4u>;
-// Nine numbers a primitive, in the order of the leaves: the corners of a triangle, or a sphere.
-var<storage, read> primitives: array<f32>;
-
 struct Hit {
     t: f32,
     primitive: u32,
@@ -13,12 +9,7 @@ struct Hit {
 }
 
 fn bvh_corners(primitive: u32) -> array<vec3f, 3> {
-    let i = 9u * primitive;
-    return array<vec3f, 3>(
-        vec3f(primitives[i], primitives[i + 1u], primitives[i + 2u]),
-        vec3f(primitives[i + 3u], primitives[i + 4u], primitives[i + 5u]),
-        vec3f(primitives[i + 6u], primitives[i + 7u], primitives[i + 8u]),
-    );
+    return array<vec3f, 3>(tree_corner(primitive, 0u), tree_corner(primitive, 1u), tree_corner(primitive, 2u));
 }
 
 // What depends on the ray alone.
@@ -67,11 +58,11 @@ struct Visit {
 
 // The children of a node that the ray meets: inner ones as a group, primitives as a mask.
 fn bvh_visit(index: u32, slabs: Slabs, t_max: f32) -> Visit {
-    let n0 = nodes[5u * index];
-    let n1 = nodes[5u * index + 1u];
-    let n2 = nodes[5u * index + 2u];
-    let n3 = nodes[5u * index + 3u];
-    let n4 = nodes[5u * index + 4u];
+    let n0 = tree_node(index, 0u);
+    let n1 = tree_node(index, 1u);
+    let n2 = tree_node(index, 2u);
+    let n3 = tree_node(index, 3u);
+    let n4 = tree_node(index, 4u);
     let exponents = vec3u(n0.w & 0xffu, (n0.w >> 8u) & 0xffu, (n0.w >> 16u) & 0xffu);
     let unit = bitcast<vec3f>(exponents << vec3u(23u));
     let scale = unit * slabs.inverse;

@@ -8,7 +8,7 @@ fn vertex_stride() -> u32 {
     if VERTEX_STRIDE_KNOWN {
         return VERTEX_STRIDE;
     }
-    return arrayLength(&vertices) / (arrayLength(&primitives) / 9u);
+    return arrayLength(&vertices) / arrayLength(&shading);
 }
 
 fn vertex_corner_texcoord(index: u32) -> vec2f {

@@ -8,7 +8,7 @@ use glimpse::{
     probe::{Probe, ProbeRay, peak_gflops},
     scene::builtin,
 };
-use glimpse_tests::Stage;
+use glimpse_tests::{Stage, assert_same};
 
 const SIZE: [u32; 2] = [160, 120];
 
@@ -163,4 +163,20 @@ fn times_of_passes_in_several_submissions_are_in_order() {
 fn the_peak_of_a_device_is_a_rate_of_its_size() {
     let peak = peak_gflops(&device()).expect("it runs").expect("it is timed");
     assert!((0.1..1e6).contains(&peak), "{peak} billion operations a second");
+}
+
+#[test]
+fn kernels_of_gpus_and_of_cpus_make_the_same_picture() {
+    let size = [64, 48];
+    let [own, hardware] = [device(), device().as_hardware()].map(|gpu| {
+        let (scene, camera) = upload(&gpu, "room");
+        [Method::Full, Method::Adaptive, Method::Path].map(|method| {
+            let settings = Settings { method, ..Settings::default() };
+            let mut renderer = Renderer::new(&gpu, &scene, size, &settings).expect("it compiles");
+            renderer.linear_image(&camera).expect("it can be read")
+        })
+    });
+    for (own, hardware) in own.iter().zip(&hardware) {
+        assert_same(own, hardware, "kernels of GPUs");
+    }
 }

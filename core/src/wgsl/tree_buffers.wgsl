@@ -1,0 +1,15 @@
+// The acceleration structure in buffers, as GPUs read it.
+
+var<storage, read> nodes: array<vec4u>;
+// Nine numbers a primitive, in the order of the leaves: the corners of a triangle, or a sphere.
+var<storage, read> primitives: array<f32>;
+
+// A fifth of a node.
+fn tree_node(index: u32, part: u32) -> vec4u {
+    return nodes[5u * index + part];
+}
+
+fn tree_corner(primitive: u32, corner: u32) -> vec3f {
+    let i = 9u * primitive + 3u * corner;
+    return vec3f(primitives[i], primitives[i + 1u], primitives[i + 2u]);
+}
