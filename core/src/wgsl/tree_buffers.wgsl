@@ -13,3 +13,8 @@ fn tree_corner(primitive: u32, corner: u32) -> vec3f {
     let i = 9u * primitive + 3u * corner;
     return vec3f(primitives[i], primitives[i + 1u], primitives[i + 2u]);
 }
+
+// The number that tells a sphere from a triangle.
+fn tree_mark(primitive: u32) -> f32 {
+    return primitives[9u * primitive + 4u];
+}

@@ -14,6 +14,11 @@ fn tree_corner(primitive: u32, corner: u32) -> vec3f {
     return bitcast<vec3f>(textureLoad(primitives, tree_texel(3u * primitive + corner), 0).xyz);
 }
 
+// The number that tells a sphere from a triangle.
+fn tree_mark(primitive: u32) -> f32 {
+    return tree_corner(primitive, 1u).y;
+}
+
 fn tree_texel(index: u32) -> vec2u {
     return vec2u(index % TEXEL_ROW, index / TEXEL_ROW);
 }
