@@ -105,35 +105,19 @@ impl GpuScene {
         }
         // Before the tree is built, which takes long for a scene that does not fit.
         let primitive_count = scene.positions.len() + scene.spheres.len();
-        if gpu.on_cpu {
-            gpu.check_texels("primitives", (primitive_count * size_of::<[[f32; 4]; 3]>()) as u64)?;
-        } else {
-            gpu.check_binding("primitives", (primitive_count * size_of::<[[f32; 3]; 3]>()) as u64)?;
-        }
+        gpu.check_corners("primitives", primitive_count)?;
         let features = Features::of(&scene);
         let thinness = Thinness::of(&scene);
         let landmarks: Vec<[f32; 3]> = thinness.landmarks().iter().map(|p| p.to_array()).collect();
         let emitting = Emitters::of(&scene);
         let bvh = Bvh::build(&scene);
         let atlas = Atlas::upload(gpu, &mut scene)?;
-        let nodes = if gpu.on_cpu {
-            gpu.texels("nodes", &bvh.nodes)?
-        } else {
-            Words::Buffer(gpu.storage("nodes", &bvh.nodes)?)
-        };
+        let nodes = gpu.words("nodes", &bvh.nodes)?;
         log::debug!("{} primitives in {} nodes, stack of {}", bvh.order.len(), bvh.nodes.len(), bvh.stack);
         let Bvh { order, stack, nodes: tree } = bvh;
         drop(tree);
         let emitters = gpu.storage("emitters", &emitters(&emitting, &order))?;
-        let corners = primitives(&scene, &order);
-        let primitives = if gpu.on_cpu {
-            let texels: Vec<_> =
-                corners.iter().map(|corners| corners.map(|[x, y, z]| [x, y, z, 0.0])).collect();
-            gpu.texels("primitives", &texels)?
-        } else {
-            Words::Buffer(gpu.storage("primitives", &corners)?)
-        };
-        drop(corners);
+        let primitives = gpu.corners("primitives", &primitives(&scene, &order))?;
         scene.positions = Vec::new();
         let shading = gpu.storage("shading", &shading(&scene, &order))?;
         scene.normals = Vec::new();

@@ -99,7 +99,7 @@ impl Gpu {
         Ok(bytes)
     }
 
-    fn check_bytes(&self, what: String, need: u64, place: &str, have: u64) -> Result<()> {
+    pub(super) fn check_bytes(&self, what: String, need: u64, place: &str, have: u64) -> Result<()> {
         if need <= have {
             return Ok(());
         }

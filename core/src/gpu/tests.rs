@@ -81,6 +81,23 @@ fn a_buffer_without_memory_is_named_with_its_size() {
     gpu.buffer("small", 16, wgpu::BufferUsages::STORAGE).expect("the device is still usable");
 }
 
+#[test]
+fn corners_beyond_a_device_are_an_error_by_image_and_by_buffer() {
+    // Without a driver a device counts as a CPU.
+    let (images, buffers) = (device(), device().as_hardware());
+    // 8,192 rows of 4,096 texels.
+    let most = 8192 * 4096 / 3;
+    images.check_corners("primitives", most).expect("it fits");
+    let error = images.check_corners("primitives", most + 1).expect_err("a corner too many").to_string();
+    assert!(error.contains("image `primitives` needs") && error.contains("in one image"), "{error}");
+    buffers.check_corners("primitives", most + 1).expect("buffers have no limit here");
+    for count in [1, 1365, 1366, 3000] {
+        for gpu in [&buffers, &images] {
+            gpu.corners("primitives", &vec![[[1.0; 3]; 3]; count]).expect("it fits");
+        }
+    }
+}
+
 fn source(text: &'static str) -> Source {
     Source { file: "test.wgsl", text: text.into() }
 }

@@ -1,7 +1,7 @@
 //! What kernels read at any place.
 
 use super::Gpu;
-use crate::{Error, Result};
+use crate::Result;
 
 /// Texels of an image's row, of four words each.
 pub const TEXEL_ROW: u32 = 4096;
@@ -38,17 +38,44 @@ fn image_bytes(rows: u32) -> u64 {
 }
 
 impl Gpu {
+    /// Words, four at a time, where the device reads them faster.
+    pub(crate) fn words<T: bytemuck::NoUninit>(&self, label: &str, content: &[T]) -> Result<Words> {
+        if self.on_cpu {
+            self.texels(label, bytemuck::cast_slice(content))
+        } else {
+            Ok(Words::Buffer(self.storage(label, content)?))
+        }
+    }
+
+    /// Three corners a primitive, as [`Gpu::words`]; in an image each has a texel.
+    pub(crate) fn corners(&self, label: &str, content: &[[[f32; 3]; 3]]) -> Result<Words> {
+        if self.on_cpu {
+            let texels: Vec<_> =
+                content.iter().map(|corners| corners.map(|[x, y, z]| [x, y, z, 0.0])).collect();
+            self.words(label, &texels)
+        } else {
+            self.words(label, content)
+        }
+    }
+
+    /// Whether the device can hold the corners of that many primitives.
+    pub(crate) fn check_corners(&self, label: &str, primitives: usize) -> Result<()> {
+        if self.on_cpu {
+            self.check_texels(label, (primitives * size_of::<[[f32; 4]; 3]>()) as u64)
+        } else {
+            self.check_binding(label, (primitives * size_of::<[[f32; 3]; 3]>()) as u64)
+        }
+    }
+
     /// An image with this content, of at least one row.
-    pub(crate) fn texels<T: bytemuck::NoUninit>(&self, label: &str, content: &[T]) -> Result<Words> {
-        let mut bytes = bytemuck::cast_slice(content).to_vec();
-        let rows = self.check_texels(label, bytes.len() as u64)?;
-        let in_all = image_bytes(rows);
-        bytes.resize(in_all as usize, 0);
-        let size = wgpu::Extent3d { width: TEXEL_ROW, height: rows, depth_or_array_layers: 1 };
-        self.checked(&format!("image `{label}`"), Some(in_all), |device| {
+    fn texels(&self, label: &str, content: &[u8]) -> Result<Words> {
+        self.check_texels(label, content.len() as u64)?;
+        let row_bytes = image_bytes(1) as usize;
+        let rows = content.len().div_ceil(row_bytes).max(1) as u32;
+        self.checked(&format!("image `{label}`"), Some(image_bytes(rows)), |device| {
             let image = device.create_texture(&wgpu::TextureDescriptor {
                 label: Some(label),
-                size,
+                size: wgpu::Extent3d { width: TEXEL_ROW, height: rows, depth_or_array_layers: 1 },
                 mip_level_count: 1,
                 sample_count: 1,
                 dimension: wgpu::TextureDimension::D2,
@@ -56,26 +83,38 @@ impl Gpu {
                 usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
                 view_formats: &[],
             });
-            let layout = wgpu::TexelCopyBufferLayout {
-                offset: 0,
-                bytes_per_row: Some(TEXEL_ROW * TEXEL_BYTES),
-                rows_per_image: None,
-            };
-            self.queue.write_texture(image.as_image_copy(), &bytes, layout, size);
+            let (whole, rest) = content.split_at(content.len() / row_bytes * row_bytes);
+            let begun = (whole.len() / row_bytes) as u32;
+            self.write_texels(&image, 0, [TEXEL_ROW, begun], whole);
+            self.write_texels(&image, begun, [rest.len() as u32 / TEXEL_BYTES, 1], rest);
             let view = image.create_view(&wgpu::TextureViewDescriptor::default());
             Words::Texels(image, view)
         })
     }
 
-    /// Whether one image can hold that many bytes; its rows.
-    pub(crate) fn check_texels(&self, label: &str, bytes: u64) -> Result<u32> {
-        let rows = bytes.div_ceil(image_bytes(1)).max(1);
-        let have = self.device.limits().max_texture_dimension_2d;
-        u32::try_from(rows).ok().filter(|rows| *rows <= have).ok_or_else(|| Error::Missing {
-            what: format!("image `{label}`"),
-            need: format!("{rows} rows of {TEXEL_ROW} texels"),
-            have: have.to_string(),
-            adapter: self.facts.info.name.clone(),
-        })
+    /// Writes a rectangle of texels from the beginning of a row on.
+    fn write_texels(&self, image: &wgpu::Texture, row: u32, [width, height]: [u32; 2], texels: &[u8]) {
+        if texels.is_empty() {
+            return;
+        }
+        self.queue.write_texture(
+            wgpu::TexelCopyTextureInfo {
+                origin: wgpu::Origin3d { x: 0, y: row, z: 0 },
+                ..image.as_image_copy()
+            },
+            texels,
+            wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(TEXEL_ROW * TEXEL_BYTES),
+                rows_per_image: None,
+            },
+            wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        );
+    }
+
+    /// Whether one image can hold that many bytes.
+    fn check_texels(&self, label: &str, bytes: u64) -> Result<()> {
+        let have = image_bytes(self.device.limits().max_texture_dimension_2d);
+        self.check_bytes(format!("image `{label}`"), bytes, "in one image", have)
     }
 }
