@@ -31,7 +31,7 @@ mod vary;
 pub use paths::PathOptions;
 pub use pose::PoseOptions;
 pub use samples::{SampleOptions, focus_by_index};
-pub use vary::Variation;
+pub use vary::{Variation, typed};
 
 /// The largest side of a frame.
 pub const MAX_SIDE: u32 = 16384;

@@ -1,10 +1,11 @@
 //! `glimpse bench`: the methods' times, interleaved in one run.
 
-use glimpse::{Gpu, Jitter, Method, Settings};
+use glimpse::Gpu;
 
-use crate::args::{BenchOptions, FrameOptions, MethodName, PathOptions, Size};
+use crate::args::{BenchOptions, FrameOptions, MethodName, Size};
 use crate::cores;
 use crate::focus::Wish;
+use crate::heed::heeds;
 use crate::measure::{Plan, Run, Stage};
 use crate::output;
 use crate::pan::{self, Pan};
@@ -79,7 +80,7 @@ fn rows(options: &BenchOptions) -> glimpse::Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A method with those of the varied options that it heeds, and what these are.
+/// A method with those of the varied options that it heeds, and what these are. What it does not is measured once for all values.
 fn heeded(
     options: &FrameOptions,
     (combination, varied): &(FrameOptions, Vec<(String, String)>),
@@ -96,28 +97,6 @@ fn heeded(
 
 fn not_varied(reason: String) -> glimpse::Error {
     glimpse::Error::setting("--vary", reason)
-}
-
-/// Does an option concern a frame? What does not is measured once for all of its values.
-fn heeds(settings: &Settings, option: &str) -> bool {
-    match option {
-        "block" | "postcorrect" | "t-pos" | "t-norm" | "t-tex" | "t-gcol" | "supersample" => {
-            settings.method == Method::Adaptive
-        }
-        "preset" | "focus" | "refine" | "inactive" => settings.supersamples(),
-        "seed" if settings.method.follows_paths() => true,
-        "seed" => match settings.jitter {
-            Jitter::Auto => settings.supersamples(),
-            Jitter::On => true,
-            Jitter::Off => false,
-        },
-        "similar" => settings.method == Method::Quincunx,
-        "share" => settings.method.keeps_frames() && !settings.method.follows_paths(),
-        "crossing" | "eye-distance" | "convergence" => settings.method == Method::Vr,
-        _ if PathOptions::contain(option) => settings.method.follows_paths(),
-        "filter" => settings.method == Method::Full,
-        _ => !option.starts_with("tau-") || settings.supersamples(),
-    }
 }
 
 /// One scene: a line for each row, then a line for each of its passes.

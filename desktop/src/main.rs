@@ -7,6 +7,7 @@ mod cores;
 mod devices;
 mod files;
 mod focus;
+mod heed;
 mod info;
 mod measure;
 mod output;
@@ -25,7 +26,7 @@ use std::io::Write;
 use std::panic::{PanicHookInfo, UnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 
 use args::{Arguments, Command, ViewOptions};
 
@@ -34,9 +35,11 @@ const WRONG_USAGE: u8 = 2;
 
 fn main() -> ExitCode {
     std::panic::set_hook(Box::new(|panic| LAST_PANIC.set(bug(panic))));
-    let arguments = Arguments::parse();
+    let matches = Arguments::command().get_matches();
+    let arguments = Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    let typed = args::typed(&matches);
     start_log(arguments.verbose);
-    match reporting_panics(|| run(arguments)) {
+    match reporting_panics(|| run(arguments, &typed)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             complain(&one_line(&format!("{error:#}")));
@@ -45,12 +48,12 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(arguments: Arguments) -> anyhow::Result<()> {
+fn run(arguments: Arguments, typed: &[String]) -> anyhow::Result<()> {
     let adapter = arguments.adapter.as_deref();
     match arguments.command {
         None => view::run(&ViewOptions { scene: arguments.scene, ..ViewOptions::default() }, adapter),
         Some(Command::View(options)) => view::run(&options, adapter),
-        Some(Command::Render(options)) => render::run(&options, adapter),
+        Some(Command::Render(options)) => render::run(&options, typed, adapter),
         Some(Command::Compare(options)) => compare::run(&options),
         Some(Command::Info(options)) => info::run(&options),
         Some(Command::Devices(options)) => devices::run(&options, adapter),

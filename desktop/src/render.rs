@@ -10,7 +10,7 @@ use crate::measure::{Plan, Run, Stage};
 use crate::output;
 use crate::progress::Progress;
 use crate::statistics::Statistics;
-use crate::{cores, files, scene_file, summary};
+use crate::{cores, files, heed, scene_file, summary};
 
 const VIEW_PICTURE: &str = "glimpse.png";
 
@@ -27,11 +27,11 @@ pub fn without_display(scene: &str, adapter: Option<&str>) -> anyhow::Result<()>
         stats: None,
     };
     output::print(&format!("There is no display: rendering a frame to {VIEW_PICTURE}.\n"))?;
-    run(&options, adapter)
+    run(&options, &[], adapter)
 }
 
-/// `glimpse render`
-pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()> {
+/// `glimpse render`; `typed` are the options that are no defaults.
+pub fn run(options: &RenderOptions, typed: &[String], adapter: Option<&str>) -> anyhow::Result<()> {
     let wish = Wish::of(&options.frame, options.method)?;
     check_show(options, &wish.settings)?;
     if options.reference && wish.settings.method == Method::Vr {
@@ -62,7 +62,8 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
         files::write(path, output::json(&statistics)?.as_bytes())?;
     }
     drop(progress);
-    let mut text = summary::frame(&statistics, &stage.warnings);
+    let warnings = [heed::idle(typed, &runs[0].settings), stage.warnings.clone()].concat();
+    let mut text = summary::frame(&statistics, &warnings);
     text += &legend;
     text += &summary::row("wrote", &options.output.path.display().to_string());
     output::print(&text)

@@ -2,7 +2,8 @@
 
 use std::str::FromStr;
 
-use clap::{Args, FromArgMatches};
+use clap::parser::ValueSource;
+use clap::{ArgMatches, Args, FromArgMatches};
 
 use super::FrameOptions;
 
@@ -80,6 +81,18 @@ impl FrameOptions {
         }
         Ok(all)
     }
+}
+
+/// Names of a frame's options that were typed after the command, without dashes.
+pub fn typed(matches: &ArgMatches) -> Vec<String> {
+    let Some((_, matches)) = matches.subcommand() else { return Vec::new() };
+    let typed = |id: &str| {
+        let known = matches.try_contains_id(id).is_ok();
+        known && matches.value_source(id) == Some(ValueSource::CommandLine)
+    };
+    let frame = FrameOptions::augment_args(clap::Command::new("frame"));
+    let names = frame.get_arguments().filter(|option| typed(option.get_id().as_str()));
+    names.filter_map(|option| option.get_long().map(str::to_owned)).collect()
 }
 
 fn first_line(error: &clap::Error) -> String {

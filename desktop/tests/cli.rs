@@ -113,6 +113,18 @@ fn a_picture_of_paths_has_the_samples_that_were_asked_for() {
 }
 
 #[test]
+fn options_that_change_nothing_are_warned_of() {
+    let folder = tempfile::tempdir().unwrap();
+    let line =
+        "render builtin:cornell -o a.png --size 40x30 --method path --samples 1 --tau-col 0.1 --depth 3";
+    let output = glimpse(folder.path(), line);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let said = String::from_utf8(output.stdout).unwrap();
+    let warnings: Vec<_> = said.lines().filter(|line| line.starts_with("warning ")).collect();
+    assert_eq!(warnings, ["warning   --tau-col changes nothing with --method path"], "{said}");
+}
+
+#[test]
 fn cores_and_the_gpu_bring_a_pictures_samples_together() {
     let folder = tempfile::tempdir().unwrap();
     let line = "render builtin:cornell -o a.exr --size 70x40 --method path --samples 60 --denoise atrous --cores 2 --stats a.json";
