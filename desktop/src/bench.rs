@@ -80,7 +80,8 @@ fn rows(options: &BenchOptions) -> glimpse::Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A method with those of the varied options that it heeds, and what these are. What it does not is measured once for all values.
+/// A method with those of the varied options that it heeds, and what these are. What it does not heed is
+/// measured once for all values.
 fn heeded(
     options: &FrameOptions,
     (combination, varied): &(FrameOptions, Vec<(String, String)>),

@@ -29,13 +29,13 @@ pub fn heeds(settings: &Settings, option: &str) -> bool {
 /// A warning for each of the typed options that changes nothing.
 pub fn idle(typed: &[String], settings: &Settings) -> Vec<String> {
     let method = settings.method.name();
-    let extra = if settings.method == Method::Adaptive && !settings.supersample {
-        " without --supersample"
-    } else {
-        ""
+    let extra = Settings { supersample: true, ..*settings };
+    let told = |option: &String| {
+        let helps = settings.method == Method::Adaptive && heeds(&extra, option);
+        let without = if helps { " without --supersample" } else { "" };
+        format!("--{option} changes nothing with --method {method}{without}")
     };
-    let idle = typed.iter().filter(|option| !heeds(settings, option));
-    idle.map(|option| format!("--{option} changes nothing with --method {method}{extra}")).collect()
+    typed.iter().filter(|option| !heeds(settings, option)).map(told).collect()
 }
 
 #[cfg(test)]
@@ -44,13 +44,21 @@ mod tests {
 
     #[test]
     fn only_what_changes_nothing_is_warned_of() {
-        let typed = ["preset", "tau-col", "block", "depth"].map(str::to_owned);
+        let typed = ["preset", "tau-col", "block", "depth", "share"].map(str::to_owned);
         let adaptive = Settings::default();
         let told = idle(&typed, &adaptive);
-        assert_eq!(told.len(), 2, "{told:?}");
+        assert_eq!(told.len(), 3, "{told:?}");
         assert_eq!(told[1], "--tau-col changes nothing with --method adaptive without --supersample");
-        assert!(idle(&typed, &Settings { supersample: true, ..adaptive }).is_empty());
+        let share = "--share changes nothing with --method adaptive";
+        assert_eq!(told[2], share);
+        assert_eq!(idle(&typed, &Settings { supersample: true, ..adaptive }), [share]);
         let told = idle(&typed, &Settings { method: Method::Supersample, ..adaptive });
-        assert_eq!(told, ["--block changes nothing with --method supersample"]);
+        assert_eq!(
+            told,
+            [
+                "--block changes nothing with --method supersample",
+                "--share changes nothing with --method supersample",
+            ]
+        );
     }
 }

@@ -83,16 +83,14 @@ impl FrameOptions {
     }
 }
 
-/// Names of a frame's options that were typed after the command, without dashes.
+/// Names of a frame's options that were typed after `render`, without dashes.
 pub fn typed(matches: &ArgMatches) -> Vec<String> {
-    let Some((_, matches)) = matches.subcommand() else { return Vec::new() };
-    let typed = |id: &str| {
-        let known = matches.try_contains_id(id).is_ok();
-        known && matches.value_source(id) == Some(ValueSource::CommandLine)
-    };
-    let frame = FrameOptions::augment_args(clap::Command::new("frame"));
-    let names = frame.get_arguments().filter(|option| typed(option.get_id().as_str()));
-    names.filter_map(|option| option.get_long().map(str::to_owned)).collect()
+    let Some(matches) = matches.subcommand_matches("render") else { return Vec::new() };
+    let frame = FrameOptions::augment_args(clap::Command::new("render"));
+    let typed = frame
+        .get_arguments()
+        .filter(|option| matches.value_source(option.get_id().as_str()) == Some(ValueSource::CommandLine));
+    typed.filter_map(|option| option.get_long().map(str::to_owned)).collect()
 }
 
 fn first_line(error: &clap::Error) -> String {
