@@ -61,9 +61,9 @@ gpu_struct! {
 pub struct GpuScene {
     nodes: Words,
     primitives: Words,
-    shading: wgpu::Buffer,
-    vertices: wgpu::Buffer,
-    objects: wgpu::Buffer,
+    shading: Words,
+    vertices: Words,
+    objects: Words,
     lights: wgpu::Buffer,
     landmarks: wgpu::Buffer,
     emitters: wgpu::Buffer,
@@ -119,11 +119,11 @@ impl GpuScene {
         let emitters = gpu.storage("emitters", &emitters(&emitting, &order))?;
         let primitives = gpu.corners("primitives", &primitives(&scene, &order))?;
         scene.positions = Vec::new();
-        let shading = gpu.storage("shading", &shading(&scene, &order))?;
+        let shading = gpu.words("shading", &shading(&scene, &order))?;
         scene.normals = Vec::new();
-        let vertices = gpu.storage("vertices", &vertices(&scene, &order))?;
         let has_texcoords = !scene.texcoords.is_empty();
         let has_colors = !scene.colors.is_empty();
+        let vertices = gpu.vertices("vertices", &vertices(&scene, &order), has_texcoords, has_colors)?;
         let objects: Vec<_> =
             scene.objects.iter().map(|o| object(&scene.materials[o.material as usize], &atlas)).collect();
         let mut lights = vec![Light::default(); MAX_LIGHTS];
@@ -137,7 +137,7 @@ impl GpuScene {
             primitives,
             shading,
             vertices,
-            objects: gpu.storage("objects", &objects)?,
+            objects: gpu.words("objects", &objects)?,
             landmarks: gpu.storage("landmarks", &landmarks)?,
             lights: gpu.filled("lights", &lights, wgpu::BufferUsages::UNIFORM)?,
             atlas,
@@ -193,9 +193,9 @@ impl GpuScene {
         vec![
             ("nodes", self.nodes.binding()),
             ("primitives", self.primitives.binding()),
-            ("shading", self.shading.as_entire_binding()),
-            ("vertices", self.vertices.as_entire_binding()),
-            ("objects", self.objects.as_entire_binding()),
+            ("shading", self.shading.binding()),
+            ("vertices", self.vertices.binding()),
+            ("objects", self.objects.binding()),
             ("lights", self.lights.as_entire_binding()),
             ("landmarks", self.landmarks.as_entire_binding()),
             ("emitters", self.emitters.as_entire_binding()),
@@ -207,10 +207,11 @@ impl GpuScene {
     /// Bytes of everything but the acceleration structure, and of the latter.
     #[must_use]
     pub fn bytes(&self) -> (u64, u64) {
-        let buffers =
-            [&self.shading, &self.vertices, &self.objects, &self.lights, &self.landmarks, &self.emitters];
-        let scene =
-            buffers.iter().map(|b| b.size()).sum::<u64>() + self.primitives.bytes() + self.atlas.bytes();
+        let buffers = [&self.lights, &self.landmarks, &self.emitters];
+        let words = [&self.primitives, &self.shading, &self.vertices, &self.objects];
+        let scene = buffers.iter().map(|b| b.size()).sum::<u64>()
+            + words.iter().map(|w| w.bytes()).sum::<u64>()
+            + self.atlas.bytes();
         (scene, self.nodes.bytes())
     }
 }

@@ -58,6 +58,34 @@ impl Gpu {
         }
     }
 
+    /// Six words of texture coordinates and three of colours a primitive, as far as there are any, as [`Gpu::words`]; in an
+    /// image two texels and one, which ends by 1.
+    pub(crate) fn vertices(
+        &self,
+        label: &str,
+        content: &[u32],
+        texcoords: bool,
+        colors: bool,
+    ) -> Result<Words> {
+        if !self.on_cpu {
+            return self.words(label, content);
+        }
+        let coordinates = 6 * usize::from(texcoords);
+        let stride = coordinates + 3 * usize::from(colors);
+        let texels: Vec<_> = content
+            .chunks_exact(stride.max(1))
+            .flat_map(|words| {
+                let mut texels = [[0; 4]; 3];
+                texels.as_flattened_mut()[..coordinates].copy_from_slice(&words[..coordinates]);
+                if let [a, b, c] = words[coordinates..] {
+                    texels[2] = [a, b, c, 1];
+                }
+                texels
+            })
+            .collect();
+        self.words(label, &texels)
+    }
+
     /// Whether the device can hold the corners of that many primitives.
     pub(crate) fn check_corners(&self, label: &str, primitives: usize) -> Result<()> {
         if self.on_cpu {

@@ -289,17 +289,24 @@ impl Variant {
                 pick(self.on_cpu, wgsl!("wgsl/tree_texels.wgsl"), wgsl!("wgsl/tree_buffers.wgsl")),
                 wgsl!("wgsl/bvh.wgsl"),
                 pick(f.spheres, wgsl!("wgsl/sphere_analytic.wgsl"), wgsl!("wgsl/sphere_none.wgsl")),
-                pick(
-                    self.linking == Linking::All || self.has_texcoords || self.has_colors,
-                    wgsl!("wgsl/vertex_attributes.wgsl"),
-                    wgsl!("wgsl/vertex_none.wgsl"),
-                ),
                 hit,
                 pick(self.averages_textures(), wgsl!("wgsl/cone.wgsl"), wgsl!("wgsl/cone_none.wgsl")),
                 wgsl!("wgsl/surface.wgsl"),
                 pick(f.lights, wgsl!("wgsl/shadow_rays.wgsl"), wgsl!("wgsl/shadow_none.wgsl")),
-            ],
+            ]
+            .into_iter()
+            .chain(self.vertex_sources()),
         )
+    }
+
+    fn vertex_sources(&self) -> Vec<Source> {
+        if self.linking != Linking::All && !self.has_texcoords && !self.has_colors {
+            return vec![wgsl!("wgsl/vertex_none.wgsl")];
+        }
+        vec![
+            pick(self.on_cpu, wgsl!("wgsl/vertex_texels.wgsl"), wgsl!("wgsl/vertex_buffers.wgsl")),
+            wgsl!("wgsl/vertex_attributes.wgsl"),
+        ]
     }
 
     /// What a kernel needs that knows pixels and their attributes.
@@ -315,10 +322,16 @@ impl Variant {
         ]
     }
 
-    fn shading_sources<const N: usize>(&self, attributes: Source, rest: [Source; N]) -> Vec<Source> {
+    fn shading_sources(&self, attributes: Source, rest: impl IntoIterator<Item = Source>) -> Vec<Source> {
         let f = &self.features;
         let mut sources = self.pixel_sources(attributes);
-        sources.push(wgsl!("wgsl/object.wgsl"));
+        sources.extend([
+            wgsl!("wgsl/object.wgsl"),
+            pick(self.on_cpu, wgsl!("wgsl/object_texels.wgsl"), wgsl!("wgsl/object_buffers.wgsl")),
+        ]);
+        if self.on_cpu {
+            sources.push(wgsl!("wgsl/texels.wgsl"));
+        }
         sources.extend(match (f.textures, self.mip) {
             (false, _) => vec![wgsl!("wgsl/texture_none.wgsl")],
             (true, Mip::Off) => vec![wgsl!("wgsl/texture_atlas.wgsl"), wgsl!("wgsl/texture_plain.wgsl")],

@@ -86,8 +86,8 @@ fn bvh_nearer(t: f32, primitive: u32, best: Hit) -> bool {
 }
 
 fn bvh_precedes(a: u32, b: u32) -> bool {
-    let object = shading[a].w & SURFACE_OBJECT;
-    let other = shading[b].w & SURFACE_OBJECT;
+    let object = shading_at(a).w & SURFACE_OBJECT;
+    let other = shading_at(b).w & SURFACE_OBJECT;
     return object < other || (object == other && a < b);
 }
 

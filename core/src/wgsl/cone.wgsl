@@ -48,7 +48,7 @@ fn cone_curvature(s: Surface) -> f32 {
     if sphere_is(s.primitive) {
         curvature = 1.0 / corners[1].x;
     } else {
-        let data = shading[s.primitive];
+        let data = shading_at(s.primitive);
         let a = octahedral_decode(data.x);
         let b = octahedral_decode(data.y);
         let c = octahedral_decode(data.z);

@@ -63,5 +63,5 @@ fn crossing_meets(hit: Hit, s: Surface) -> bool {
     if hit.primitive == MISS || hit.primitive == s.primitive {
         return hit.primitive == s.primitive;
     }
-    return (shading[hit.primitive].w & SURFACE_OBJECT) == s.object && abs(hit.t - 1.0) < CROSSING_NEAR;
+    return (shading_at(hit.primitive).w & SURFACE_OBJECT) == s.object && abs(hit.t - 1.0) < CROSSING_NEAR;
 }

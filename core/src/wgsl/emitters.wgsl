@@ -10,7 +10,7 @@ const EMITTERS_REACH: f32 = 1.001;
 // How densely the direction to a point on an emitter is drawn, per unit of solid angle: there the emitter is seen at this
 // cosine from so far away.
 fn emitters_density(object: u32, cosine: f32, distance: f32) -> f32 {
-    let emission = objects[object].emission;
+    let emission = object_at(object).emission;
     return (emission.x + emission.y + emission.z) * frame.emitter_scale * distance * distance / abs(cosine);
 }
 
@@ -91,8 +91,8 @@ fn emitters_sample(s: Surface, chance_of_diffuse: f32, which: f32, place: vec2f)
     if hit.primitive != primitive {
         return vec3f(0.0);
     }
-    let object = shading[primitive].w & SURFACE_OBJECT;
-    var emission = objects[object].emission;
+    let object = shading_at(primitive).w & SURFACE_OBJECT;
+    var emission = object_at(object).emission;
     if HAS_EMISSIVE_TEXTURES || sphere_is(primitive) {
         let arrived = surface_at(ray, hit);
         // A ray from outside meets the near side of a sphere; points on the other are hidden by it.

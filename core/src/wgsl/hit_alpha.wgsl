@@ -1,7 +1,7 @@
 // Some surfaces have holes, some let shadow rays pass.
 
 fn hit_counts(primitive: u32, u: f32, v: f32, shadow: bool) -> bool {
-    let flags = shading[primitive].w;
+    let flags = shading_at(primitive).w;
     if shadow && (flags & SURFACE_NO_SHADOW) != 0u {
         return false;
     }
@@ -10,6 +10,6 @@ fn hit_counts(primitive: u32, u: f32, v: f32, shadow: bool) -> bool {
     }
     let object = flags & SURFACE_OBJECT;
     let texcoord = vertex_texcoord(Hit(0.0, primitive, u, v));
-    let alpha = objects[object].alpha * texture_alpha(objects[object].base_color_texture, texcoord);
-    return alpha >= objects[object].alpha_cutoff;
+    let alpha = object_at(object).alpha * texture_alpha(object_at(object).base_color_texture, texcoord);
+    return alpha >= object_at(object).alpha_cutoff;
 }

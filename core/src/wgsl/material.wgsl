@@ -13,29 +13,29 @@ struct Material {
 
 fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f) -> Material {
     var m: Material;
-    m.flags = objects[object].flags;
-    m.base = objects[object].base_color * color * texture_color(objects[object].base_color_texture, texcoord, footprint).rgb;
+    m.flags = object_at(object).flags;
+    m.base = object_at(object).base_color * color * texture_color(object_at(object).base_color_texture, texcoord, footprint).rgb;
     m.roughness = 1.0;
     m.ior = 1.5;
     if !material_is(m, OBJECT_MATTE) {
         if HAS_EMISSION {
-            m.emission = objects[object].emission;
+            m.emission = object_at(object).emission;
         }
         if HAS_EMISSIVE_TEXTURES {
-            m.emission *= texture_color(objects[object].emissive_texture, texcoord, footprint).rgb;
+            m.emission *= texture_color(object_at(object).emissive_texture, texcoord, footprint).rgb;
         }
-        m.roughness = objects[object].roughness;
-        m.metallic = objects[object].metallic;
+        m.roughness = object_at(object).roughness;
+        m.metallic = object_at(object).metallic;
         if HAS_METALLIC_ROUGHNESS_TEXTURES {
-            let surface = texture_data(objects[object].metallic_roughness_texture, texcoord, footprint);
+            let surface = texture_data(object_at(object).metallic_roughness_texture, texcoord, footprint);
             m.roughness *= surface.g;
             m.metallic *= surface.b;
         }
         if material_is(m, OBJECT_WEIGHTS) {
-            m.weights = objects[object].weights;
+            m.weights = object_at(object).weights;
         }
-        m.transmission = objects[object].transmission;
-        m.ior = objects[object].ior;
+        m.transmission = object_at(object).transmission;
+        m.ior = object_at(object).ior;
     }
     return m;
 }

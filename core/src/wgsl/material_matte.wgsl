@@ -5,7 +5,7 @@ struct Material {
 }
 
 fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f) -> Material {
-    return Material(objects[object].base_color * color * texture_color(objects[object].base_color_texture, texcoord, footprint).rgb);
+    return Material(object_at(object).base_color * color * texture_color(object_at(object).base_color_texture, texcoord, footprint).rgb);
 }
 
 fn material_local(m: Material, position: vec3f, normal: vec3f, view: vec3f, inside: bool, shadow: u32) -> vec3f {

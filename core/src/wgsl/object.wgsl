@@ -17,5 +17,3 @@ struct Object {
     metallic_roughness_texture: vec4u,
     emissive_texture: vec4u,
 }
-
-var<storage, read> objects: array<Object>;

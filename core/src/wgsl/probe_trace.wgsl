@@ -25,7 +25,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     }
     var object = 0u;
     if hit.primitive != MISS {
-        object = shading[hit.primitive].w & SURFACE_OBJECT;
+        object = shading_at(hit.primitive).w & SURFACE_OBJECT;
     }
     results[index] = ProbeHit(hit.t, hit.primitive, object, hit.u, hit.v);
 }

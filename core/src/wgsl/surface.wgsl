@@ -1,8 +1,5 @@
 // The surface at a hit.
 
-// Normals of a primitive's corners (octahedral), and object | SURFACE_* flags.
-var<storage, read> shading: array<vec4u>;
-
 struct Surface {
     // Of the hit.
     primitive: u32,
@@ -32,7 +29,7 @@ fn surface_at(ray: Ray, hit: Hit) -> Surface {
     }
     s.primitive = hit.primitive;
     s.t = hit.t;
-    s.object = shading[hit.primitive].w & SURFACE_OBJECT;
+    s.object = shading_at(hit.primitive).w & SURFACE_OBJECT;
     s.cone = cone_arrived(ray, hit.t);
     if !sphere_is(hit.primitive) && texture_seam_matters(s.object) {
         let texcoords = vertex_texcoords(hit.primitive);
@@ -65,7 +62,7 @@ fn surface_of_triangle(ray: Ray, hit: Hit, corners: array<vec3f, 3>) -> Surface 
     let size = max(max(sides.x, sides.y), sides.z);
     let viewer = -normalize(ray.direction);
     let winding = surface_unit(surface_cross(ab / size, bc / size, ca / size), viewer);
-    let data = shading[hit.primitive];
+    let data = shading_at(hit.primitive);
     let smooth_normal = (1.0 - hit.u - hit.v) * octahedral_decode(data.x)
         + hit.u * octahedral_decode(data.y) + hit.v * octahedral_decode(data.z);
     // The normals say which side is out; the winding may disagree.

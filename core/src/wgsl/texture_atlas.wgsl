@@ -71,9 +71,9 @@ fn texture_alpha(place: vec4u, texcoord: vec2f) -> f32 {
 
 // Of several textures of a material the first that is there decides how coordinates are stored.
 fn texture_first(object: u32) -> u32 {
-    let base = objects[object].base_color_texture.z;
-    let metallic_roughness = objects[object].metallic_roughness_texture.z;
-    let others = select(objects[object].emissive_texture.z, metallic_roughness, (metallic_roughness & TEXTURE_PRESENT) != 0u);
+    let base = object_at(object).base_color_texture.z;
+    let metallic_roughness = object_at(object).metallic_roughness_texture.z;
+    let others = select(object_at(object).emissive_texture.z, metallic_roughness, (metallic_roughness & TEXTURE_PRESENT) != 0u);
     return select(others, base, (base & TEXTURE_PRESENT) != 0u);
 }
 

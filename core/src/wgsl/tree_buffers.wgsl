@@ -1,8 +1,10 @@
-// The acceleration structure in buffers, as GPUs read it.
+// The acceleration structure and the surfaces of its primitives in buffers, as GPUs read them.
 
 var<storage, read> nodes: array<vec4u>;
 // Nine numbers a primitive, in the order of the leaves: the corners of a triangle, or a sphere.
 var<storage, read> primitives: array<f32>;
+// Normals of a primitive's corners (octahedral), and object | SURFACE_* flags.
+var<storage, read> shading: array<vec4u>;
 
 // A fifth of a node.
 fn tree_node(index: u32, part: u32) -> vec4u {
@@ -17,4 +19,8 @@ fn tree_corner(primitive: u32, corner: u32) -> vec3f {
 // The number that tells a sphere from a triangle.
 fn tree_mark(primitive: u32) -> f32 {
     return primitives[9u * primitive + 4u];
+}
+
+fn shading_at(primitive: u32) -> vec4u {
+    return shading[primitive];
 }
