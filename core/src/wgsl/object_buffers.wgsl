@@ -1,7 +1,7 @@
-// The objects in a buffer, as GPUs read it.
+// The objects in a buffer, as GPUs read it: seven times four words each.
 
-var<storage, read> objects: array<Object>;
+var<storage, read> objects: array<vec4u>;
 
-fn object_at(object: u32) -> Object {
-    return objects[object];
+fn object_part(object: u32, part: u32) -> vec4u {
+    return objects[7u * object + part];
 }
