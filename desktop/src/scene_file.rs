@@ -2,10 +2,11 @@
 
 use std::path::{Component, Path};
 
-use anyhow::Context;
+use anyhow::{Context, bail};
 use glimpse::Scene;
 use glimpse::scene::{BUILTIN_NAMES, builtin};
 
+use crate::errors::Usage;
 use crate::files;
 
 /// Fails early, and without reading anything, where [`load`] cannot succeed: long work asks first.
@@ -16,7 +17,7 @@ pub fn check(name: &str) -> anyhow::Result<()> {
     let path = Path::new(name);
     let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
     if !matches!(ending.as_deref(), Some("glb" | "gltf")) {
-        return Err(glimpse::Error::setting(name, "expected a .glb or .gltf file, or builtin:NAME").into());
+        bail!(Usage(format!("{name}: expected a .glb or .gltf file, or builtin:NAME")));
     }
     files::readable(path)
 }
@@ -45,8 +46,7 @@ fn check_builtin(name: &str) -> anyhow::Result<()> {
     if BUILTIN_NAMES.contains(&name) {
         return Ok(());
     }
-    let reason = format!("no such scene; there are {}", BUILTIN_NAMES.join(", "));
-    Err(glimpse::Error::setting(format!("builtin:{name}"), reason).into())
+    bail!(Usage(format!("builtin:{name}: no such scene; there are {}", BUILTIN_NAMES.join(", "))))
 }
 
 /// The bytes of a relative URI (RFC 3986: percent-encoded, though not every exporter does it). A scene that somebody

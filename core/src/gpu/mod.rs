@@ -138,7 +138,7 @@ impl Gpu {
         }))
         .map_err(|error| {
             let name = &facts.info.name;
-            Error::NoAdapter(format!("`{name}` gives no device ({error}); try another --adapter"))
+            Error::NoAdapter(format!("`{name}` gives no device ({error})"))
         })?;
         log::debug!(
             "adapter {} ({}), driver {}",

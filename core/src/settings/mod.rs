@@ -1,15 +1,26 @@
-//! Wishes: every knob, with what more and less of it costs and buys.
+//! Settings of a frame: every option, with what more and less of it costs and buys.
 
-use serde::Serialize;
-
-/// What a kind of wish may be, and what the command line calls it.
-macro_rules! names {
-    ($($kind:ident: $($variant:ident = $name:literal),+;)+) => {$(
+/// Names every variant of an enum, with what it does in one sentence and, after `or`, a name that it had before.
+macro_rules! choices {
+    ($($kind:ident { $($variant:ident = $name:literal $(or $old:literal)?: $summary:literal,)+ })+) => {$(
         impl $kind {
             /// All of them.
             pub const ALL: [Self; [$(Self::$variant),+].len()] = [$(Self::$variant),+];
 
-            /// Its name on the command line.
+            /// Names and sentences, in the order of `ALL`.
+            pub const CHOICES: &'static [$crate::options::Choice] = &[$($crate::options::Choice {
+                name: $name,
+                old_name: choices!(@old $($old)?),
+                summary: $summary,
+            }),+];
+
+            /// The one of that name, present or old.
+            #[must_use]
+            pub fn named(name: &str) -> Option<Self> {
+                Self::CHOICES.iter().position(|choice| choice.is(name)).map(|index| Self::ALL[index])
+            }
+
+            /// Its name as a value of an option.
             #[must_use]
             pub fn name(self) -> &'static str {
                 match self {
@@ -18,27 +29,51 @@ macro_rules! names {
             }
         }
     )+};
+    (@old) => { None };
+    (@old $old:literal) => { Some($old) };
 }
 
+pub mod options;
 mod paths;
 mod supersampling;
-mod validate;
 
 pub use paths::{
-    Crossing, Denoise, Direct, MAX_GAZE, MAX_LIGHT_SAMPLES, Paths, Roulette, Sampler, Shining, Stopping,
+    Crossing, Denoise, Direct, MAX_CPU_THREADS, MAX_GAZE, MAX_LIGHT_SAMPLES, Paths, Roulette, Sampler, Shining,
+    Stopping,
 };
 pub use supersampling::{Filter, Focus, Inactive, Jitter, Preset, Refine, THRESHOLD_NAMES, Thresholds};
 
-names! {
-    Method: Full = "full", Adaptive = "adaptive", Checkerboard = "checkerboard", Supersample = "supersample",
-        Quincunx = "quincunx", Frameless = "frameless", Reproject = "reproject", Path = "path", Vr = "vr";
-    Postcorrect: Auto = "auto", Off = "off", Objects = "objects", On = "on", Scans = "scans";
-    Mip: Off = "off", On = "on";
+choices! {
+    Method {
+        Full = "full" or "fixed": "A ray through every sample",
+        Adaptive = "adaptive": "Rays where neighbours differ, interpolation elsewhere (Kim 2016)",
+        Checkerboard = "checkerboard": "A ray through every second sample, averages elsewhere",
+        Supersample = "supersample": "A ray through every pixel, extra samples where neighbours differ (Jin 2009)",
+        Quincunx = "quincunx": "Rays through centres and corners of pixels, more between those that differ (lecture)",
+        Frameless = "frameless": "Rays through a share of the pixels; the others stay as they are (lecture)",
+        Reproject = "reproject": "The last frame moved to where the camera sees it; rays where that leaves gaps (lecture)",
+        Path = "path": "Path tracing, a sample of every pixel in each frame",
+        Vr = "vr": "Path tracing for two eyes side by side, each of the frame's size (Kim & Sung 2021)",
+    }
+    Postcorrect {
+        Auto = "auto": "Objects and shadows, where the scene holds things thinner than a block",
+        Off = "off": "Nothing",
+        Objects = "objects": "Where the object differs",
+        On = "on": "Where the object or the shadow differs",
+        Scans = "scans": "As on, by scans along rows and columns",
+    }
+    Mip {
+        Off = "off": "The texture at the point that the ray meets",
+        On = "on": "Its average over what a sample stands for",
+    }
+    Linking {
+        Auto = "auto": "Only what the scene needs",
+        All = "all": "Everything",
+    }
 }
 
 /// How a frame is made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Method {
     /// One ray through every pixel: the reference.
     Full,
@@ -104,8 +139,7 @@ impl Method {
 
 /// What is traced again after an adaptive frame, from traced pixels into interpolated neighbours that differ from them
 /// (Kim 2016, section 4).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Postcorrect {
     /// Objects and shadows, if the scene holds something so thin that it may fall between samples.
     Auto,
@@ -120,8 +154,7 @@ pub enum Postcorrect {
 }
 
 /// What of a texture a sample shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Mip {
     /// The texture at the one point that the ray meets: it aliases where it is seen small.
     Off,
@@ -131,8 +164,7 @@ pub enum Mip {
 }
 
 /// Which pieces of the shaders are linked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Linking {
     /// Only what the scene needs.
     Auto,
@@ -142,7 +174,7 @@ pub enum Linking {
 
 /// The tolerances of the similarity checks (Kim 2016, section 6). A pair of reference pixels passes a check
 /// while its difference stays *below* the tolerance; stricter means more rays and less error.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerances {
     /// G2, distance of the hit points in units of the scene's longest box side. 0 traces every pixel.
     pub pos: f32,
@@ -177,7 +209,7 @@ impl Default for Tolerances {
 }
 
 /// Everything that can be wished of a frame besides its size and camera.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// How the frame is made.
     pub method: Method,

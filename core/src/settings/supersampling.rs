@@ -1,15 +1,31 @@
 //! Wishes about extra samples: which differences between pixels are worth some (Jin 2009).
 
-use serde::Serialize;
-
-use crate::{Error, Result};
-
-names! {
-    Preset: Balanced = "balanced", Textures = "textures", Edges = "edges", Color = "color", Refined = "refined";
-    Inactive: Nearest = "nearest", Bilinear = "bilinear";
-    Filter: Box = "box", Tent = "tent";
-    Jitter: Auto = "auto", On = "on", Off = "off";
-    Refine: Auto = "auto", On = "on", Off = "off";
+choices! {
+    Preset {
+        Balanced = "balanced": "Edges and shadows, textures where they are strong (Jin 2009, Table 2)",
+        Textures = "textures": "Textures too",
+        Edges = "edges": "Edges alone",
+        Color = "color": "Colours alone, whatever their cause",
+        Refined = "refined": "Edges and shadows wherever they show, textures where they are strong: for refine on",
+    }
+    Refine {
+        Auto = "auto": "On after the adaptive method, off with method supersample",
+        On = "on": "Whole pixels, step by step",
+        Off = "off": "Subpixels that differ (Jin 2009)",
+    }
+    Inactive {
+        Nearest = "nearest": "The sample at the pixel's centre",
+        Bilinear = "bilinear": "The centres around it, bilinearly (Jin 2009, section 6)",
+    }
+    Jitter {
+        Auto = "auto": "Extra samples do, others lie in the centre",
+        On = "on": "All do: noise in the place of aliasing",
+        Off = "off": "None do",
+    }
+    Filter {
+        Box = "box": "The mean of its own samples",
+        Tent = "tent": "The neighbours' samples too, the less the farther off",
+    }
 }
 
 /// How strong a contrast must be, by what differs between neighbouring pixels, for a quarter of a pixel to get extra
@@ -17,7 +33,7 @@ names! {
 ///
 /// Where several attributes differ the smallest counts, where none does that of the colour. All equal to `col` is the
 /// colour measure alone.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thresholds {
     /// Nothing but the colour.
     pub col: f32,
@@ -71,21 +87,6 @@ impl Thresholds {
         [t.col, t.poid, t.psn, t.psc, t.pte, t.soid, t.ssn, t.ssc, t.ste]
     }
 
-    /// The name that they go by, if they have one.
-    #[must_use]
-    pub fn preset(&self) -> Option<Preset> {
-        Preset::ALL.into_iter().find(|preset| preset.thresholds() == *self)
-    }
-
-    pub(super) fn validate(&self) -> Result<()> {
-        for (name, value) in THRESHOLD_NAMES.into_iter().zip(self.values()) {
-            if !(0.0..=1.0).contains(&value) {
-                let expected = format!("expected a number from 0 to 1, found {value}");
-                return Err(Error::setting(format!("--tau-{name}"), expected));
-            }
-        }
-        Ok(())
-    }
 }
 
 impl Default for Thresholds {
@@ -125,7 +126,7 @@ impl Preset {
 
 /// The objects whose differences count: the first and the last of a run of [`crate::Scene::objects`] (Jin 2009, section 5,
 /// "Fairy focused"). Elsewhere the colour decides alone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Focus {
     /// Index of the first object.
     pub first: u32,
@@ -134,8 +135,7 @@ pub struct Focus {
 }
 
 /// What stands for the quarters of a pixel that get no extra samples.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Inactive {
     /// The sample at the pixel's centre.
     Nearest,
@@ -144,8 +144,7 @@ pub enum Inactive {
 }
 
 /// How a pixel follows from samples (lecture, "Supersampling").
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Filter {
     /// The mean of its own.
     Box,
@@ -154,8 +153,7 @@ pub enum Filter {
 }
 
 /// Where in its cell a sample lies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Jitter {
     /// Anywhere for extra samples (Jin 2009, 4.1.4), in the centre for all others.
     Auto,
@@ -166,8 +164,7 @@ pub enum Jitter {
 }
 
 /// Which samples pixels get that differ from their neighbours.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Refine {
     /// [`Refine::On`] after an adaptive frame, [`Refine::Off`] as a method of its own.
     Auto,

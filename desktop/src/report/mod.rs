@@ -67,7 +67,7 @@ pub struct Header {
 
 /// `glimpse report`
 pub fn run(options: &ReportOptions, adapter: Option<&str>) -> anyhow::Result<()> {
-    let base = Settings { depth: options.depth, min_weight: options.min_weight, ..Settings::default() };
+    let base = options.recursion.settings(Settings::default().method)?;
     base.validate()?;
     options.scenes.iter().try_for_each(|name| scene_file::check(name))?;
     let mut names: Vec<&String> = Vec::new();
