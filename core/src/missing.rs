@@ -9,7 +9,7 @@ use crate::PixelRecord;
 /// How much of what is to be seen is not.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
 pub struct Missing {
-    /// Objects that full tracing shows.
+    /// Number of objects that full ray tracing shows in at least one pixel.
     pub objects_shown: u64,
     /// Those of them that have not one pixel.
     pub objects_lost: u64,

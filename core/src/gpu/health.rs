@@ -8,14 +8,14 @@ use crate::{Error, Result};
 /// What the device has reported so far.
 #[derive(Default)]
 pub(super) struct Health {
-    /// Why the device was lost.
+    /// The reason of the loss, once the device is lost.
     pub lost: OnceLock<String>,
     /// The first error that no scope caught.
     uncaught: Mutex<Option<wgpu::Error>>,
 }
 
 impl Health {
-    /// Listens to a device.
+    /// Registers callbacks for loss and uncaptured errors of the device.
     pub fn watch(device: &wgpu::Device) -> Arc<Self> {
         let health = Arc::new(Self::default());
         let sink = Arc::clone(&health);

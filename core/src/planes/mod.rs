@@ -60,12 +60,12 @@ impl View {
     }
 }
 
-/// The sum of samples of every pixel.
+/// The sum of several samples of each pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plane {
-    /// How many of each.
+    /// Number of samples of each pixel.
     pub samples: u32,
-    /// Linear radiances, row by row.
+    /// Sums of linear RGB radiance, row by row from the top left.
     pub rgb: Vec<f32>,
 }
 
@@ -79,7 +79,7 @@ impl Plane {
 /// What has become of the samples that cores began, of all views. A sample that is none of the others is on its way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Fates {
-    /// Begun.
+    /// Samples that were begun.
     pub begun: u64,
     /// Handed to the renderer, or ready to be.
     pub merged: u64,
@@ -90,12 +90,12 @@ pub struct Fates {
 /// The work on one view: an order is followed until there is another.
 struct Order {
     view: View,
-    /// The number of the next sample.
+    /// The number of the next sample of the sequence.
     next: AtomicU32,
     tally: Arc<Tally>,
 }
 
-/// Counted where it happens.
+/// Counts samples by what became of them.
 #[derive(Default)]
 struct Tally {
     begun: AtomicU64,

@@ -28,9 +28,9 @@ pub struct Attributes {
     pub shadow: u32,
     /// The part of the radiance that other rays brought (GCOL).
     pub gcol: DVec3,
-    /// Folded into [0, 1] (TCOORD).
+    /// Texture coordinates, wrapped into [0, 1] (TCOORD).
     pub texcoord: DVec2,
-    /// Vertex colour, linear.
+    /// Interpolated vertex colour, linear RGB.
     pub color: DVec3,
     /// What the pixel covers of textures: log2 of the second moments along s and along t, and their correlation.
     pub footprint: DVec3,
@@ -53,7 +53,7 @@ pub(super) fn moments(footprint: DVec3) -> DVec3 {
 }
 
 impl Attributes {
-    /// Of a ray that meets nothing.
+    /// The attributes of a ray without a hit.
     #[must_use]
     pub fn miss() -> Self {
         Self {

@@ -14,9 +14,9 @@ const PLANE: f64 = 0.999_999;
 /// Where a sample lands in the other eye's picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Landing {
-    /// In the frame.
+    /// Column and row of the pixel in the other eye's picture.
     pub pixel: [u32; 2],
-    /// What it counts for there.
+    /// Weight of the sample in that pixel, for each channel.
     pub share: DVec3,
 }
 
@@ -26,7 +26,7 @@ pub(super) struct Mirror {
     object: u32,
     point: DVec3,
     face: DVec3,
-    /// Of the light that arrives.
+    /// Weight of the light that arrives, for each channel.
     share: DVec3,
 }
 
@@ -103,7 +103,7 @@ impl Frame<'_> {
         inside.then_some([first + at[0] as u32, at[1] as u32])
     }
 
-    /// A ray from that eye to a point.
+    /// The ray from the eye on this side to a point.
     fn eye_ray_to(&self, side: f64, point: DVec3) -> Ray {
         let (middle, length) = self.ray(self.size.map(|n| n / 2));
         let origin = self.eye_origin(side);

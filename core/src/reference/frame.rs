@@ -7,28 +7,28 @@ use super::{
 };
 use crate::{Camera, Mip, Origin, Settings};
 
-/// A frame of a scene.
+/// A frame to be computed in f64.
 pub struct Frame<'a> {
-    /// What is seen.
+    /// The scene.
     pub reference: &'a Reference,
-    /// From where.
+    /// The camera.
     pub camera: Camera,
     /// Width and height in pixels; where pixels have several samples these take their place.
     pub size: [u32; 2],
-    /// How.
+    /// The settings of the frame.
     pub settings: Settings,
 }
 
-/// A pixel of an adaptive frame.
+/// A pixel of an adaptive frame with what decided about it.
 #[derive(Clone, Copy, Debug)]
 pub struct Pixel {
-    /// How it came to be.
+    /// The step of the method that produced the pixel.
     pub origin: Origin,
     /// The checks that fail between its two references, as bits in the order of [`crate::CHECK_NAMES`].
     pub failed: u32,
-    /// Before they are stored.
+    /// Attributes of the first hit, not yet quantised for storage.
     pub attributes: Attributes,
-    /// Linear radiance.
+    /// Linear RGB radiance.
     pub color: DVec3,
 }
 

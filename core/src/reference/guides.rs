@@ -10,16 +10,16 @@ use crate::scene::octahedral_decode_exact;
 pub enum Way {
     /// Some did not, or met light before they left it: the pixel is not filtered.
     None,
-    /// It is seen directly.
+    /// The surface is seen directly.
     Direct,
-    /// By mirrors or glass.
+    /// The surface is seen by way of mirrors or glass.
     Mirrored,
 }
 
 /// What is known of a pixel's first diffuse surface.
 #[derive(Clone, Copy, Debug)]
 pub struct Guide {
-    /// How it is seen.
+    /// Whether the surface is seen directly.
     pub way: Way,
     /// Its unit normal, of the first sample.
     pub normal: DVec3,
@@ -31,7 +31,7 @@ pub struct Guide {
     pub smoothed: bool,
 }
 
-/// Steps of a channel of the albedo.
+/// Quantisation steps of an albedo channel (10 bits).
 const ALBEDO_STEPS: f64 = 1023.0;
 
 impl Guide {
@@ -66,7 +66,7 @@ pub(super) struct Search {
 }
 
 impl Search {
-    /// From the eye.
+    /// The record of a path that starts at the eye; `length` is that of its direction.
     pub fn new(length: f64) -> Self {
         let guide =
             Guide { way: Way::None, normal: DVec3::ZERO, depth: 0.0, albedo: DVec3::ZERO, smoothed: false };
@@ -90,7 +90,7 @@ impl Search {
         }
     }
 
-    /// What was found.
+    /// The attributes of the first diffuse surface that the path met.
     pub fn guide(&self, smoothed: bool) -> Guide {
         let way = if self.shone { Way::None } else { self.guide.way };
         Guide { way, smoothed, ..self.guide }

@@ -9,15 +9,15 @@ use crate::scene::LightKind;
 
 /// Squared distances to a light are at least this.
 const LEAST_DISTANCE2: f64 = 1e-30;
-/// No irradiance is larger.
+/// Upper bound of the irradiance of a light, as in the shaders.
 const MOST_IRRADIANCE: f64 = 1e30;
 
 /// What of a light arrives at a point.
 #[derive(Clone, Copy, Debug)]
 pub struct Arrival {
-    /// Unit vector to the light.
+    /// Unit vector from the surface to the light.
     pub direction: DVec3,
-    /// Infinite for directional lights.
+    /// Distance to the light; infinite for directional lights.
     pub distance: f64,
     /// On a surface that faces the light, without anything between.
     pub irradiance: DVec3,

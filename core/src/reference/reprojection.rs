@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::{Frame, Rounding};
 
-/// Side of a tile of ranks.
+/// Side of the tile whose pixels are ranked for renewal.
 const TILE: u32 = 16;
 
 /// A pixel is suspected between pixels that are nearer than this share of its depth.
@@ -21,11 +21,11 @@ const LEAST_WAY: f64 = 0.25;
 pub struct Kept {
     /// What it shows, `None` if that is not to be seen from elsewhere.
     pub point: Option<DVec3>,
-    /// Linear radiance.
+    /// Linear RGB radiance.
     pub radiance: DVec3,
 }
 
-/// A kept point where it is seen now.
+/// A kept surface point, projected into the present frame.
 #[derive(Clone, Copy, Debug)]
 struct Landed {
     at: DVec2,

@@ -13,7 +13,7 @@ use crate::{Inactive, Jitter};
 /// What the test of a pixel's quarters says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tested {
-    /// As [`crate::PixelRecord::active`].
+    /// Subpixels with extra samples, as bits of [`crate::PixelRecord::active`].
     pub active: u32,
     /// As [`crate::PixelRecord::differing`].
     pub differing: u32,
@@ -55,7 +55,7 @@ impl Frame<'_> {
         self.followed(&ray, length, rounding)
     }
 
-    /// A pixel's own sample.
+    /// The sample through the centre of a pixel.
     #[must_use]
     pub fn presampled(&self, pixel: [u32; 2], rounding: &mut Rounding) -> Sample {
         self.sample_in(pixel, 1, self.settings.jitter == Jitter::On, rounding)
@@ -158,13 +158,13 @@ impl Frame<'_> {
         f64::from(differing.reduce(f32::min).unwrap_or(col))
     }
 
-    /// The nearest pixel of the frame.
+    /// The neighbouring pixel, clamped to the frame.
     pub(super) fn beside(&self, pixel: [u32; 2], step: [i64; 2]) -> [u32; 2] {
         [0, 1].map(|i| (i64::from(pixel[i]) + step[i]).clamp(0, i64::from(self.size[i]) - 1) as u32)
     }
 }
 
-/// The same attribute of both hits.
+/// The bits of one attribute, for the primary and the secondary hit.
 fn bits([primary, secondary]: [bool; 2], bit: u32) -> u32 {
     u32::from(primary) << bit | u32::from(secondary) << (bit + 4)
 }

@@ -12,7 +12,7 @@ pub struct Emitters {
     pub primitives: Vec<u32>,
     /// The share of the whole up to and with each of them; the last is 1.
     pub cumulative: Vec<f32>,
-    /// The sum of strength times area.
+    /// The sum of emitted strength times area over all emissive primitives.
     pub total: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Light and view along the surface.
+//! Grazing incidence: light and view nearly parallel to the surface.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! glTF 2.0 into [`Scene`].
+//! Reads glTF 2.0 files into a [`Scene`].
 //!
 //! What is not part of the model and therefore not read: normal and occlusion textures, `doubleSided` (every
 //! surface has two sides here), skins, morph targets and animations (nodes and meshes stand as they are stored),
