@@ -5,7 +5,7 @@ use glam::Vec4;
 
 use crate::scene::{Image8, Scene};
 
-/// What the bytes of an image mean, and so how they are averaged.
+/// The encoding of an image's bytes, which decides how they are averaged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Content {
     /// Linear data.

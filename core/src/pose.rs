@@ -1,4 +1,4 @@
-//! Where a camera stands and what it looks at, as people say it.
+//! A camera by eye, target, up vector and projection.
 
 use glam::{DVec3, Vec3};
 
@@ -9,7 +9,7 @@ use crate::{Camera, Error, Result};
 pub enum Lens {
     /// A pinhole camera: all rays start at the eye.
     Perspective {
-        /// From the lower to the upper edge of the picture, inside (0, 180).
+        /// Angle from the lower to the upper edge of the picture in degrees, inside (0, 180).
         vertical_fov_degrees: f32,
     },
     /// An orthographic camera: all rays are parallel.
@@ -26,7 +26,7 @@ pub struct Pose {
     pub eye: Vec3,
     /// The world-space point in the middle of the picture. Only its direction from the eye counts.
     pub target: Vec3,
-    /// What is up in the picture, of any length, not along the view.
+    /// The up vector, of any length, not parallel to the view.
     pub up: Vec3,
     /// The projection.
     pub lens: Lens,

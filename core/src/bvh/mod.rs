@@ -5,7 +5,7 @@
 //!                         +-- depth: no path is longer than DEPTH_LIMIT, before each step
 //! ```
 //!
-//! What is proven of it, whatever the input: every decoded box holds what is inside in exact arithmetic
+//! Guarantees for every input: each decoded box holds its content in exact arithmetic
 //! ([`quantise`]), no path is longer than [`depth::DEPTH_LIMIT`], and the traversal's stack is as large as it can get.
 
 mod cluster;

@@ -1,11 +1,11 @@
-//! What befalls a device outside of any call's own result.
+//! Device loss and errors that wgpu reports outside of the call that caused them.
 
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::Gpu;
 use crate::{Error, Result};
 
-/// What the device has reported so far.
+/// Reports of the device so far.
 #[derive(Default)]
 pub(super) struct Health {
     /// The reason of the loss, once the device is lost.

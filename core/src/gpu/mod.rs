@@ -67,7 +67,7 @@ pub struct Gpu {
     turn: Mutex<()>,
     /// Pipelines that the driver compiled in earlier runs.
     compiled: Option<wgpu::PipelineCache>,
-    /// It is a CPU and gets kernels that are made for one.
+    /// Whether the device is a CPU, for which other kernels are linked.
     pub(crate) on_cpu: bool,
 }
 

@@ -8,7 +8,7 @@ use crate::{DisplayImage, Result};
 /// The viewing condition: a 0.7 m wide 4K screen seen from 0.7 m, FLIP's default.
 pub const PIXELS_PER_DEGREE: f32 = nv_flip::DEFAULT_PIXELS_PER_DEGREE;
 
-/// What the error map holds; every pixel's error lies in 0 to 1.
+/// Statistics of the error map; every pixel's error lies in 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flip {
     /// Mean over all pixels, 0 to 1.

@@ -40,12 +40,12 @@ use crate::{Camera, Denoise, Paths, Settings};
 /// The number of the first sample of the cores. No GPU comes so far: at 100 frames a second it takes 248 days.
 pub const FIRST_SAMPLE: u32 = 1 << 31;
 
-/// What planes are of. Those of different views are never added.
+/// A camera, a picture size and the settings that path samples depend on. Samples of different views are never added.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     camera: Camera,
     size: [u32; 2],
-    /// The usual ones but for what paths heed.
+    /// Default settings except for those that paths depend on.
     settings: Settings,
 }
 
@@ -76,14 +76,14 @@ impl Plane {
     }
 }
 
-/// What has become of the samples that cores began, of all views. A sample that is none of the others is on its way.
+/// Numbers of samples by their state, over all views. The rest of those begun are still being traced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Fates {
     /// Samples that were begun.
     pub begun: u64,
-    /// Handed to the renderer, or ready to be.
+    /// Samples that were handed to the renderer or are ready to be.
     pub merged: u64,
-    /// Of a view that was left, or unfinished when the work ended.
+    /// Samples of a view that was left, or that were unfinished when the work ended.
     pub given_up: u64,
 }
 

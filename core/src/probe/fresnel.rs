@@ -35,7 +35,7 @@ gpu_struct! {
     }
 }
 
-/// What the shaders compute for each boundary.
+/// Runs the shaders' Fresnel equations for each boundary.
 ///
 /// # Errors
 /// A device that failed or cannot hold the boundaries.

@@ -1,4 +1,4 @@
-//! Rays of the caller's through the shaders' own functions: what tests, stress cases and measurements look through.
+//! Runs the shaders' own functions on rays of the caller, for tests, stress cases and measurements.
 
 mod fresnel;
 mod peak;
@@ -131,7 +131,7 @@ impl<'a> Probe<'a> {
         Ok(self.run("probe_spawn", &spawn_sources(&self.variant), rays, rescale)?.0)
     }
 
-    /// What rays see, with the settings' recursion limits.
+    /// Traces and shades rays, with the settings' recursion limits.
     ///
     /// # Errors
     /// Invalid settings, or a device that failed or cannot hold the rays.

@@ -20,7 +20,7 @@ gpu_struct! {
         left: u32,
         /// Width of what the ray stands for where it starts, in units of the scene.
         width: f32,
-        /// What that grows by in a unit of length.
+        /// Growth of the cone's width per unit of distance.
         growth: f32,
         /// Padding to the struct's alignment.
         padding: u32,

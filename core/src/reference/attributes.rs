@@ -13,7 +13,7 @@ const MANTISSA_BITS: i32 = 9;
 const EXPONENT_BIAS: i32 = 15;
 const MOST_RADIANCE: f64 = 65408.0;
 
-/// What similarity is judged by and what is interpolated.
+/// The attributes of a pixel that are tested for similarity and interpolated (Kim 2016, section 3.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attributes {
     /// Parameter along the pixel's ray (POS).
@@ -32,7 +32,7 @@ pub struct Attributes {
     pub texcoord: DVec2,
     /// Interpolated vertex colour, linear RGB.
     pub color: DVec3,
-    /// What the pixel covers of textures: log2 of the second moments along s and along t, and their correlation.
+    /// The pixel's footprint in textures: log2 of the second moments along s and along t, and their correlation.
     pub footprint: DVec3,
 }
 

@@ -50,7 +50,7 @@ impl Reference {
         [Some(mirrored), through]
     }
 
-    /// What the rays that leave the surface bring to the sample, and what the heaviest of those that hit something hits.
+    /// Radiance of the mirrored and refracted rays, and the hit of the one with the greatest weight that hits anything.
     pub(super) fn bounced(
         &self,
         s: &Surface,

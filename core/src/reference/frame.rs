@@ -32,7 +32,7 @@ pub struct Pixel {
     pub color: DVec3,
 }
 
-/// What textures are averaged over, of the width that a sample stands for.
+/// Scale of the width over which textures are averaged, relative to the width of a sample.
 const SHARE: f64 = 0.85;
 
 impl Frame<'_> {
@@ -76,7 +76,7 @@ impl Frame<'_> {
         self.followed(&ray, length, rounding)
     }
 
-    /// What a ray sees whose direction was that long.
+    /// Traces a ray whose direction had this length before it was normalised.
     pub(super) fn followed(&self, ray: &Ray, length: f64, rounding: &mut Rounding) -> Sample {
         let mut sample = self.reference.sample(ray, &Limits::of(&self.settings), rounding);
         sample.attributes.depth /= length;
@@ -130,7 +130,7 @@ impl Frame<'_> {
         }
     }
 
-    /// What is stored of a pixel of a base row: the steps that refer to it come before postcorrection.
+    /// The attributes of a pixel of a base row as they are stored: steps that refer to it come before postcorrection.
     fn reached(
         &self,
         pixel: [u32; 2],

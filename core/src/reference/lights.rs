@@ -12,7 +12,7 @@ const LEAST_DISTANCE2: f64 = 1e-30;
 /// Upper bound of the irradiance of a light, as in the shaders.
 const MOST_IRRADIANCE: f64 = 1e30;
 
-/// What of a light arrives at a point.
+/// The light that arrives at a point from one punctual light.
 #[derive(Clone, Copy, Debug)]
 pub struct Arrival {
     /// Unit vector from the surface to the light.
@@ -24,7 +24,7 @@ pub struct Arrival {
 }
 
 impl Reference {
-    /// What of light `index` arrives at a point.
+    /// The light that arrives at a point from light `index`.
     #[must_use]
     pub fn arrival(&self, index: usize, position: DVec3) -> Arrival {
         let light = &self.scene.lights[index];
@@ -55,7 +55,7 @@ impl Reference {
         Arrival { direction, distance, irradiance }
     }
 
-    /// What a surface reflects towards the viewer of the lights that reach it.
+    /// Radiance that a surface reflects towards the viewer from the lights that reach it.
     pub(super) fn lights_reflected(&self, s: &mut Shading<'_>, diffuse: DVec3) -> DVec3 {
         let shadow = s.shadow;
         let mut sum = DVec3::ZERO;

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::{Cause, Material, Reference, Rounding, Surface, bounce::Leaving};
 
-/// What a surface does with light, by the share of it.
+/// Weights of the three lobes of a surface.
 pub(super) struct Lobes {
     /// Albedo of the diffuse lobe.
     pub diffuse: DVec3,
@@ -25,7 +25,7 @@ pub(super) struct Chosen {
 }
 
 impl Lobes {
-    /// Those of a surface that a ray of this direction meets.
+    /// The lobes of a surface for a ray of this direction.
     pub fn of(
         reference: &Reference,
         s: &Surface,

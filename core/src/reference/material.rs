@@ -61,7 +61,7 @@ impl Reference {
         }
     }
 
-    /// What a surface sends towards the viewer by itself: emission, ambient and direct light.
+    /// Local radiance towards the viewer: emission, ambient and direct light.
     pub(super) fn local(&self, mut s: Shading<'_>) -> DVec3 {
         let m = s.material;
         if m.unlit {

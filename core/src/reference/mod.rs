@@ -1,4 +1,4 @@
-//! What is right: the steps of the shaders by the same names, in f64 on the CPU, slow and obvious.
+//! The reference: every step of the shaders by the same name, in f64 on the CPU, without any optimisation.
 //!
 //! | here | shaders |
 //! | --- | --- |

@@ -39,11 +39,11 @@ const LIGHT_SAMPLE: u32 = 1024;
 pub struct PathSample {
     /// Linear RGB radiance.
     pub radiance: DVec3,
-    /// It was stopped because it is away from the gaze.
+    /// Whether gaze-based stopping ended the path.
     pub stopped: bool,
-    /// It left every surface by the diffuse lobe.
+    /// Whether the path left every surface by the diffuse lobe.
     pub diffuse_only: bool,
-    /// What it counts for in its own pixel.
+    /// Weight of the sample in its own pixel.
     pub own: f64,
     /// The pixel of the other eye that it counts for too.
     pub landing: Option<Landing>,
@@ -61,7 +61,7 @@ struct Path<'a> {
     ray: Ray,
     /// The primitive that the ray starts on; `None` at the eye.
     left: Option<usize>,
-    /// What the radiance that arrives along the ray counts for.
+    /// Throughput: the weight of the radiance that arrives along the ray.
     throughput: DVec3,
     /// Bounce level: 1 for the ray from the eye.
     level: u32,
@@ -69,7 +69,7 @@ struct Path<'a> {
     density: Option<f64>,
     /// The first hit, if that is a plane mirror.
     mirror: Option<Mirror>,
-    /// What the sample counts for in its own pixel, and where else.
+    /// Weight of the sample in its own pixel, and its contribution to the other eye.
     crossed: Option<(f64, Landing)>,
     search: Search,
     radiance: DVec3,

@@ -1,4 +1,4 @@
-//! What rounding may do: an f32 tracer decides differently where a decision hangs on its last digits. The reference can
+//! Effects of rounding: an f32 tracer decides differently where a decision depends on its last digits. The reference can
 //! be asked the same question with numbers displaced at random by as much as f32 may be off. Where that never leads to
 //! the tracer's answer, rounding does not explain it.
 

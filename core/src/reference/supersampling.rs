@@ -10,16 +10,16 @@ use super::{
 };
 use crate::{Inactive, Jitter};
 
-/// What the test of a pixel's quarters says.
+/// The result of the subpixel test of a pixel (Jin 2009, 4.1.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tested {
     /// Subpixels with extra samples, as bits of [`crate::PixelRecord::active`].
     pub active: u32,
-    /// As [`crate::PixelRecord::differing`].
+    /// Attributes that differ from a neighbour's, as bits of [`crate::PixelRecord::differing`].
     pub differing: u32,
 }
 
-/// What is compared of a hit (Jin 2009, Table 1).
+/// The attributes of a hit that are compared (Jin 2009, Table 1).
 #[derive(Clone, Copy, Debug)]
 struct Edges {
     object: Option<u32>,

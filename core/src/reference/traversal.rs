@@ -1,4 +1,4 @@
-//! What a ray hits, in f64 on the CPU: a median-split tree of boxes, or no tree at all.
+//! Closest hits in f64 on the CPU, by a median-split tree of boxes or by testing every primitive.
 
 use std::ops::Range;
 

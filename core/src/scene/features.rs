@@ -1,4 +1,4 @@
-//! What a scene needs: the facts that decide which pieces of the shaders are linked at all.
+//! Features of a scene: the facts that decide which pieces of the shaders are linked.
 
 use glam::Vec3;
 

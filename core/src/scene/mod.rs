@@ -74,9 +74,9 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// Cameras of the file with their names; never empty after import.
     pub cameras: Vec<(String, Camera)>,
-    /// What a ray meets that meets nothing.
+    /// Radiance of rays without a hit, and of light that is not traced.
     pub environment: Environment,
-    /// What the import had to leave out, one sentence each, naming the element.
+    /// Parts of the file that the import left out: one sentence each that names the element.
     pub warnings: Vec<String>,
 }
 

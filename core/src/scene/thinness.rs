@@ -105,7 +105,7 @@ impl Thinness {
     }
 }
 
-/// What is known of a thing, in the scene's unit of length.
+/// Extents of a connected object, in the scene's unit of length.
 struct Thing {
     thickness: f64,
     length: f64,

@@ -167,7 +167,7 @@ fn thin_pane() -> Material {
     }
 }
 
-/// What a hit says, for the judgement.
+/// The attributes of a hit that are compared with the reference.
 fn answer(hit: &ProbeHit, length: f64) -> Option<Hit> {
     (hit.primitive != ProbeHit::MISS).then(|| Hit { object: hit.object, t: f64::from(hit.t) * length })
 }

@@ -25,7 +25,7 @@ pub(super) struct Mesh<'b> {
     pub positions: Accessor<'b>,
     pub normals: Option<Accessor<'b>>,
     pub colors: Option<Accessor<'b>>,
-    /// What its material's textures are read at.
+    /// Texture coordinates of the material's textures.
     pub texcoords: Option<(Coordinates, Accessor<'b>)>,
 }
 

@@ -11,7 +11,7 @@ use crate::camera::Camera;
 use crate::scene::{Light, LightKind, MAX_COORDINATE, MAX_LIGHTS, MAX_RADIANCE, MIN_RANGE, Scene};
 use crate::{Error, Result};
 
-/// What exporters may round off in the last row of a matrix, which is not read.
+/// Tolerance for rounding errors of exporters in the last row of a matrix, which is not read.
 const AFFINE_TOLERANCE: f64 = 1.0e-4;
 
 /// A node of the default scene with its world transform.

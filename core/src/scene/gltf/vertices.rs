@@ -61,7 +61,7 @@ impl Used {
     }
 }
 
-/// What triangles use of a primitive, in world space.
+/// The vertices of a primitive that its triangles use, in world space.
 pub(super) struct Vertices {
     used: Used,
     pub positions: Vec<Vec3>,
