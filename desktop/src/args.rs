@@ -13,7 +13,9 @@ mod pose;
 #[path = "vary.rs"]
 mod vary;
 
-pub use frame_options::{FrameOptions, Recursion, TypedOptions, default_text, method_parser};
+#[cfg(test)]
+pub use frame_options::default_text;
+pub use frame_options::{FrameOptions, Recursion, TypedOptions, method_parser};
 pub use pose::PoseOptions;
 pub use vary::Variation;
 

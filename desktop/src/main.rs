@@ -9,6 +9,8 @@ mod errors;
 mod files;
 mod focus;
 mod info;
+#[cfg(test)]
+mod manual;
 mod measure;
 mod output;
 mod pan;
