@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use clap::CommandFactory;
+use clap::{Arg, Command, CommandFactory};
 use glimpse::Error;
 
 use crate::args::Arguments;
@@ -36,19 +36,16 @@ pub fn told(error: &anyhow::Error) -> String {
     lines.join(" ")
 }
 
-/// An error of the core. An option is said as it would be typed.
-pub fn of_core(error: &Error) -> String {
-    match error {
-        Error::Setting { option, expected, found } if is_option(option) => {
-            format!("--{option} {found}: expected {expected}")
-        }
-        other => other.to_string(),
-    }
-}
-
-fn is_option(name: &str) -> bool {
+/// An error of the core. What was typed is said as it was.
+fn of_core(error: &Error) -> String {
+    let Error::Setting { option, expected, found } = error else { return error.to_string() };
     let program = Arguments::command();
-    program.get_subcommands().flat_map(clap::Command::get_arguments).any(|a| a.get_long() == Some(name))
+    let mut arguments = program.get_subcommands().flat_map(Command::get_arguments);
+    match arguments.find(|argument| argument.get_id() == option.as_str()).map(Arg::is_positional) {
+        Some(true) => format!("{found}: expected {expected}"),
+        Some(false) => format!("--{option} {found}: expected {expected}"),
+        None => error.to_string(),
+    }
 }
 
 fn advice(error: &Error) -> Option<&'static str> {
@@ -77,6 +74,7 @@ mod tests {
         let told = |option: &str| told(&error(option).unwrap_err());
         assert_eq!(told("depth"), "a.glb: --depth 0: expected 1 to 64");
         assert_eq!(told("size"), "a.glb: --size 0: expected 1 to 64");
+        assert_eq!(told("scene"), "a.glb: 0: expected 1 to 64");
         assert_eq!(told("images"), "a.glb: images: expected 1 to 64, found 0");
     }
 

@@ -2,11 +2,10 @@
 
 use std::path::{Component, Path};
 
-use anyhow::{Context, bail};
+use anyhow::Context;
 use glimpse::Scene;
 use glimpse::scene::{BUILTIN_NAMES, builtin};
 
-use crate::errors::Usage;
 use crate::files;
 
 /// Fails early, and without reading anything, where [`load`] cannot succeed: long work asks first.
@@ -17,7 +16,7 @@ pub fn check(name: &str) -> anyhow::Result<()> {
     let path = Path::new(name);
     let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
     if !matches!(ending.as_deref(), Some("glb" | "gltf")) {
-        bail!(Usage(format!("{name}: expected a .glb or .gltf file, or builtin:NAME")));
+        return Err(glimpse::Error::setting("scene", "a .glb or .gltf file, or builtin:NAME", name).into());
     }
     files::readable(path)
 }
@@ -46,7 +45,8 @@ fn check_builtin(name: &str) -> anyhow::Result<()> {
     if BUILTIN_NAMES.contains(&name) {
         return Ok(());
     }
-    bail!(Usage(format!("builtin:{name}: no such scene; there are {}", BUILTIN_NAMES.join(", "))))
+    let expected = format!("a built-in scene; there are {}", BUILTIN_NAMES.join(", "));
+    Err(glimpse::Error::setting("scene", expected, format!("builtin:{name}")).into())
 }
 
 /// The bytes of a relative URI (RFC 3986: percent-encoded, though not every exporter does it). A scene that somebody

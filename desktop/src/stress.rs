@@ -9,7 +9,6 @@ use glimpse::{Gpu, Robustness};
 use serde::Serialize;
 
 use crate::args::{Measure, StressOptions};
-use crate::errors::Usage;
 use crate::output::{self, grouped};
 use crate::progress::Progress;
 use crate::statistics::AdapterStatistics;
@@ -78,14 +77,14 @@ fn name(measure: &Measure) -> String {
 }
 
 /// The cases of these names, all of them without names.
-fn chosen(names: &[String]) -> anyhow::Result<Vec<&'static Case>> {
+fn chosen(names: &[String]) -> glimpse::Result<Vec<&'static Case>> {
     if names.is_empty() {
         return Ok(CASES.iter().collect());
     }
     let find = |name: &String| {
         CASES.iter().find(|case| case.name == name).ok_or_else(|| {
             let known: Vec<_> = CASES.iter().map(|case| case.name).collect();
-            Usage(format!("CASE: expected one of {}, found {name}", known.join(", "))).into()
+            glimpse::Error::setting("cases", format!("one of {}", known.join(", ")), name)
         })
     };
     names.iter().map(find).collect()
