@@ -22,7 +22,9 @@ impl Choices {
     #[must_use]
     pub fn governor_rests(&self) -> Option<&'static str> {
         let keeps = self.settings.method.keeps_frames();
-        keeps.then_some("A frame of another size keeps nothing of the one before: this method is not governed.")
+        keeps.then_some(
+            "A frame of another size keeps nothing of the one before: this method is not governed.",
+        )
     }
 
     /// Why nothing is bent for lenses; `None` if it is.

@@ -87,11 +87,7 @@ impl Error {
     }
 
     /// An error about an option or another input.
-    pub fn setting(
-        option: impl Into<String>,
-        expected: impl Into<String>,
-        found: impl Into<String>,
-    ) -> Self {
+    pub fn setting(option: impl Into<String>, expected: impl Into<String>, found: impl Into<String>) -> Self {
         Self::Setting { option: option.into(), expected: expected.into(), found: found.into() }
     }
 }

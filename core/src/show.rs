@@ -65,9 +65,9 @@ impl Show {
             Self::Active if !settings.supersamples() && method != Method::Quincunx => {
                 Some("Active pixels are those of the methods supersample and quincunx, and of supersample.")
             }
-            Self::Attribute(_) if !settings.supersamples() => {
-                Some("Attributes are compared where there are extra samples: method supersample, or supersample.")
-            }
+            Self::Attribute(_) if !settings.supersamples() => Some(
+                "Attributes are compared where there are extra samples: method supersample, or supersample.",
+            ),
             Self::Check(_) | Self::Depth | Self::Normal | Self::Oid if method == Method::Checkerboard => {
                 Some("A checkerboard averages every second pixel: no surface belongs to an average.")
             }

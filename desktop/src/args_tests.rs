@@ -4,7 +4,8 @@ use clap::CommandFactory;
 use clap::error::ErrorKind;
 use glimpse::options::OPTIONS;
 use glimpse::{
-    Filter, Focus, Inactive, Jitter, Linking, Mip, Postcorrect, Preset, Refine, Settings, Thresholds, Tolerances,
+    Filter, Focus, Inactive, Jitter, Linking, Mip, Postcorrect, Preset, Refine, Settings, Thresholds,
+    Tolerances,
 };
 
 use super::*;

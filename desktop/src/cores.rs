@@ -170,7 +170,10 @@ mod tests {
             assert!(check(&[fine], 3).is_ok());
         }
         let error = check(&[wish(5, 2), wish(4, 2)], 3).unwrap_err().to_string();
-        assert_eq!(error, "samples: expected more than the 4 of the timed frames, with --cpu-threads, found 4");
+        assert_eq!(
+            error,
+            "samples: expected more than the 4 of the timed frames, with --cpu-threads, found 4"
+        );
     }
 
     #[test]

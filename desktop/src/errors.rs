@@ -85,7 +85,10 @@ mod tests {
         for (error, expected) in [
             (Error::NoAdapter("there is none".to_owned()), "another --adapter"),
             (Error::Lost { adapter: adapter(), reason: "reset".to_owned() }, "try again; if"),
-            (Error::OutOfMemory { what: "rays".to_owned(), bytes: Some(9), adapter: adapter() }, "smaller --size"),
+            (
+                Error::OutOfMemory { what: "rays".to_owned(), bytes: Some(9), adapter: adapter() },
+                "smaller --size",
+            ),
             (Error::Timeout { adapter: adapter(), waited }, "a smaller --depth"),
         ] {
             let text = told(&error.into());

@@ -201,7 +201,9 @@ fn help(option: &OptionSpec) -> String {
 pub fn default_text(option: &OptionSpec) -> String {
     let usual = option.default(Settings::default().method);
     let mut text = usual.to_string();
-    for method in Method::ALL.into_iter().filter(|method| option.name != METHOD && option.default(*method) != usual) {
+    for method in
+        Method::ALL.into_iter().filter(|method| option.name != METHOD && option.default(*method) != usual)
+    {
         text += &format!(", {} with {}", option.default(method), method.name());
     }
     text
@@ -218,9 +220,11 @@ fn parser(option: &'static OptionSpec) -> ValueParser {
 }
 
 fn names(choices: &'static [Choice]) -> PossibleValuesParser {
-    PossibleValuesParser::new(choices.iter().map(|choice| {
-        PossibleValue::new(choice.name).aliases(choice.old_name).help(choice.summary)
-    }))
+    PossibleValuesParser::new(
+        choices
+            .iter()
+            .map(|choice| PossibleValue::new(choice.name).aliases(choice.old_name).help(choice.summary)),
+    )
 }
 
 /// Reads the name of a method.

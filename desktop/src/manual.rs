@@ -44,7 +44,11 @@ fn page() -> String {
             page += "\nAnd the [options of a frame](#options-of-a-frame).\n";
         } else if !taken.is_empty() {
             let names: Vec<_> = taken.iter().map(|option| format!("`--{}`", option.name)).collect();
-            let _ = writeln!(page, "\nAnd {} of the [options of a frame](#options-of-a-frame).", names.join(", "));
+            let _ = writeln!(
+                page,
+                "\nAnd {} of the [options of a frame](#options-of-a-frame).",
+                names.join(", ")
+            );
         }
     }
     page += FRAME;
@@ -65,8 +69,11 @@ fn arguments(command: &Command, chosen: impl Fn(&Arg) -> bool) -> String {
     let hidden = |argument: &&Arg| ["help", "version"].contains(&argument.get_id().as_str());
     for argument in command.get_arguments().filter(|argument| chosen(argument) && !hidden(argument)) {
         let help = argument.get_help().map(ToString::to_string).unwrap_or_default();
-        let defaults: Vec<_> =
-            argument.get_default_values().iter().map(|value| format!("`{}`", value.to_string_lossy())).collect();
+        let defaults: Vec<_> = argument
+            .get_default_values()
+            .iter()
+            .map(|value| format!("`{}`", value.to_string_lossy()))
+            .collect();
         let default = if defaults.is_empty() || !argument.get_action().takes_values() {
             String::new()
         } else {
@@ -87,9 +94,9 @@ fn row(option: &OptionSpec) -> String {
         }
         kind => kind.expected(),
     };
-    let published = option.published.map_or_else(String::new, |published| {
-        format!("`{}` ({})", published.value, published.paper)
-    });
+    let published = option
+        .published
+        .map_or_else(String::new, |published| format!("`{}` ({})", published.value, published.paper));
     let default = default_text(option);
     let (name, does) = (option.name, option.summary);
     format!("| `--{name}` | {does}{effect} | {values} | `{default}` | {published} |\n")

@@ -4,8 +4,8 @@ use std::time::Instant;
 
 use anyhow::Context;
 use glimpse::{
-    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Linking, Memory, Renderer, Scene,
-    Settings, metrics, reference::Reference,
+    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Linking, Memory, Renderer,
+    Scene, Settings, metrics, reference::Reference,
 };
 
 use crate::args::FrameOptions;

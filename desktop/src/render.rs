@@ -37,7 +37,9 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
     let wish = Wish::of(&options.frame, options.method)?;
     check_show(options, &wish.settings)?;
     if options.reference && wish.settings.method == Method::Vr {
-        bail!(Usage("--reference: expected a method of one eye, found vr: method full shows one picture".to_owned()));
+        bail!(Usage(
+            "--reference: expected a method of one eye, found vr: method full shows one picture".to_owned()
+        ));
     }
     scene_file::check(&options.scene)?;
     let outputs = std::iter::once(&options.output.path).chain(&options.stats);

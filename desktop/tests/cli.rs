@@ -121,7 +121,8 @@ fn options_that_change_nothing_are_warned_of() {
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let said = String::from_utf8(output.stdout).unwrap();
     let warnings: Vec<_> = said.lines().filter(|line| line.starts_with("warning ")).collect();
-    let expected = "warning   --tau-col changes nothing with --method path. There are extra samples with method";
+    let expected =
+        "warning   --tau-col changes nothing with --method path. There are extra samples with method";
     assert!(warnings.len() == 1 && warnings[0].starts_with(expected), "{said}");
 }
 

@@ -87,13 +87,8 @@ fn knob(option: &'static OptionSpec, choices: &Choices) -> Option<(Knob, f64)> {
         None => (number(&usual)?, "default"),
     };
     let step: f64 = step.to_string().parse().ok()?;
-    let knob = Knob {
-        name: option.label,
-        explained: option.summary,
-        range: [low, high].map(f64::from),
-        step,
-        mark,
-    };
+    let knob =
+        Knob { name: option.label, explained: option.summary, range: [low, high].map(f64::from), step, mark };
     Some((knob, number(&choices.settings)?))
 }
 
@@ -159,10 +154,8 @@ mod tests {
     #[test]
     fn every_option_has_a_control() {
         for option in OPTIONS {
-            let field = matches!(
-                option.kind,
-                Kind::OptionalNumber { .. } | Kind::Point { .. } | Kind::Objects(_)
-            );
+            let field =
+                matches!(option.kind, Kind::OptionalNumber { .. } | Kind::Point { .. } | Kind::Objects(_));
             let controls = [
                 knob(option, &Choices::default()).is_some(),
                 !offers(option, &Choices::default()).is_empty(),

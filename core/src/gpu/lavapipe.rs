@@ -14,7 +14,8 @@ pub(super) fn check_cache(driver: &str, is_set: impl Fn(&str) -> bool) -> Result
         return Ok(());
     }
     let expected = format!("{DIRECTORY} set to a directory for this width of vectors alone");
-    let found = "none, with which Mesa mixes up what it compiled for other widths, and pictures come out wrong";
+    let found =
+        "none, with which Mesa mixes up what it compiled for other widths, and pictures come out wrong";
     Err(Error::setting(WIDTH, expected, found))
 }
 

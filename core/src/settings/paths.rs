@@ -1,117 +1,88 @@
 //! Wishes for path tracing.
 
-/// How the light of emitters is found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Direct {
-    /// By the path's own steps alone, as in Kim & Sung 2021: a path brings light where it happens to hit an emitter.
-    Walk,
-    /// By rays to points on emitters from every diffuse surface (next-event estimation), and where the path came by a
-    /// mirror or glass.
-    Light,
-    /// Both, each weighted by how likely it was to find that point (Veach 1995, balance heuristic).
-    Mis,
-}
-
-/// What shines.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Shining {
-    /// Emissive surfaces and punctual lights.
-    All,
-    /// Emissive surfaces alone: for files whose punctual lights stand for those.
-    Emitters,
-    /// Punctual lights alone; emissive surfaces are as bright as ever to the eye, but light nothing.
-    Punctual,
-}
-
-/// Where the random numbers of a path come from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Sampler {
-    /// A hash: independent numbers.
-    Random,
-    /// Owen-scrambled Sobol' pairs (Burley 2020): the samples of a pixel are spread evenly.
-    Sobol,
-}
-
-/// Whether long paths are ended at random, their survivors counting for more: no error in the mean.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Roulette {
-    /// From the third bounce on, by how much light the path can still bring.
-    On,
-    /// Paths go on up to the depth limit.
-    Off,
-}
-
-/// What happens to paths away from the gaze (Kim & Sung 2021, equation 7).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Stopping {
-    /// They go on.
-    Off,
-    /// They stop with a probability that grows with the distance, and what they would have brought is missing: darker.
-    Paper,
-    /// They stop, and those that go on count for more: noisier away from the gaze, but right.
-    Compensated,
-}
-
-/// Whether what one eye finds out about a point counts for the other eye too (Kim & Sung 2021, equations 1 to 6).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Crossing {
-    /// Each eye for itself.
-    Off,
-    /// As in the paper: a sample counts as one more wherever it is seen, though points are not seen equally often by both
-    /// eyes, and what a mirror shows goes where the reflected ray meets the other eye's picture. Biased.
-    Paper,
-    /// Points of diffuse surfaces, seen straight or in plane mirrors, each sample weighted by how often both eyes find
-    /// its point (Veach, Guibas 1995, balance heuristic): no error in the mean.
-    Weighted,
-}
-
-/// What is done about noise in the picture that is shown. What is added up is what paths brought, with or without it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Denoise {
-    /// Nothing.
-    Off,
-    /// Kim & Sung 2021, section 3: a pixel whose last path was [stopped](Stopping) and met diffuse surfaces alone shows,
-    /// channel by channel, the median of its 3x3 pixels. It does so however many samples there are: the picture stays
-    /// darker than the mean, and more samples do not help there.
-    Median,
-    /// An edge-avoiding a-trous wavelet filter (Dammertz et al. 2010) of the light that arrives at the first diffuse
-    /// surface, guided by its position, normal and albedo. Its colour weights narrow as samples are added up: the picture
-    /// tends to the mean.
-    Atrous,
+choices! {
+    /// How the light of emitters is found.
+    pub enum Direct {
+        /// By the path's own steps alone, as in Kim & Sung 2021: a path brings light where it happens to hit an emitter.
+        Walk = "bsdf" or "walk": "By meeting them: sampling of the BSDF alone",
+        /// By rays to points on emitters from every diffuse surface (next-event estimation), and where the path came by a
+        /// mirror or glass.
+        Light = "nee" or "light": "By rays to points on them: next-event estimation",
+        /// Both, each weighted by how likely it was to find that point (Veach 1995, balance heuristic).
+        Mis = "mis": "By both, each weighted by how likely it was to find the point (balance heuristic)",
+    }
 }
 
 choices! {
-    Direct {
-        Walk = "bsdf" or "walk": "By meeting them: sampling of the BSDF alone",
-        Light = "nee" or "light": "By rays to points on them: next-event estimation",
-        Mis = "mis": "By both, each weighted by how likely it was to find the point (balance heuristic)",
-    }
-    Shining {
+    /// What shines.
+    pub enum Shining {
+        /// Emissive surfaces and punctual lights.
         All = "all": "Emissive surfaces and punctual lights",
+        /// Emissive surfaces alone: for files whose punctual lights stand for those.
         Emitters = "emitters": "Emissive surfaces, for files whose punctual lights stand for those",
+        /// Punctual lights alone; emissive surfaces are as bright as ever to the eye, but light nothing.
         Punctual = "punctual": "Punctual lights",
     }
-    Sampler {
+}
+
+choices! {
+    /// Where the random numbers of a path come from.
+    pub enum Sampler {
+        /// A hash: independent numbers.
         Random = "random": "Independent numbers",
+        /// Owen-scrambled Sobol' pairs (Burley 2020): the samples of a pixel are spread evenly.
         Sobol = "sobol": "Owen-scrambled Sobol' pairs: the samples of a pixel are spread evenly",
     }
-    Roulette {
+}
+
+choices! {
+    /// Whether long paths are ended at random, their survivors counting for more: no error in the mean.
+    pub enum Roulette {
+        /// From the third bounce on, by how much light the path can still bring.
         On = "on": "From the third bounce on",
+        /// Paths go on up to the depth limit.
         Off = "off": "Paths go on up to the depth limit",
     }
-    Stopping {
+}
+
+choices! {
+    /// What happens to paths away from the gaze (Kim & Sung 2021, equation 7).
+    pub enum Stopping {
+        /// They go on.
         Off = "off": "Paths go on",
+        /// They stop with a probability that grows with the distance, and what they would have brought is missing: darker.
         Paper = "paper": "Paths stop, and those that go on count as before: darker",
+        /// They stop, and those that go on count for more: noisier away from the gaze, but right.
         Compensated = "compensated": "Paths stop, and those that go on count for more: noisier",
     }
-    Crossing {
+}
+
+choices! {
+    /// Whether what one eye finds out about a point counts for the other eye too (Kim & Sung 2021, equations 1 to 6).
+    pub enum Crossing {
+        /// Each eye for itself.
         Off = "off": "Each eye for itself",
+        /// As in the paper: a sample counts as one more wherever it is seen, though points are not seen equally often by both
+        /// eyes, and what a mirror shows goes where the reflected ray meets the other eye's picture. Biased.
         Paper = "paper": "Wherever the other eye sees the point: biased",
+        /// Points of diffuse surfaces, seen straight or in plane mirrors, each sample weighted by how often both eyes find
+        /// its point (Veach, Guibas 1995, balance heuristic): no error in the mean.
         Weighted = "weighted": "Weighted by how often both find the point: unbiased",
     }
-    Denoise {
+}
+
+choices! {
+    /// What is done about noise in the picture that is shown. What is added up is what paths brought, with or without it.
+    pub enum Denoise {
+        /// Nothing.
         Off = "off": "Nothing",
+        /// Kim & Sung 2021, section 3: a pixel whose last path was [stopped](Stopping) and met diffuse surfaces alone shows,
+        /// channel by channel, the median of its 3x3 pixels. It does so however many samples there are: the picture stays
+        /// darker than the mean, and more samples do not help there.
         Median = "median": "Stopped paths that met diffuse surfaces alone show the median of their 3x3 pixels",
+        /// An edge-avoiding a-trous wavelet filter (Dammertz et al. 2010) of the light that arrives at the first diffuse
+        /// surface, guided by its position, normal and albedo. Its colour weights narrow as samples are added up: the picture
+        /// tends to the mean.
         Atrous = "atrous": "An edge-avoiding a-trous filter that narrows with every sample",
     }
 }

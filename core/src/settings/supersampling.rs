@@ -1,33 +1,5 @@
 //! Wishes about extra samples: which differences between pixels are worth some (Jin 2009).
 
-choices! {
-    Preset {
-        Balanced = "balanced": "Edges and shadows, textures where they are strong (Jin 2009, Table 2)",
-        Textures = "textures": "Textures too",
-        Edges = "edges": "Edges alone",
-        Color = "color": "Colours alone, whatever their cause",
-        Refined = "refined": "Edges and shadows wherever they show, textures where they are strong: for refine on",
-    }
-    Refine {
-        Auto = "auto": "On after the adaptive method, off with method supersample",
-        On = "on": "Whole pixels, step by step",
-        Off = "off": "Subpixels that differ (Jin 2009)",
-    }
-    Inactive {
-        Nearest = "nearest": "The sample at the pixel's centre",
-        Bilinear = "bilinear": "The centres around it, bilinearly (Jin 2009, section 6)",
-    }
-    Jitter {
-        Auto = "auto": "Extra samples do, others lie in the centre",
-        On = "on": "All do: noise in the place of aliasing",
-        Off = "off": "None do",
-    }
-    Filter {
-        Box = "box": "The mean of its own samples",
-        Tent = "tent": "The neighbours' samples too, the less the farther off",
-    }
-}
-
 /// How strong a contrast must be, by what differs between neighbouring pixels, for a quarter of a pixel to get extra
 /// samples (Jin 2009, Table 1), each from 0, always, to 1, never.
 ///
@@ -86,7 +58,6 @@ impl Thresholds {
         let t = self;
         [t.col, t.poid, t.psn, t.psc, t.pte, t.soid, t.ssn, t.ssc, t.ste]
     }
-
 }
 
 impl Default for Thresholds {
@@ -95,19 +66,20 @@ impl Default for Thresholds {
     }
 }
 
-/// Thresholds by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Preset {
-    /// The paper's default (Table 2, tau_alpha = 0.6).
-    Balanced,
-    /// Strict about textures too (Table 2, tau_alpha = 0.1).
-    Textures,
-    /// Edges alone, of objects and in mirrors (Table 2, Fairy Forest with tau_alpha = tau_beta = 1).
-    Edges,
-    /// The colour measure alone (Figure 7, tau_col = 0.1).
-    Color,
-    /// Edges and shadows wherever they show, textures where they are strong: ours, for [`Refine::On`] and averaged textures.
-    Refined,
+choices! {
+    /// Thresholds by name.
+    pub enum Preset {
+        /// The paper's default (Table 2, tau_alpha = 0.6).
+        Balanced = "balanced": "Edges and shadows, textures where they are strong (Jin 2009, Table 2)",
+        /// Strict about textures too (Table 2, tau_alpha = 0.1).
+        Textures = "textures": "Textures too",
+        /// Edges alone, of objects and in mirrors (Table 2, Fairy Forest with tau_alpha = tau_beta = 1).
+        Edges = "edges": "Edges alone",
+        /// The colour measure alone (Figure 7, tau_col = 0.1).
+        Color = "color": "Colours alone, whatever their cause",
+        /// Edges and shadows wherever they show, textures where they are strong: ours, for [`Refine::On`] and averaged textures.
+        Refined = "refined": "Edges and shadows wherever they show, textures where they are strong: for refine on",
+    }
 }
 
 impl Preset {
@@ -134,43 +106,47 @@ pub struct Focus {
     pub last: u32,
 }
 
-/// What stands for the quarters of a pixel that get no extra samples.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Inactive {
-    /// The sample at the pixel's centre.
-    Nearest,
-    /// The four centres around them, bilinearly (Jin 2009, section 6): softer textures, softer everything.
-    Bilinear,
+choices! {
+    /// What stands for the quarters of a pixel that get no extra samples.
+    pub enum Inactive {
+        /// The sample at the pixel's centre.
+        Nearest = "nearest": "The sample at the pixel's centre",
+        /// The four centres around them, bilinearly (Jin 2009, section 6): softer textures, softer everything.
+        Bilinear = "bilinear": "The centres around it, bilinearly (Jin 2009, section 6)",
+    }
 }
 
-/// How a pixel follows from samples (lecture, "Supersampling").
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Filter {
-    /// The mean of its own.
-    Box,
-    /// Those of the neighbours too, the less the farther off: smoother edges, softer textures.
-    Tent,
+choices! {
+    /// How a pixel follows from samples (lecture, "Supersampling").
+    pub enum Filter {
+        /// The mean of its own.
+        Box = "box": "The mean of its own samples",
+        /// Those of the neighbours too, the less the farther off: smoother edges, softer textures.
+        Tent = "tent": "The neighbours' samples too, the less the farther off",
+    }
 }
 
-/// Where in its cell a sample lies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Jitter {
-    /// Anywhere for extra samples (Jin 2009, 4.1.4), in the centre for all others.
-    Auto,
-    /// Anywhere: noise in the place of aliasing (lecture, "Jittered sampling").
-    On,
-    /// In the centre.
-    Off,
+choices! {
+    /// Where in its cell a sample lies.
+    pub enum Jitter {
+        /// Anywhere for extra samples (Jin 2009, 4.1.4), in the centre for all others.
+        Auto = "auto": "Extra samples do, others lie in the centre",
+        /// Anywhere: noise in the place of aliasing (lecture, "Jittered sampling").
+        On = "on": "All do: noise in the place of aliasing",
+        /// In the centre.
+        Off = "off": "None do",
+    }
 }
 
-/// Which samples pixels get that differ from their neighbours.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Refine {
-    /// [`Refine::On`] after an adaptive frame, [`Refine::Off`] as a method of its own.
-    Auto,
-    /// One in each quarter of the pixel, and where they show what no pixel around a neighbour does, of the neighbour; then four to
-    /// twelve more, where quarters differ by twice the least of the thresholds.
-    On,
-    /// Four in each quarter that differs (Jin 2009, 4.1.4).
-    Off,
+choices! {
+    /// Which samples pixels get that differ from their neighbours.
+    pub enum Refine {
+        /// [`Refine::On`] after an adaptive frame, [`Refine::Off`] as a method of its own.
+        Auto = "auto": "On after the adaptive method, off with method supersample",
+        /// One in each quarter of the pixel, and where they show what no pixel around a neighbour does, of the neighbour; then four to
+        /// twelve more, where quarters differ by twice the least of the thresholds.
+        On = "on": "Whole pixels, step by step",
+        /// Four in each quarter that differs (Jin 2009, 4.1.4).
+        Off = "off": "Subpixels that differ (Jin 2009)",
+    }
 }

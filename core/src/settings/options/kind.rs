@@ -131,21 +131,6 @@ impl Integers {
 }
 
 impl Numbers {
-    /// With both ends.
-    pub(super) const fn between(low: f32, high: f32) -> Self {
-        Self { low, high, with_low: true, with_high: true }
-    }
-
-    /// Without the lower end.
-    pub(super) const fn above(low: f32, high: f32) -> Self {
-        Self { with_low: false, ..Self::between(low, high) }
-    }
-
-    /// Without the upper end.
-    pub(super) const fn below(low: f32, high: f32) -> Self {
-        Self { with_high: false, ..Self::between(low, high) }
-    }
-
     fn hold(self, value: f32) -> bool {
         let low = value > self.low || self.with_low && value == self.low;
         let high = value < self.high || self.with_high && value == self.high;
@@ -209,7 +194,9 @@ impl Kind {
         match self {
             Self::Flag(_) => vec!["true".to_owned(), "false".to_owned()],
             Self::Integer { control, .. } | Self::Number { control, .. } => controlled(control),
-            Self::OptionalNumber { allowed, .. } => vec![1_f32.min(allowed.high).to_string(), NONE.to_owned()],
+            Self::OptionalNumber { allowed, .. } => {
+                vec![1_f32.min(allowed.high).to_string(), NONE.to_owned()]
+            }
             Self::Choice { choices, .. } => choices.iter().map(|choice| choice.name.to_owned()).collect(),
             Self::Point { .. } => vec!["0.25,-0.5".to_owned()],
             Self::Objects(_) => vec!["2-5".to_owned(), NONE.to_owned()],
@@ -287,7 +274,8 @@ impl Choice {
     /// Is that its name, present or old?
     #[must_use]
     pub fn is(&self, text: &str) -> bool {
-        self.name.eq_ignore_ascii_case(text) || self.old_name.is_some_and(|old| old.eq_ignore_ascii_case(text))
+        self.name.eq_ignore_ascii_case(text)
+            || self.old_name.is_some_and(|old| old.eq_ignore_ascii_case(text))
     }
 }
 

@@ -5,6 +5,7 @@
 //! of [`Settings`] and a row of the table; a field without a row fails a test.
 
 mod applicability;
+mod conflicts;
 mod kind;
 mod table;
 #[cfg(test)]

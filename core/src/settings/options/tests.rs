@@ -22,7 +22,8 @@ fn all_changed(settings: &Settings) -> Settings {
 fn every_field_of_the_settings_is_an_option() {
     let fields = |settings: &Settings| -> Vec<String> {
         let text = format!("{settings:#?}");
-        let leaf = |line: &&str| !line.ends_with(['{', '[', '(']) && !line.trim().starts_with(['}', ']', ')']);
+        let leaf =
+            |line: &&str| !line.ends_with(['{', '[', '(']) && !line.trim().starts_with(['}', ']', ')']);
         text.lines().filter(leaf).map(str::to_owned).collect()
     };
     let usual = Settings::default();
