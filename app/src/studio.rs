@@ -78,8 +78,8 @@ pub struct Counted {
 pub(crate) struct Studio<'a> {
     gpu: &'a Gpu,
     scene: &'a GpuScene,
-    shown: Option<Renderer<'a>>,
-    full: Option<Renderer<'a>>,
+    shown: Option<Renderer>,
+    full: Option<Renderer>,
     /// Pictures that were handed out; those that came back are used again.
     pictures: Vec<Arc<wgpu::Texture>>,
 }
@@ -253,13 +253,13 @@ impl<'a> Studio<'a> {
 }
 
 /// The renderer, for that size and those settings.
-fn changed<'r, 'a>(
-    renderer: &'r mut Option<Renderer<'a>>,
-    gpu: &'a Gpu,
-    scene: &'a GpuScene,
+fn changed<'r>(
+    renderer: &'r mut Option<Renderer>,
+    gpu: &Gpu,
+    scene: &GpuScene,
     size: [u32; 2],
     settings: &Settings,
-) -> Result<&'r mut Renderer<'a>> {
+) -> Result<&'r mut Renderer> {
     if let Some(renderer) = renderer {
         renderer.change(size, settings)?;
         return Ok(renderer);

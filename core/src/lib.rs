@@ -45,9 +45,12 @@ mod mip;
 mod missing;
 mod passes;
 mod plan;
+#[cfg(feature = "reference")]
 pub mod planes;
 mod pose;
+#[cfg(feature = "stress")]
 pub mod probe;
+#[cfg(feature = "reference")]
 pub mod reference;
 mod renderer;
 pub mod scene;
@@ -55,19 +58,26 @@ mod sequence;
 mod settings;
 pub mod show;
 mod stats;
+#[cfg(feature = "stress")]
 pub mod stress;
 mod targets;
+
+// Of their types is the interface of this crate.
+pub use glam;
+pub use wgpu;
 
 pub use camera::Camera;
 pub use error::{Error, Result};
 pub use gpu::{Gpu, instance};
 pub use gpu_scene::GpuScene;
-pub use image::{DisplayImage, LinearImage, Picture, encode_display, to_exr, to_png};
+pub use image::{DisplayImage, LinearImage, encode_display};
+#[cfg(feature = "images")]
+pub use image::{Picture, to_exr, to_png};
 pub use missing::Missing;
 pub use passes::{Demand, Demands, Linked};
 pub use plan::SAMPLES_PER_SUBMISSION;
 pub use pose::{Lens, Pose};
-pub use renderer::Renderer;
+pub use renderer::{FrameCommands, Renderer};
 pub use scene::{Features, Scene};
 pub use settings::{
     Crossing, Denoise, Direct, Filter, Focus, Inactive, Jitter, Linking, MAX_DEPTH, MAX_GAZE,

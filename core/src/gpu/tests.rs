@@ -23,21 +23,21 @@ fn device() -> Gpu {
     Gpu::from_instance(&wgpu::Instance::new(descriptor), None).expect("the noop adapter")
 }
 
-fn encoder(gpu: &Gpu) -> wgpu::CommandEncoder {
-    gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default())
+fn commands(gpu: &Gpu) -> wgpu::CommandBuffer {
+    gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default()).finish()
 }
 
 #[test]
 fn nothing_is_submitted_after_a_loss_between_submissions() {
     let gpu = device();
-    gpu.submit_all_and_wait((0..3).map(|_| encoder(&gpu))).expect("a healthy device");
+    gpu.submit_all_and_wait((0..3).map(|_| commands(&gpu))).expect("a healthy device");
     let mut recorded = 0;
     let result = gpu.submit_all_and_wait((0..3).map(|i| {
         recorded = i;
         if i == 1 {
             gpu.destroy();
         }
-        encoder(&gpu)
+        commands(&gpu)
     }));
     assert!(matches!(&result, Err(Error::Lost { reason, .. }) if reason == "it was destroyed"), "{result:?}");
     assert_eq!(recorded, 1);

@@ -6,6 +6,7 @@
 mod builtin;
 mod emitters;
 mod features;
+#[cfg(feature = "gltf")]
 mod gltf;
 mod material;
 mod octahedral;
