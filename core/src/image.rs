@@ -1,4 +1,4 @@
-//! Finished frames in main memory.
+//! Finished frames in main memory, and their PNG and OpenEXR files.
 
 #[cfg(feature = "images")]
 mod codec;

@@ -2,12 +2,12 @@
 
 use crate::{Error, Result};
 
-/// What is known of an adapter.
+/// What an adapter reports of itself.
 #[derive(Clone, Debug)]
 pub struct AdapterFacts {
     /// Name, backend, driver, as wgpu reports them.
     pub info: wgpu::AdapterInfo,
-    /// What the adapter offers.
+    /// The limits that the adapter supports.
     pub limits: wgpu::Limits,
     /// Whether frames are timed on the GPU.
     pub timestamps: bool,

@@ -50,9 +50,9 @@ pub struct Gpu {
     /// Held from a submission until its result has been copied: whoever polls a lost device frees its buffers, those
     /// that another thread has mapped included.
     turn: Arc<Mutex<()>>,
-    /// What drivers compiled before.
+    /// Pipelines that the driver compiled in earlier runs.
     compiled: Option<wgpu::PipelineCache>,
-    /// It is a CPU and gets kernels that are made for one.
+    /// Whether the device is a CPU, for which other kernels are linked.
     pub(crate) on_cpu: bool,
 }
 
@@ -202,14 +202,14 @@ impl Gpu {
         self.health.lost.get().map(String::as_str)
     }
 
-    /// All adapters.
+    /// Lists all adapters of the machine.
     #[must_use]
     pub fn adapters() -> Vec<AdapterFacts> {
         let adapters = pollster::block_on(instance().enumerate_adapters(wgpu::Backends::all()));
         adapters.iter().map(AdapterFacts::of).collect()
     }
 
-    /// This device's adapter.
+    /// What the adapter of this device reports.
     #[must_use]
     pub fn facts(&self) -> &AdapterFacts {
         &self.facts

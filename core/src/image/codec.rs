@@ -6,7 +6,7 @@ use image::{DynamicImage, ImageFormat};
 
 use super::{DisplayImage, LinearImage, encode_display};
 
-/// The bytes of a PNG file.
+/// Encodes a PNG file.
 ///
 /// # Errors
 /// [`crate::Error::Image`] where the encoder fails.
@@ -17,7 +17,7 @@ pub fn to_png(frame: &DisplayImage) -> crate::Result<Vec<u8>> {
     Ok(bytes.into_inner())
 }
 
-/// The bytes of an OpenEXR file.
+/// Encodes an OpenEXR file of 32-bit floating-point RGB.
 ///
 /// # Errors
 /// [`crate::Error::Image`] where the encoder fails.
@@ -30,9 +30,9 @@ pub fn to_exr(frame: &LinearImage) -> crate::Result<Vec<u8>> {
 /// A picture read from a file, in the form that the file has.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Picture {
-    /// From a PNG.
+    /// Display-encoded RGBA of a PNG file.
     Display(DisplayImage),
-    /// From an OpenEXR.
+    /// Linear radiance of an OpenEXR file.
     Linear(LinearImage),
 }
 
@@ -49,7 +49,7 @@ impl Picture {
         })
     }
 
-    /// As it is shown.
+    /// The display-encoded picture; linear radiance is encoded as sRGB.
     #[must_use]
     pub fn into_display(self) -> DisplayImage {
         match self {
