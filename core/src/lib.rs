@@ -61,6 +61,13 @@
 //!
 //! A program that brings its own scenes needs `vulkan` alone.
 //!
+//! # Versions
+//!
+//! Errors, [`Show`] and [`Origin`] are `#[non_exhaustive]`: whoever matches them has an answer for what is new.
+//! [`Method`] is not, as a new method concerns whoever treats each by itself. [`Settings`] and what a frame is described by
+//! ([`Counts`], [`FrameTime`] and their parts) gain fields from one version to the next; `..Settings::default()` and
+//! `..Default::default()` fill those in.
+//!
 //! # Papers
 //!
 //! - *Kim 2016*: Kim, Seo, Kim, Lim, Nah, Ihm, "Adaptive Undersampling for Efficient Mobile Ray Tracing", The Visual

@@ -171,7 +171,11 @@ impl Gpu {
             Ok(Ok(_)) => Ok(()),
             Ok(Err(wgpu::PollError::Timeout)) => Err(self.out_of_patience()),
             Ok(Err(error)) => Err(Error::Device(error.to_string())),
-            Err(panic) => resume_unwind(panic),
+            // wgpu's own message; a caller who does not pass the loss on (Gpu::on_lost) gets no other.
+            Err(panic) => match panic.downcast::<String>() {
+                Ok(message) => Err(Error::Device(*message)),
+                Err(panic) => resume_unwind(panic),
+            },
         }
     }
 
