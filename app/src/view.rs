@@ -51,8 +51,8 @@ impl App {
         wishes
     }
 
-    /// Makes the gaze follow the pointer where paths are stopped by their distance from it. With two eyes, the position
-    /// within either eye's picture counts.
+    /// Makes the gaze follow the pointer where paths stop early far from it. With two eyes, the position within either
+    /// eye's picture counts.
     fn gaze(&mut self, context: &Context, picture: Rect) {
         let at = context.input(|input| input.pointer.hover_pos()).filter(|at| picture.contains(*at));
         let at = at.map(|at| self.bent(picture).map_or(at, |bent| bent.without(at)));
