@@ -8,7 +8,7 @@
 //! - what a setting and a plot are: `rung`, `pareto`, `plot`, `upscale`, `identity`;
 //! - what is measured and kept: `work`, `record`, `store`, `subject`, `job`;
 //! - measuring: `complete`, `bench`, `rows`, `scene`, `ladder`;
-//! - [`TABLES`], a file for each table of a paper;
+//! - what a table of a paper is: `table`; the tables, a file each: `tables`;
 //! - the whole: `page`, `run`.
 
 mod bench;
@@ -26,9 +26,11 @@ mod rung;
 mod scene;
 mod store;
 mod subject;
+mod table;
 mod tables;
 mod upscale;
 mod work;
 
 pub use run::{Options, Program, run};
-pub use tables::{TABLES, Table, named};
+pub use table::Table;
+pub use tables::{TABLES, named};

@@ -9,7 +9,8 @@ use crate::ladder::{self, Axis};
 use crate::rows::{self, Row};
 use crate::scene::SceneReport;
 use crate::store::Store;
-use crate::tables::{self, TABLES};
+use crate::table::plot_of;
+use crate::tables::TABLES;
 
 const STYLE: &str = include_str!("page/style.css");
 
@@ -98,7 +99,7 @@ fn section(store: &Store, scene: &SceneReport) -> anyhow::Result<Markup> {
             p { strong { (rows::verdict(&scene.rows)) "." } }
             div class="plots" {
                 @for axis in Axis::ALL { figure { (PreEscaped(ladder::svg(scene, axis))) } }
-                @for svg in TABLES.iter().filter_map(|table| tables::plot_of(*table, scene)) {
+                @for svg in TABLES.iter().filter_map(|table| plot_of(*table, scene)) {
                     figure { (PreEscaped(svg)) }
                 }
             }
@@ -162,7 +163,7 @@ mod tests {
     use crate::record::{Record, tests::example};
     use crate::rows::tests::ladder;
     use crate::subject::Prepared;
-    use crate::tables::Content;
+    use crate::table::Content;
     use crate::work::Work;
 
     /// A scene with a ladder and a row of every table, and the pictures that it needs.

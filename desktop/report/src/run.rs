@@ -13,7 +13,8 @@ use crate::page::{self, Header};
 use crate::scene::SceneReport;
 use crate::store::Store;
 use crate::subject::{Prepared, Subjects};
-use crate::tables::{self, Request, Table};
+use crate::table::{Request, Table, plot_of};
+use crate::tables;
 use crate::{identity, rows};
 
 /// What a report is to show.
@@ -129,7 +130,7 @@ fn write(options: &Options, header: &Header, store: &Store, scenes: &[SceneRepor
             into(&axis.file(&scene.stem), ladder::svg(scene, axis).as_bytes())?;
         }
         for table in &options.tables {
-            if let (Some(plot), Some(svg)) = (table.plot(), tables::plot_of(*table, scene)) {
+            if let (Some(plot), Some(svg)) = (table.plot(), plot_of(*table, scene)) {
                 into(&plot.name(&scene.stem), svg.as_bytes())?;
             }
         }

@@ -7,7 +7,7 @@ use crate::record::Record;
 use crate::rung::{Family, Rung};
 use crate::scene::SceneReport;
 use crate::subject::Prepared;
-use crate::tables::{Content, Plot, Request, Rows, Table, measured, settings};
+use crate::table::{Content, Plot, Request, Rows, Table, measured, settings};
 
 /// How the paper is cited.
 const CITATION: &str = "Kim, Sung, \"Efficient Path Tracer for the Presence of Mobile Virtual Reality\", Human-centric \

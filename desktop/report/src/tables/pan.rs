@@ -5,7 +5,7 @@ use glimpse::{Method, Settings};
 use crate::job::Job;
 use crate::rung::{Family, Rung};
 use crate::scene::SceneReport;
-use crate::tables::{Content, Plot, Request, Rows, Table, measured, settings};
+use crate::table::{Content, Plot, Request, Rows, Table, measured, settings};
 
 /// Degrees by which the camera turns to the right from one frame to the next.
 const DEGREES: f64 = 0.25;

@@ -1,9 +1,12 @@
 //! The registry, and what is measured for which table.
 
-use glimpse::Missing;
+use glimpse::{Missing, Settings};
 
 use super::*;
+use crate::record::Record;
 use crate::record::tests::example;
+use crate::subject::Prepared;
+use crate::table::Content;
 
 /// The jobs of a scene of that name whose frame has 64x32 pixels.
 fn jobs(tables: &[&str], scene: &str, table5_sizes: &[u32]) -> Vec<Job> {

@@ -7,7 +7,7 @@ use crate::job::{Job, Reference};
 use crate::ladder;
 use crate::rung::{Family, Rung};
 use crate::scene::SceneReport;
-use crate::tables::{Content, Request, Rows, Table, measured, settings};
+use crate::table::{Content, Request, Rows, Table, measured, settings};
 
 /// Extra samples by the colour alone, and by the colour beside geometry and shadows.
 pub struct SingleAndMultiple;

@@ -9,7 +9,7 @@ use crate::ladder;
 use crate::record::Record;
 use crate::rung::{Family, Rung};
 use crate::scene::SceneReport;
-use crate::tables::{Content, Request, Rows, Table, measured, settings};
+use crate::table::{Content, Request, Rows, Table, measured, settings};
 
 /// Fixed densities beside extra samples, alone and after the adaptive method.
 pub struct Supersampling;

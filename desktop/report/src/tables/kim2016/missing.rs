@@ -7,7 +7,7 @@ use crate::job::Job;
 use crate::record::Record;
 use crate::rung::{Family, Rung};
 use crate::scene::SceneReport;
-use crate::tables::{Content, Request, Rows, Table, measured, settings};
+use crate::table::{Content, Request, Rows, Table, measured, settings};
 
 /// Base blocks without and with postcorrection.
 pub struct MissingObjects;

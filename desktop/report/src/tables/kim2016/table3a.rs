@@ -5,7 +5,7 @@ use crate::job::Job;
 use crate::record::Record;
 use crate::scene::SceneReport;
 use crate::subject::TABLE_SIDE;
-use crate::tables::{Content, Request, Rows, Table, measured};
+use crate::table::{Content, Request, Rows, Table, measured};
 
 /// The adaptive method's time by the steps of the paper.
 pub struct Kernels;

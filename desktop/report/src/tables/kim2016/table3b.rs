@@ -4,7 +4,7 @@ use super::{CITATION, Pair, pair_job, varied};
 use crate::job::Job;
 use crate::scene::SceneReport;
 use crate::subject::{SHARES, TABLE_SIDE, Variant};
-use crate::tables::{Content, Request, Rows, Table, measured};
+use crate::table::{Content, Request, Rows, Table, measured};
 
 /// The scene with growing sets of objects that reflect.
 pub struct Reflective;

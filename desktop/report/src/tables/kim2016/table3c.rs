@@ -4,7 +4,7 @@ use super::{CITATION, Pair, pair_job, varied};
 use crate::job::Job;
 use crate::scene::SceneReport;
 use crate::subject::TABLE_SIDE;
-use crate::tables::{Content, Request, Rows, Table};
+use crate::table::{Content, Request, Rows, Table};
 
 /// The views, in degrees about the vertical.
 const TURNS: [f32; 5] = [0.0, 72.0, 144.0, 216.0, 288.0];

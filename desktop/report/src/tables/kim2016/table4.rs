@@ -3,7 +3,7 @@
 use super::{CITATION, Pair, SAMPLINGS, pair, pair_job};
 use crate::job::Job;
 use crate::scene::SceneReport;
-use crate::tables::{Content, Request, Rows, Table, measured};
+use crate::table::{Content, Request, Rows, Table, measured};
 
 /// Several rates of sampling of a scene that is named hairball.
 pub struct Hairball;

@@ -5,7 +5,7 @@ use glimpse_measure::output::grouped;
 use super::{CITATION, Pair, SAMPLINGS, pair, pair_job};
 use crate::job::Job;
 use crate::scene::SceneReport;
-use crate::tables::{Content, Request, Rows, Table, measured};
+use crate::table::{Content, Request, Rows, Table, measured};
 
 /// Square frames of several sizes, each with several rates of sampling.
 pub struct Resolutions;

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use crate::job::Job;
 use crate::rung::{Family, Rung};
 use crate::scene::SceneReport;
-use crate::tables::{Content, Csv, Request, Table, measured};
+use crate::table::{Content, Csv, Request, Table, measured};
 use calibration::{Calibration, Cell, Check, leave_one_out};
 use model::{Bound, Device, Reach, milliseconds};
 use rates::PUBLISHED;
