@@ -24,9 +24,13 @@ mod activity;
 #[cfg(target_os = "android")]
 mod compiled;
 #[cfg(target_os = "android")]
+mod feedback;
+#[cfg(target_os = "android")]
 mod files;
 #[cfg(target_os = "android")]
 mod input;
+#[cfg(target_os = "android")]
+mod insets;
 #[cfg(target_os = "android")]
 mod java;
 #[cfg(target_os = "android")]

@@ -1,15 +1,11 @@
 //! The activity: what the system tells to the session, and the session's pictures to the window.
 
 use std::{
-    sync::{
-        Arc, Mutex, PoisonError,
-        atomic::{AtomicBool, Ordering},
-    },
+    sync::Arc,
     time::{Duration, Instant},
 };
 
-use android_activity::{AndroidApp, AndroidAppWaker, MainEvent, PollEvent, WindowManagerFlags, input::Axis};
-use egui::epaint::MarginF32;
+use android_activity::{AndroidApp, MainEvent, PollEvent};
 use glimpse::Gpu;
 use glimpse_app::Painting;
 use glimpse_shell::{Leftover, RETRY, Session, Shown, Surface};
@@ -18,73 +14,28 @@ use ndk::native_window::NativeWindow;
 use crate::{
     canvas::Canvas,
     compiled,
+    feedback::Feedback,
     files::Names,
     input::Input,
+    insets::Insets,
     java::{self, Intent},
-    lend,
-    pace::{self, Hints, Thermometer},
-    screen, wishes,
+    lend, screen, wishes,
 };
 
 /// Pixels of the frame of a view that rests, in landscape, on whatever display.
 const QHD: [u32; 2] = [2560, 1440];
 
-/// The activity that shows pictures now: an older one of the same process leaves when a new one begins.
-static CURRENT: Mutex<Option<Arc<Leave>>> = Mutex::new(None);
-
-/// Asks an activity to leave, from any thread.
-struct Leave {
-    asked: AtomicBool,
-    waker: AndroidAppWaker,
-}
-
-/// Runs until the activity is destroyed or a person has enough of it.
-pub fn run(android: &AndroidApp) {
-    let leave = Arc::new(Leave { asked: AtomicBool::new(false), waker: android.create_waker() });
-    if let Some(older) = current().replace(leave.clone()) {
-        older.asked.store(true, Ordering::Release);
-        older.waker.wake();
-    }
-    android.enable_motion_axis(Axis::Vscroll);
-    android.enable_motion_axis(Axis::Hscroll);
-    let mut shell = Shell::new(android.clone());
-    while shell.stage == Stage::Runs && !leave.asked.load(Ordering::Acquire) {
-        android.poll_events(shell.patience(), |event| shell.hear(event));
-        // Whatever came may have changed the picture.
-        if shell.stage == Stage::Runs {
-            shell.frame();
-        }
-    }
-    current().take_if(|newest| Arc::ptr_eq(newest, &leave));
-    let mut destroyed = shell.stage == Stage::Destroyed;
-    drop(shell);
-    if !destroyed {
-        java::on_main_thread(android, |android| {
-            java::finish(android).unwrap_or_else(|reason| log::warn!("the activity stays: {reason}"));
-        });
-    }
-    // What returns before is never told, and android_activity keeps its files open then.
-    while !destroyed {
-        android.poll_events(None, |event| {
-            destroyed |= matches!(event, PollEvent::Main(MainEvent::Destroy));
-        });
-    }
-}
-
 /// Where the life of an activity is.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Stage {
+pub enum Stage {
     Runs,
     /// A person has enough of it.
     Enough,
     Destroyed,
 }
 
-fn current() -> std::sync::MutexGuard<'static, Option<Arc<Leave>>> {
-    CURRENT.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-struct Shell {
+/// The activity: its session, its window and what is shown there.
+pub struct Shell {
     android: AndroidApp,
     session: Session,
     instance: wgpu::Instance,
@@ -93,24 +44,18 @@ struct Shell {
     /// What the overlay is painted on where there is no device.
     canvas: Option<Canvas>,
     input: Input,
-    /// Pixels at the left, top, right and bottom that the screen's shape takes; told by Java's main thread.
-    insets: Arc<Mutex<[i32; 4]>>,
-    thermometer: Option<Thermometer>,
-    /// As the system gave them when it was asked: once, when there are threads that make frames.
-    hints: Option<Option<Hints>>,
+    insets: Insets,
+    feedback: Feedback,
     /// When the next frame is due.
     due: Option<Instant>,
-    /// The screen does not go dark.
-    kept_on: bool,
-    /// The problem that was logged last.
-    logged: Option<String>,
     /// It has not been resumed yet.
     fresh: bool,
     stage: Stage,
 }
 
 impl Shell {
-    fn new(android: AndroidApp) -> Self {
+    /// Reads the intent and begins a session; there is no window yet.
+    pub fn new(android: AndroidApp) -> Self {
         let names = Names::default();
         let intent = java::intent(&android);
         let (intent, mut problem) = match intent {
@@ -139,28 +84,31 @@ impl Shell {
             surface: None,
             canvas: None,
             input: Input::default(),
-            insets: Arc::default(),
-            thermometer: Thermometer::new(),
-            hints: None,
+            insets: Insets::default(),
+            feedback: Feedback::new(),
             due: None,
-            kept_on: false,
-            logged: None,
             fresh: true,
             stage: Stage::Runs,
         }
     }
 
+    /// Whether the activity goes on.
+    pub fn stage(&self) -> Stage {
+        self.stage
+    }
+
     /// How long there is nothing to do unless something comes; `None` is for ever.
-    fn patience(&self) -> Option<Duration> {
+    pub fn patience(&self) -> Option<Duration> {
         self.android.native_window()?;
         self.due.map(|due| due.saturating_duration_since(Instant::now()))
     }
 
-    fn hear(&mut self, event: PollEvent<'_>) {
+    /// Follows an event of the activity.
+    pub fn hear(&mut self, event: PollEvent<'_>) {
         let PollEvent::Main(event) = event else { return };
         match event {
             MainEvent::InitWindow { .. } => {
-                self.immerse();
+                self.insets.request(&self.android);
                 self.session.app.set_hidden(false);
                 self.make_surface();
             }
@@ -173,7 +121,7 @@ impl Shell {
             | MainEvent::ContentRectChanged { .. }
             | MainEvent::ConfigChanged { .. }
             | MainEvent::InsetsChanged { .. }
-            | MainEvent::GainedFocus => self.immerse(),
+            | MainEvent::GainedFocus => self.insets.request(&self.android),
             MainEvent::Resume { loader, .. } => {
                 // Of an activity before this one; what this one saves itself comes back too, and may be old by then.
                 let saved = if self.fresh { loader.load() } else { None };
@@ -190,18 +138,6 @@ impl Shell {
             MainEvent::Destroy => self.stage = Stage::Destroyed,
             _ => {}
         }
-    }
-
-    /// Hides the bars and asks for the insets, on the thread that may.
-    fn immerse(&self) {
-        let (insets, waker) = (self.insets.clone(), self.android.create_waker());
-        java::on_main_thread(&self.android, move |android| match java::immerse(android) {
-            Ok(told) => {
-                *insets.lock().unwrap_or_else(PoisonError::into_inner) = told;
-                waker.wake();
-            }
-            Err(reason) => log::warn!("the system's bars stay: {reason}"),
-        });
     }
 
     /// A surface of the window, and a device that can show pictures on it if there is none. Where that fails the overlay
@@ -245,7 +181,8 @@ impl Shell {
         Ok(surface)
     }
 
-    fn frame(&mut self) {
+    /// Updates the session with the input that came, and shows its picture.
+    pub fn frame(&mut self) {
         let scale = self.pixels_per_point();
         self.input.read(&self.android, scale);
         for _ in 0..self.input.take_backs() {
@@ -254,7 +191,7 @@ impl Shell {
             }
         }
         let Some(window) = self.android.native_window() else { return };
-        if let Some(share) = self.thermometer.as_mut().and_then(|meter| meter.share(Instant::now())) {
+        if let Some(share) = self.feedback.thermal_share(Instant::now()) {
             self.session.app.set_thermal(share);
         }
         let size = screen::pixels(&window);
@@ -263,7 +200,7 @@ impl Shell {
         }
         let input = egui::RawInput {
             events: self.input.take(),
-            safe_area_insets: Some(self.safe_area(scale)),
+            safe_area_insets: Some(self.insets.safe_area(scale)),
             ..egui::RawInput::default()
         };
         // A script could fail here: there is none.
@@ -277,7 +214,7 @@ impl Shell {
         let rest = if shown == Shown::NotNow { RETRY } else { update.repaint_after };
         self.due = Instant::now().checked_add(rest);
         self.follow(leftover);
-        self.tell();
+        self.feedback.tell(&self.android, &self.session.app, self.surface.is_some());
     }
 
     fn show(&mut self, painting: &mut Painting, window: &NativeWindow) -> Shown {
@@ -313,30 +250,6 @@ impl Shell {
         }
     }
 
-    /// Tells the system how frames go, and the log what went wrong.
-    fn tell(&mut self) {
-        let app = &self.session.app;
-        let problem = app.problem();
-        if problem != self.logged.as_deref() {
-            problem.iter().for_each(|line| log::warn!("problem: {line}"));
-            self.logged = problem.map(str::to_owned);
-        }
-        let kept_on = self.surface.is_some() && !app.rests();
-        if kept_on != self.kept_on {
-            self.kept_on = kept_on;
-            let (on, none) = (WindowManagerFlags::KEEP_SCREEN_ON, WindowManagerFlags::empty());
-            let (add, remove) = if kept_on { (on, none) } else { (none, on) };
-            self.android.set_window_flags(add, remove);
-        }
-        let Some(rate) = app.choices().governor else { return };
-        let goal = Duration::from_secs_f64(rate.budget_ms() * 1e-3);
-        let frames = app.last_frame();
-        if frames.0 > 0 {
-            let hints = self.hints.get_or_insert_with(|| Hints::new(&pace::frame_threads(), goal));
-            hints.iter_mut().for_each(|hints| hints.tell(frames, goal));
-        }
-    }
-
     fn copy(&self, text: String) {
         java::on_main_thread(&self.android, move |android| {
             if let Err(reason) = java::copy(android, &text) {
@@ -354,11 +267,5 @@ impl Shell {
 
     fn pixels_per_point(&self) -> f32 {
         self.android.config().density().unwrap_or(160) as f32 / 160.0
-    }
-
-    fn safe_area(&self, scale: f32) -> egui::SafeAreaInsets {
-        let insets = *self.insets.lock().unwrap_or_else(PoisonError::into_inner);
-        let [left, top, right, bottom] = insets.map(|inset| inset as f32 / scale);
-        egui::SafeAreaInsets(MarginF32 { left, right, top, bottom })
     }
 }

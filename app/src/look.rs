@@ -28,8 +28,8 @@ impl App {
             "memory" => number(readings.memory.total as f64),
             "psnr" => readings.psnr_db.map(Value::Number),
             "rt_ratio" => counts.map(|counts| Value::Number(counts.rt_ratio())),
-            "frames" => number(self.tally.frames.into()),
-            "late" => number(self.tally.late.into()),
+            "frames" => number(self.pacing.tally().frames.into()),
+            "late" => number(self.pacing.tally().late.into()),
             "rays" => counts.map(|counts| Value::Number(counts.rays.total as f64)),
             "moved" => {
                 let moved = self.control.as_ref().is_some_and(|control| control.command_line().is_some());
@@ -48,6 +48,6 @@ impl App {
             0 => String::new(),
             index => format!("--camera {index}"),
         });
-        Some(command(&self.scene.as_ref()?.name, &camera, &job))
+        Some(command(&self.scenes.shown()?.name, &camera, &job))
     }
 }
