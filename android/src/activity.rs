@@ -1,4 +1,4 @@
-//! The entry point, and the life of an activity from there to its end.
+//! The entry point of an activity, and its main loop until it is destroyed.
 
 use std::sync::{
     Arc, Mutex, MutexGuard, PoisonError,
@@ -12,7 +12,7 @@ use crate::{
     shell::{Shell, Stage},
 };
 
-/// Called by `android_activity` on a thread of its own once the activity exists; the activity is finished when this
+/// Called by `android_activity` on a separate thread once the activity exists; the activity is finished when this
 /// returns.
 #[allow(unsafe_code, reason = "android_activity finds the entry point by its unmangled name")]
 #[unsafe(no_mangle)]
@@ -28,16 +28,16 @@ fn android_main(app: AndroidApp) {
     log::info!("ends");
 }
 
-/// The activity that shows pictures now: an older one of the same process leaves when a new one begins.
+/// The activity in the foreground: when a new one begins, the one before in the same process ends.
 static CURRENT: Mutex<Option<Arc<Leave>>> = Mutex::new(None);
 
-/// Asks an activity to leave, from any thread.
+/// A request to an activity to end, from any thread.
 struct Leave {
     asked: AtomicBool,
     waker: AndroidAppWaker,
 }
 
-/// Runs until the activity is destroyed or a person has enough of it.
+/// Runs until the activity is destroyed, is left by its user, or another one begins.
 fn run(android: &AndroidApp) {
     let leave = Arc::new(Leave { asked: AtomicBool::new(false), waker: android.create_waker() });
     if let Some(older) = current().replace(leave.clone()) {
@@ -49,7 +49,7 @@ fn run(android: &AndroidApp) {
     let mut shell = Shell::new(android.clone());
     while shell.stage() == Stage::Runs && !leave.asked.load(Ordering::Acquire) {
         android.poll_events(shell.patience(), |event| shell.hear(event));
-        // Whatever came may have changed the picture.
+        // Any event may have changed what is to be shown.
         if shell.stage() == Stage::Runs {
             shell.frame();
         }
@@ -62,7 +62,7 @@ fn run(android: &AndroidApp) {
             java::finish(android).unwrap_or_else(|reason| log::warn!("the activity stays: {reason}"));
         });
     }
-    // What returns before is never told, and android_activity keeps its files open then.
+    // `android_activity` delivers no Destroy event to a thread that has returned, and then leaks its file descriptors.
     while !destroyed {
         android.poll_events(None, |event| {
             destroyed |= matches!(event, PollEvent::Main(MainEvent::Destroy));

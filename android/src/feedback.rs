@@ -1,4 +1,4 @@
-//! What the activity and the system tell each other about frames: heat, frame times, whether the screen stays on.
+//! Exchanges frame statistics with the system: thermal headroom, frame times, and whether the screen stays on.
 
 use std::time::{Duration, Instant};
 
@@ -7,29 +7,30 @@ use glimpse_app::App;
 
 use crate::pace::{self, Hints, Thermometer};
 
-/// What the system was told last, and the services that it is told through.
+/// The system's services, and what they were told last.
 pub struct Feedback {
     thermometer: Option<Thermometer>,
-    /// `None` until there are threads that make frames; then as the system gave them, which is asked once.
+    /// `None` until frames are rendered. Then the result of one request to the system, which may have no hints.
     hints: Option<Option<Hints>>,
-    /// The screen does not go dark.
+    /// The window has the flag that keeps the screen on.
     kept_on: bool,
-    /// The problem that was logged last.
+    /// The error message that was logged last.
     logged: Option<String>,
 }
 
 impl Feedback {
-    /// Nothing has been told yet.
+    /// Requests the thermal service; nothing has been reported yet.
     pub fn new() -> Self {
         Self { thermometer: Thermometer::new(), hints: None, kept_on: false, logged: None }
     }
 
-    /// The share of a frame's time that the system's heat leaves, where it is time to ask.
+    /// The share of the frame time that thermal headroom allows; `None` until the next query is due.
     pub fn thermal_share(&mut self, now: Instant) -> Option<f32> {
         self.thermometer.as_mut()?.share(now)
     }
 
-    /// Logs a new problem, keeps the screen on while frames change on a surface, and reports the last frame's time.
+    /// Logs a new error message, keeps the screen on while frames change on a surface, and reports the time of the last
+    /// frame.
     pub fn tell(&mut self, android: &AndroidApp, app: &App, has_surface: bool) {
         let problem = app.problem();
         if problem != self.logged.as_deref() {

@@ -1,4 +1,4 @@
-//! The parts of the screen that its cutouts take.
+//! Insets of the screen's cutouts.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -7,12 +7,12 @@ use egui::epaint::MarginF32;
 
 use crate::java;
 
-/// Pixels at the left, top, right and bottom of the screen that cutouts take; Java's main thread writes them.
+/// Insets at the left, top, right and bottom in pixels, written on Java's main thread.
 #[derive(Clone, Default)]
 pub struct Insets(Arc<Mutex<[i32; 4]>>);
 
 impl Insets {
-    /// Hides the system's bars and asks for the insets, on the thread that may. They are there when the activity is woken.
+    /// Hides the system bars and reads the insets on Java's main thread, which then wakes the activity.
     pub fn request(&self, android: &AndroidApp) {
         let (insets, waker) = (self.clone(), android.create_waker());
         java::on_main_thread(android, move |android| match java::immerse(android) {
@@ -24,7 +24,7 @@ impl Insets {
         });
     }
 
-    /// The insets in points of the overlay, of which each has `scale` pixels.
+    /// The insets in points; a point has `scale` pixels.
     pub fn safe_area(&self, scale: f32) -> egui::SafeAreaInsets {
         let insets = *self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let [left, top, right, bottom] = insets.map(|inset| inset as f32 / scale);

@@ -1,4 +1,4 @@
-//! The activity: what the system tells to the session, and the session's pictures to the window.
+//! The activity's shell: passes the system's events to the session, and presents its frames in the window.
 
 use std::{
     sync::Arc,
@@ -22,39 +22,39 @@ use crate::{
     lend, screen, wishes,
 };
 
-/// Pixels of the frame of a view that rests, in landscape, on whatever display.
+/// Size of frames at full resolution in pixels, in landscape, on any display.
 const QHD: [u32; 2] = [2560, 1440];
 
-/// Where the life of an activity is.
+/// State of the activity.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
     Runs,
-    /// A person has enough of it.
+    /// Its user has left it.
     Enough,
     Destroyed,
 }
 
-/// The activity: its session, its window and what is shown there.
+/// The session of an activity, its window and its device.
 pub struct Shell {
     android: AndroidApp,
     session: Session,
     instance: wgpu::Instance,
     gpu: Option<Arc<Gpu>>,
     surface: Option<Surface>,
-    /// What the overlay is painted on where there is no device.
+    /// Draws the overlay where there is no device.
     canvas: Option<Canvas>,
     input: Input,
     insets: Insets,
     feedback: Feedback,
-    /// When the next frame is due.
+    /// When the next frame is due, without an event; `None` for never.
     due: Option<Instant>,
-    /// It has not been resumed yet.
+    /// The activity has not been resumed yet.
     fresh: bool,
     stage: Stage,
 }
 
 impl Shell {
-    /// Reads the intent and begins a session; there is no window yet.
+    /// Reads the intent and creates the session. There is no window yet.
     pub fn new(android: AndroidApp) -> Self {
         let names = Names::default();
         let intent = java::intent(&android);
@@ -92,18 +92,18 @@ impl Shell {
         }
     }
 
-    /// Whether the activity goes on.
+    /// State of the activity; the main loop ends when it is not [`Stage::Runs`].
     pub fn stage(&self) -> Stage {
         self.stage
     }
 
-    /// How long there is nothing to do unless something comes; `None` is for ever.
+    /// How long to wait for an event; `None` for any time.
     pub fn patience(&self) -> Option<Duration> {
         self.android.native_window()?;
         self.due.map(|due| due.saturating_duration_since(Instant::now()))
     }
 
-    /// Follows an event of the activity.
+    /// Handles an event of the activity.
     pub fn hear(&mut self, event: PollEvent<'_>) {
         let PollEvent::Main(event) = event else { return };
         match event {
@@ -113,7 +113,7 @@ impl Shell {
                 self.make_surface();
             }
             MainEvent::TerminateWindow { .. } => {
-                // Before the surface, which waits for what the device is doing.
+                // First, because dropping the surface waits for the device, and hidden frames are cancelled.
                 self.session.app.set_hidden(true);
                 self.surface = None;
             }
@@ -123,7 +123,8 @@ impl Shell {
             | MainEvent::InsetsChanged { .. }
             | MainEvent::GainedFocus => self.insets.request(&self.android),
             MainEvent::Resume { loader, .. } => {
-                // Of an activity before this one; what this one saves itself comes back too, and may be old by then.
+                // The state was saved by an activity before this one. Android also delivers what this one saved itself,
+                // which may be outdated when it resumes again.
                 let saved = if self.fresh { loader.load() } else { None };
                 self.fresh = false;
                 if let Some(scene) = saved.and_then(|state| String::from_utf8(state).ok())
@@ -140,8 +141,8 @@ impl Shell {
         }
     }
 
-    /// A surface of the window, and a device that can show pictures on it if there is none. Where that fails the overlay
-    /// says why.
+    /// Creates a surface for the window, and a device that supports it where there is none. Where that fails, the
+    /// overlay shows the reason, drawn in software.
     fn make_surface(&mut self) {
         self.surface = None;
         let Some(window) = self.android.native_window() else { return };
@@ -181,7 +182,7 @@ impl Shell {
         Ok(surface)
     }
 
-    /// Updates the session with the input that came, and shows its picture.
+    /// Updates the session with the events that have arrived, and presents its frame.
     pub fn frame(&mut self) {
         let scale = self.pixels_per_point();
         self.input.read(&self.android, scale);
@@ -203,7 +204,7 @@ impl Shell {
             safe_area_insets: Some(self.insets.safe_area(scale)),
             ..egui::RawInput::default()
         };
-        // A script could fail here: there is none.
+        // Only a script makes this fail, and none is played here.
         let Ok((mut update, leftover)) = self.session.frame(input, size, scale) else { return };
         for command in &update.platform.commands {
             if let egui::OutputCommand::CopyText(text) = command {
@@ -219,7 +220,7 @@ impl Shell {
 
     fn show(&mut self, painting: &mut Painting, window: &NativeWindow) -> Shown {
         let Some(canvas) = &mut self.canvas else {
-            // Only a picture of the window that is to be saved could fail: there is none.
+            // Only saving the window's content makes this fail, which only scripts request.
             let shown = self.session.show(painting, self.surface.as_mut()).unwrap_or(Shown::NotNow);
             if shown == Shown::Lost {
                 self.make_surface();

@@ -1,4 +1,4 @@
-//! The program that a person sees: everything but the window.
+//! The application without its window.
 
 mod clock;
 mod delivery;
@@ -19,7 +19,7 @@ use crate::{
     Wake, Worker, view::View,
 };
 
-/// The program.
+/// The application: a shell calls [`App::update`] with input and time, and draws what that returns.
 pub struct App {
     pub(crate) context: egui::Context,
     pub(crate) choices: Choices,
@@ -36,12 +36,12 @@ pub struct App {
 }
 
 impl App {
-    /// Without a device: nothing is shown before [`App::attach`]. `recent` are files that were opened before; the `scene` is
-    /// opened as soon as there is a device.
+    /// Creates the app without a device: it renders nothing before [`App::attach`]. `recent` are names of files that
+    /// were opened before; `scene` is opened as soon as there is a device.
     #[must_use]
     pub fn new(files: Files, wake: Wake, scene: &str, recent: Vec<String>, choices: Choices) -> Self {
         let context = egui::Context::default();
-        // Gestures are read once a frame.
+        // Gestures are read once an update, so egui may not run a second pass in one.
         context.options_mut(|options| options.max_passes = 1.try_into().unwrap_or(options.max_passes));
         Self {
             context,
@@ -65,15 +65,15 @@ impl App {
         &self.context
     }
 
-    /// The texture of the overlay's fonts as a whole, for a painter that begins late: the overlay sends what is new of it
-    /// only. `None` before the first update, which sends it.
+    /// The whole texture of the overlay's fonts, for a painter that is created late: an update holds changes of the
+    /// texture only. `None` before the first update, which holds the whole texture.
     #[must_use]
     pub fn fonts(&self) -> Option<egui::ColorImage> {
         (self.context.cumulative_pass_nr() > 0).then(|| self.context.fonts(|fonts| fonts.image()))
     }
 
-    /// Takes a device, the first one or one in place of a lost one, to paint on targets of that format. What was shown comes
-    /// back by itself.
+    /// Takes a device, the first one or a replacement of a lost one, and the format of the targets to draw on. Loads
+    /// the scene onto it and requests its frame.
     pub fn attach(&mut self, gpu: Arc<Gpu>, format: wgpu::TextureFormat) {
         let facts = gpu.facts();
         let on_cpu = facts.info.device_type == wgpu::DeviceType::Cpu;
@@ -90,7 +90,7 @@ impl App {
         self.load(&wanted);
     }
 
-    /// Opens a scene; the one that is shown stays until it is there.
+    /// Opens a scene. The present one is shown until it is loaded.
     pub fn open(&mut self, name: &str) {
         self.scenes.want(name);
         self.readings.problem = None;
@@ -104,12 +104,12 @@ impl App {
         self.clock.loading_began();
     }
 
-    /// Lets time pass until `now`, hears what a person does and what the worker has done, orders what is to be made, and says
-    /// what is to be shown.
+    /// Advances the app to the time `now`: handles messages of the worker and input, moves the camera, requests the
+    /// next frame, and returns what to show. `now` counts from any fixed moment and never decreases.
     pub fn update(&mut self, input: egui::RawInput, now: Duration) -> Update {
         let passed = self.clock.advance(now);
         self.hear();
-        // A view that rests orders nothing that would tell.
+        // The device is asked here because a view at rest requests nothing, so the worker would not notice a loss.
         if let Some(reason) = self.device.lost().map(str::to_owned) {
             self.lost(&reason);
         }
@@ -140,36 +140,37 @@ impl App {
         }
     }
 
-    /// Puts a painting on a target of the device. The painting's textures are taken over even where there is no target.
+    /// Draws a painting on a target of `size` pixels. Without a target, only the painting's changes of textures are
+    /// applied.
     pub fn paint(&mut self, painting: &mut Painting, target: Option<&wgpu::TextureView>, size: [u32; 2]) {
         self.device.paint(painting, target, size);
     }
 
-    /// Frames of a resting view have that many pixels, whatever the window has.
+    /// Sets the size of frames at full resolution in pixels; `None` for the window's size.
     pub fn set_view(&mut self, pixels: Option<[u32; 2]>) {
         self.view.frame_size = pixels;
     }
 
-    /// Nobody sees the view from now on, or somebody does again: the frame of a resting view is not made meanwhile.
+    /// Sets whether the view is hidden: no frame at rest is rendered while it is.
     pub fn set_hidden(&mut self, hidden: bool) {
         self.device.worker().into_iter().for_each(|worker| worker.set_hidden(hidden));
     }
 
-    /// What is chosen.
+    /// The present choices.
     #[must_use]
     pub fn choices(&self) -> &Choices {
         &self.choices
     }
 
-    /// What has been asked for since the last update.
+    /// Takes the requests to the shell that were made since the last update.
     pub fn take_requests(&mut self) -> Vec<Request> {
         std::mem::take(&mut self.requests)
     }
 
-    /// Makes a choice in words, as scripts do.
+    /// Applies one change of the choices.
     ///
     /// # Errors
-    /// What does not go with the other choices.
+    /// A value that is invalid together with the other choices.
     pub fn change(&mut self, change: &Change) -> Result<(), String> {
         if matches!(change, Change::Governor(_)) {
             self.pacing.reset_tally();
@@ -177,17 +178,18 @@ impl App {
         change.apply(&mut self.choices)
     }
 
-    /// Takes frames to need that many nanoseconds a pixel, whatever they took: what the governor does can be repeated then.
+    /// Replaces the measured frame time by that many nanoseconds a pixel, so that what the governor does is
+    /// reproducible.
     pub fn set_cost(&mut self, nanoseconds: f64) {
         self.pacing.set_fixed_cost(nanoseconds);
     }
 
-    /// The system is hot: a factor on the time that a frame may take, 1 when it is cool.
+    /// Sets a factor on the governor's frame time, 1 while the device is cool.
     pub fn set_thermal(&mut self, factor: f32) {
         self.pacing.set_thermal(factor);
     }
 
-    /// A step back: closes what lies open above the picture; tells whether there was anything.
+    /// Closes the error message and the help, or else reduces the full overlay; false where none was open.
     pub fn back(&mut self) -> bool {
         let closed = self.readings.problem.take().is_some() || self.choices.help;
         self.choices.help = false;
@@ -198,31 +200,31 @@ impl App {
         closed
     }
 
-    /// Frames that were timed so far, and milliseconds of the last one.
+    /// The number of timed frames so far, and the time of the last one in milliseconds.
     #[must_use]
     pub fn last_frame(&self) -> (u64, Option<f32>) {
         (self.pacing.frames(), self.readings.frame_ms.back().copied())
     }
 
-    /// The scene that is shown, or that was asked for since.
+    /// The name of the scene that was requested last; the present one where that failed.
     #[must_use]
     pub fn scene_wanted(&self) -> &str {
         self.scenes.wanted()
     }
 
-    /// What went wrong and is being told.
+    /// The error message that is shown.
     #[must_use]
     pub fn problem(&self) -> Option<&str> {
         self.readings.problem.as_deref()
     }
 
-    /// The system wants memory back.
+    /// Reduces the use of memory: ends the split view and lowers the governor's resolution.
     pub fn trim(&mut self) {
         self.choices.split = None;
         self.pacing.trim();
     }
 
-    /// Saves the frame, under that name or under one that the shell chooses.
+    /// Saves the present frame under that name; the shell chooses one where it is `None`.
     pub fn screenshot(&mut self, file: Option<PathBuf>) {
         if let (Some(job), Some(worker)) = (self.still_job(), self.device.ready_worker()) {
             worker.capture(job);
@@ -232,18 +234,19 @@ impl App {
         }
     }
 
-    /// Tells something that went well.
+    /// Shows a confirmation for a few seconds.
     pub fn notify(&mut self, text: String) {
         self.readings.notice = Some(text);
         self.clock.notice_began();
     }
 
-    /// Tells something that went wrong.
+    /// Shows an error message until it is closed.
     pub fn complain(&mut self, text: String) {
         self.readings.problem = Some(text);
     }
 
-    /// Whether the view rests and its frame is complete.
+    /// The camera does not move, the overlay is not animated, all requests are answered, and the frame at rest is shown
+    /// or failed.
     #[must_use]
     pub fn rests(&self) -> bool {
         let idle = !self.delivery.is_waiting() && !self.is_moving() && !self.view.animated;
@@ -251,7 +254,7 @@ impl App {
         idle && self.device.is_attached() && (!self.device.has_scene() || complete())
     }
 
-    /// Waits until the worker has done what it was asked for.
+    /// Waits until the worker has answered all requests.
     pub fn wait(&mut self) {
         while self.delivery.is_waiting() {
             let Some(news) = self.device.worker().and_then(Worker::wait) else { return };
@@ -259,7 +262,7 @@ impl App {
         }
     }
 
-    /// Something changes by itself.
+    /// The picture changes without input: updates must follow each other without a pause.
     fn is_live(&self) -> bool {
         self.is_moving() || self.pacing.is_moving() && !self.delivery.is_frame_requested()
     }
@@ -268,7 +271,7 @@ impl App {
         self.control.as_ref().is_some_and(CameraControl::is_moving)
     }
 
-    /// The frame of a view that rests: with everything as it was chosen.
+    /// The job of the frame at rest, at the quality that was chosen.
     pub(crate) fn still_job(&self) -> Option<Job> {
         self.job(&self.pacing.quality_at_rest(&self.choices))
     }

@@ -1,9 +1,9 @@
-//! What scripts and the clipboard can know of the app.
+//! Values of the app that scripts can read, and the command line of the present frame.
 
 use crate::{App, command::command, script::Value};
 
 impl App {
-    /// What is known by a name, for scripts.
+    /// The value of a name, for `expect` and `print` in scripts; `None` where the name is unknown or has no value yet.
     #[must_use]
     pub fn look(&self, name: &str) -> Option<Value> {
         let readings = &self.readings;
@@ -39,7 +39,7 @@ impl App {
         }
     }
 
-    /// The command that makes the frame that is shown.
+    /// The command line that renders the present frame; `None` before a scene is shown.
     #[must_use]
     pub fn command(&self) -> Option<String> {
         let job = self.still_job()?;

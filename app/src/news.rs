@@ -1,9 +1,9 @@
-//! What the app does with what the worker tells, and what it orders next.
+//! How the app handles messages of the worker, and which frame it requests next.
 
 use crate::{App, Busy, CameraControl, Frame, News, Request, SceneFacts, Worker, app::MAX_LOSSES};
 
 impl App {
-    /// Takes all news.
+    /// Handles all messages that have arrived.
     pub(crate) fn hear(&mut self) {
         while let Some(news) = self.device.worker().and_then(Worker::news) {
             self.take(news);
@@ -91,7 +91,7 @@ impl App {
         self.delivery.present(&mut self.device, frame, exact);
     }
 
-    /// The device or its thread is gone.
+    /// Drops a lost device, or one whose worker ended, and requests a new one from the shell.
     pub(crate) fn lost(&mut self, reason: &str) {
         log::warn!("the graphics device was lost: {reason}");
         let losses = self.device.detach();
@@ -103,7 +103,7 @@ impl App {
         self.requests.push(Request::NewDevice);
     }
 
-    /// Orders the frame that this moment needs, if it is not there and not being made.
+    /// Requests the frame for the present state, unless it is shown, requested, or has failed.
     pub(crate) fn order(&mut self) {
         let moving = self.is_moving();
         let quality = self.pacing.advance(&self.choices, self.clock.now(), moving);

@@ -1,4 +1,4 @@
-//! The view: the picture, the overlay on it, and what a person does to both.
+//! The view: shows the picture with the overlay on it, and handles input to both.
 
 use std::time::Duration;
 
@@ -7,10 +7,10 @@ use glimpse::{Method, Stopping};
 
 use crate::{App, CameraControl, Frame, Hud, Motion, Request, Wish, lenses::Bent};
 
-/// The gaze moves by so many steps across a picture: each begins another one.
+/// The gaze is rounded to this many steps across a picture, as each change of it starts accumulation again.
 const GAZE_STEPS: f32 = 32.0;
 
-/// What the view has been told by the shell and by the last update.
+/// State of the view, as the shell and the last update left it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct View {
     /// Pixels of a frame at rest, where they are not the window's.
@@ -24,7 +24,8 @@ pub(crate) struct View {
 }
 
 impl App {
-    /// Shows the picture and the overlay, and lets the camera follow; returns what is wished.
+    /// Shows picture and overlay, and moves the camera; returns the actions that were chosen in the overlay. `passed`
+    /// is the time since the last update.
     pub(crate) fn show(&mut self, ui: &mut Ui, passed: Duration) -> Vec<Wish> {
         let context = ui.ctx().clone();
         let view = context.viewport_rect();
@@ -50,7 +51,8 @@ impl App {
         wishes
     }
 
-    /// Where paths stop far from, the gaze follows the pointer: of two eyes, in the picture of either.
+    /// Makes the gaze follow the pointer where paths stop early far from it. With two eyes, the position within either
+    /// eye's picture counts.
     fn gaze(&mut self, context: &Context, picture: Rect) {
         let at = context.input(|input| input.pointer.hover_pos()).filter(|at| picture.contains(*at));
         let at = at.map(|at| self.bent(picture).map_or(at, |bent| bent.without(at)));
@@ -66,13 +68,13 @@ impl App {
         paths.gaze = [steps(x % 1.0), steps(y)];
     }
 
-    /// The picture behind lenses, where there are some.
+    /// The lens distortion of the picture, where one is chosen.
     fn bent(&self, picture: Rect) -> Option<Bent> {
         let shown = self.delivery.shown().filter(|shown| shown.frame.job.settings.method == Method::Vr)?;
         self.choices.bends().then(|| Bent::new(self.choices.lenses, picture, &shown.frame.job.camera))
     }
 
-    /// Shows every pixel of the frame as it is where the picture has as many on the screen.
+    /// Shows the frame without interpolation where the picture on the screen has exactly its pixels.
     fn sharpen(&mut self, picture: egui::Vec2) {
         self.view.picture = [picture.x, picture.y].map(|side| side as u32);
         if let Some(shown) = self.delivery.shown() {
@@ -81,7 +83,7 @@ impl App {
         }
     }
 
-    /// Does every pixel of the frame lie on one of the screen?
+    /// Every pixel of the frame lies on exactly one pixel of the screen.
     pub(crate) fn is_exact(&self, frame: &Frame) -> bool {
         frame.job.size == self.view.picture && !self.choices.bends()
     }
@@ -115,7 +117,7 @@ impl App {
         for motion in motions {
             if let Motion::Focus { at } = motion {
                 if let Some(worker) = self.device.ready_worker() {
-                    // A view is two of the camera's units high.
+                    // The camera's view is two units high.
                     worker.pick(control.camera(), (2.0 * at).into());
                     self.delivery.pick_requested();
                 }
@@ -152,8 +154,8 @@ impl App {
     }
 }
 
-/// Where a frame of that shape is shown: in the middle of the view, as large as it fits, on whole pixels. What would miss
-/// the view's own shape by a pixel fills it.
+/// The rectangle in which a frame of that size is shown: centred in the view, as large as fits, on whole pixels. A
+/// rectangle that would miss the view by at most a pixel on each axis fills it.
 fn fitted(frame: [u32; 2], view: Rect, pixels_per_point: f32) -> Rect {
     let [width, height] = frame.map(|side| side as f32);
     let room = view.size() * pixels_per_point;

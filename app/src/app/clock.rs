@@ -1,11 +1,11 @@
-//! The time that the shell tells, and what is measured by it.
+//! The time that the shell passes in, and durations measured by it.
 
 use std::time::Duration;
 
 /// How long a notice is shown.
 const NOTICE: Duration = Duration::from_secs(4);
 
-/// The time of the present update, since whatever moment the shell counts from.
+/// The time of the present update, counted from any fixed moment.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Clock {
     now: Duration,

@@ -1,11 +1,11 @@
-//! The way of a frame from its request to the screen.
+//! The frame's way from request to screen.
 
 use std::path::PathBuf;
 
 use super::device::DeviceState;
 use crate::{Frame, Job};
 
-/// What was requested of the worker and not answered yet, and the frame that is shown.
+/// Requests to the worker that have not been answered, and the frame that is shown.
 #[derive(Default)]
 pub(crate) struct Delivery {
     /// A scene is being loaded.
@@ -18,7 +18,7 @@ pub(crate) struct Delivery {
     counting: Option<u64>,
     /// Where the picture that was requested is to be saved; the shell chooses the name where there is none.
     capture: Option<Option<PathBuf>>,
-    /// The surface point under a position has been requested.
+    /// The worker has not answered a request for a surface point.
     picking: bool,
     shown: Option<Shown>,
 }

@@ -1,4 +1,4 @@
-//! What an update of the app gives to the shell.
+//! What an update of the app returns to the shell.
 
 use std::{path::PathBuf, time::Duration};
 
@@ -6,31 +6,31 @@ use glimpse::DisplayImage;
 
 use crate::Painting;
 
-/// What the shell is asked for.
+/// A request to the shell.
 #[derive(Debug)]
 pub enum Request {
-    /// To let a person choose a file, for [`App::open`].
+    /// To show a file dialog, and to call [`App::open`](crate::App::open) with the file that a person chooses.
     OpenDialog,
-    /// To save a picture, under that name or under one of its own.
+    /// To save a picture under that name, or under one that the shell chooses.
     Save(Option<PathBuf>, DisplayImage),
-    /// To remember the scenes that were opened last.
+    /// To store the names of recently opened files, the newest first.
     Remember(Vec<String>),
-    /// The window as large as the screen, or not.
+    /// To switch between full screen and window.
     FullScreen,
-    /// The device is lost: to [`App::attach`] a new one.
+    /// To create a new device, as the last one was lost, and to call [`App::attach`](crate::App::attach) with it.
     NewDevice,
-    /// The end.
+    /// To end the program.
     Quit,
 }
 
-/// What comes of an update.
+/// The result of an update.
 pub struct Update {
-    /// What is to be shown.
+    /// The overlay's output, to be drawn.
     pub painting: Painting,
-    /// Clipboard, pointer, text input.
+    /// Changes of clipboard, pointer shape and text input.
     pub platform: egui::PlatformOutput,
-    /// What else is to be done.
+    /// Further requests.
     pub requests: Vec<Request>,
-    /// When the next update is due at the latest; news and input may come before.
+    /// The longest time until the next update; messages of the worker and input may call for one earlier.
     pub repaint_after: Duration,
 }
