@@ -50,7 +50,7 @@ const fn pair(sampling: u32, full_ms: f64, adaptive_ms: f64, rt_ratio: f64, psnr
 }
 
 impl Pair {
-    /// The heads of [`Pair::cells`].
+    /// The heads of the cells that [`Pair::row`] adds.
     const HEAD: [&str; 7] =
         ["sampling", "full ms", "adaptive ms", "speedup", "RT ratio", "efficiency", "PSNR dB"];
 
