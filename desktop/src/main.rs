@@ -6,18 +6,14 @@ mod compare;
 mod cores;
 mod devices;
 mod errors;
-mod files;
 mod focus;
 mod info;
 #[cfg(test)]
 mod manual;
 mod measure;
-mod output;
 mod pan;
-mod progress;
 mod render;
 mod report;
-mod scene_file;
 mod statistics;
 mod stress;
 mod summary;
@@ -28,16 +24,18 @@ use std::io::Write;
 use std::panic::{PanicHookInfo, UnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 
 use args::{Arguments, Command, ViewOptions};
+use glimpse_measure::{files, output, progress, scene_file};
 
 const FAILED: u8 = 1;
 const WRONG_USAGE: u8 = 2;
 
 fn main() -> ExitCode {
     std::panic::set_hook(Box::new(|panic| LAST_PANIC.set(bug(panic))));
-    let arguments = Arguments::parse();
+    let matches = report::with_tables(Arguments::command()).get_matches();
+    let arguments = Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     start_log(arguments.verbose);
     match reporting_panics(|| run(arguments)) {
         Ok(()) => ExitCode::SUCCESS,
