@@ -8,6 +8,7 @@ mod no_gpu {
     mod minray;
     mod pages;
     mod paths;
+    mod promises;
     mod reference;
     mod traversal;
 }
