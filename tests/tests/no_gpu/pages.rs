@@ -1,4 +1,5 @@
-//! The pages in Markdown: their links lead somewhere, and the map of the README shows the folders that are there.
+//! The pages in Markdown: their links lead somewhere, the map of the README shows the folders that are there, and its
+//! program is one that is compiled.
 
 use std::{
     collections::BTreeSet,
@@ -41,7 +42,11 @@ fn prose(text: &str) -> String {
 /// The targets of `[text](target)` and `![text](target)`.
 fn links(text: &str) -> Vec<String> {
     let ends = prose(text);
-    ends.split("](").skip(1).filter_map(|rest| rest.split_once(')')).map(|(link, _)| link.to_owned()).collect()
+    ends.split("](")
+        .skip(1)
+        .filter_map(|rest| rest.split_once(')'))
+        .map(|(link, _)| link.to_owned())
+        .collect()
 }
 
 /// The anchors of a page's headings, as GitHub makes them.
@@ -65,7 +70,8 @@ fn broken(page: &Path, text: &str) -> Vec<String> {
         }
         let (file, anchor) = link.split_once('#').map_or((link.as_str(), None), |(f, a)| (f, Some(a)));
         let target = if file.is_empty() { page.to_path_buf() } else { folder.join(file) };
-        let leads = |anchor: &str| fs::read_to_string(&target).is_ok_and(|text| anchors(&text).contains(anchor));
+        let leads =
+            |anchor: &str| fs::read_to_string(&target).is_ok_and(|text| anchors(&text).contains(anchor));
         !target.exists() || anchor.is_some_and(|anchor| !leads(anchor))
     };
     let name = |link: String| format!("{}: {link}", page.display());
@@ -85,7 +91,8 @@ fn links_of_pages_lead_to_files_and_headings() {
 #[test]
 fn a_link_to_a_missing_file_or_heading_is_found() {
     let page = workspace().join("README.md");
-    let text = "# A title, with marks\n[a](nowhere.md) [b](#no-heading) [c](#a-title-with-marks) [d](README.md)";
+    let text =
+        "# A title, with marks\n[a](nowhere.md) [b](#no-heading) [c](#a-title-with-marks) [d](README.md)";
     let found = broken(&page, text);
     // The second page is the file, not the text.
     assert_eq!(found.len(), 3, "{found:?}");
@@ -106,4 +113,18 @@ fn the_readme_is_short_and_its_map_shows_every_folder() {
     let folders: BTreeSet<_> =
         members.split('"').skip(1).step_by(2).map(|m| m.split('/').next().unwrap_or(m).to_owned()).collect();
     assert_eq!(shown, folders, "the map against the workspace's members");
+}
+
+/// What the README shows of the library compiles, as the front page of the crate is tested.
+#[test]
+fn the_readme_shows_the_program_of_the_crates_front_page() {
+    let read = |file: &str| fs::read_to_string(workspace().join(file)).expect("a file");
+    let (readme, front) = (read("README.md"), read("core/src/lib.rs"));
+    let (_, program) = readme.split_once("```rust\n").expect("a program");
+    let (program, _) = program.split_once("```").expect("its end");
+    let lines: Vec<_> = program.lines().filter(|line| !line.is_empty()).collect();
+    assert!(lines.len() > 5, "found only {lines:?}");
+    for line in lines {
+        assert!(front.contains(&format!("//! {line}\n")), "not in core/src/lib.rs: {line}");
+    }
 }
