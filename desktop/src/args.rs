@@ -212,60 +212,12 @@ pub struct ReportOptions {
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: u32,
     /// The tables to measure for each scene: those of Kim 2016, missing objects, predictions for phones, those of Jin 2009 and of Kim & Sung 2021
-    #[arg(
-        long,
-        value_enum,
-        value_name = "TABLE",
-        value_delimiter = ',',
-        default_value = "5,3a",
-        ignore_case = true
-    )]
-    pub tables: Vec<TableName>,
+    #[arg(long, value_name = "TABLE", value_delimiter = ',', default_value = "5,3a", ignore_case = true)]
+    pub tables: Vec<String>,
     /// Sides of the square frames of table 5
     #[arg(long, value_name = "N", value_delimiter = ',', default_value = "512,1024",
         value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SIDE)))]
     pub table5_sizes: Vec<u32>,
-}
-
-/// `--tables`
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum TableName {
-    /// None of them
-    #[value(name = "none")]
-    None,
-    /// Time by kernel, 1024x1024
-    #[value(name = "3a")]
-    Kernels,
-    /// Share of reflective pixels varied, 1024x1024
-    #[value(name = "3b")]
-    Reflective,
-    /// RT ratio varied, 1024x1024
-    #[value(name = "3c")]
-    Views,
-    /// Sampling of scenes named hairball
-    #[value(name = "4")]
-    Hairball,
-    /// Resolution and sampling
-    #[value(name = "5")]
-    Resolutions,
-    /// Objects that are lost, by block, without and with postcorrection
-    #[value(name = "missing")]
-    Missing,
-    /// Predicted times of phones, 2560x1440
-    #[value(name = "phones")]
-    Phones,
-    /// Fixed samples against extra samples where neighbours differ (Jin 2009, Table 2)
-    #[value(name = "jin2")]
-    Supersampling,
-    /// One threshold for extra samples against several (Jin 2009, Figure 7)
-    #[value(name = "jin7")]
-    Thresholds,
-    /// Paths for two eyes, 640x480 each (Kim & Sung 2021, Tables 2 and 3)
-    #[value(name = "vr")]
-    Eyes,
-    /// A camera that turns: frameless rendering and reprojection
-    #[value(name = "pan")]
-    Pan,
 }
 
 /// `glimpse stress`

@@ -211,21 +211,16 @@ fn help_and_version_are_no_failure() {
 }
 
 #[test]
-fn reports_have_smaller_frames_and_name_their_tables() {
+fn reports_have_smaller_frames() {
     let report = |line: &str| match parse(line).unwrap().command {
         Some(Command::Report(options)) => options,
         other => panic!("{other:?}"),
     };
     let bare = report("report a.glb b.glb -o out");
     assert_eq!((bare.scenes.len(), bare.size, bare.frames), (2, Size([960, 540]), 5));
-    assert_eq!(bare.tables, [TableName::Resolutions, TableName::Kernels]);
     assert_eq!(bare.table5_sizes, [512, 1024]);
-    let named = report("report a.glb -o out --tables 3B,3c,4,Missing,phones --table5-sizes 64");
-    let tables =
-        [TableName::Reflective, TableName::Views, TableName::Hairball, TableName::Missing, TableName::Phones];
-    assert_eq!(named.tables, tables);
-    assert_eq!(named.table5_sizes, [64]);
-    for wrong in ["", "-o out", "a.glb", "a.glb -o out --tables 6", "a.glb -o out --table5-sizes 0"] {
+    assert_eq!(report("report a.glb -o out --table5-sizes 64").table5_sizes, [64]);
+    for wrong in ["", "-o out", "a.glb", "a.glb -o out --table5-sizes 0"] {
         assert!(parse(&format!("report {wrong}")).is_err(), "{wrong}");
     }
 }

@@ -5,17 +5,13 @@ mod bench;
 mod compare;
 mod cores;
 mod devices;
-mod files;
 mod focus;
 mod heed;
 mod info;
 mod measure;
-mod output;
 mod pan;
-mod progress;
 mod render;
 mod report;
-mod scene_file;
 mod statistics;
 mod stress;
 mod summary;
@@ -29,13 +25,14 @@ use std::process::ExitCode;
 use clap::{CommandFactory, FromArgMatches};
 
 use args::{Arguments, Command, ViewOptions};
+use glimpse_measure::{files, output, progress, scene_file};
 
 const FAILED: u8 = 1;
 const WRONG_USAGE: u8 = 2;
 
 fn main() -> ExitCode {
     std::panic::set_hook(Box::new(|panic| LAST_PANIC.set(bug(panic))));
-    let matches = Arguments::command().get_matches();
+    let matches = report::with_tables(Arguments::command()).get_matches();
     let arguments = Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     let typed = args::typed(&matches);
     start_log(arguments.verbose);

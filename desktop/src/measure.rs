@@ -1,12 +1,11 @@
 //! Methods measured on one scene: warmed up, then interleaved frame by frame so that they share the weather.
 
-use std::time::Instant;
-
 use anyhow::Context;
 use glimpse::{
     Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Renderer, Scene,
     Settings, metrics, reference::Reference,
 };
+use glimpse_measure::statistics::{SceneStatistics, timed};
 
 use crate::args::FrameOptions;
 use crate::cores::{Sides, Unfinished};
@@ -14,7 +13,7 @@ use crate::focus::Wish;
 use crate::pan::{Pan, Panned};
 use crate::progress::Progress;
 use crate::scene_file;
-use crate::statistics::{ErrorAgainst, SceneStatistics};
+use crate::statistics::ErrorAgainst;
 
 /// A scene on the device, a camera in it, and what is known of both.
 pub struct Stage<'g> {
@@ -201,11 +200,4 @@ fn chosen_camera(scene: &Scene, options: &FrameOptions) -> glimpse::Result<(Came
     let camera = scene.camera(options.camera.as_deref())?;
     let index = scene.cameras.iter().position(|(_, c)| std::ptr::eq(c, camera)).unwrap_or_default();
     Ok((*camera, format!("{index} ({})", scene.cameras[index].0)))
-}
-
-/// A result and the milliseconds that it took.
-pub fn timed<T, E>(work: impl FnOnce() -> Result<T, E>) -> Result<(T, f64), E> {
-    let start = Instant::now();
-    let result = work()?;
-    Ok((result, 1000.0 * start.elapsed().as_secs_f64()))
 }

@@ -6,12 +6,12 @@ use anyhow::bail;
 use clap::ValueEnum;
 use glimpse::stress::{Bench, CASES, Case, Outcome};
 use glimpse::{Gpu, Robustness};
+use glimpse_measure::statistics::AdapterStatistics;
 use serde::Serialize;
 
 use crate::args::{Measure, StressOptions};
 use crate::output::{self, grouped};
 use crate::progress::Progress;
-use crate::statistics::AdapterStatistics;
 
 /// A row of the table.
 #[derive(Debug, Serialize)]
