@@ -14,6 +14,7 @@ mod gestures;
 mod governor;
 mod hud;
 mod lenses;
+mod loading;
 mod look;
 mod news;
 mod office;
@@ -34,11 +35,12 @@ pub use glimpse::Show;
 pub use governor::{FrameReport, Governor, Quality};
 pub use hud::{FLY_KEYS, Hud, Wish};
 pub use lenses::Lenses;
+pub use loading::SceneFacts;
 pub use painter::{Painter, Painting};
 pub use phones::{Phone, Sourced};
 pub use readings::{Busy, HISTORY, Readings};
 pub use studio::{Counted, Frame, Job};
-pub use worker::{Files, News, SceneFacts, Wake, Worker};
+pub use worker::{Files, News, Wake, Worker};
 
 /// The names of the built-in scenes, as `builtin:NAME`, in the order in which they are offered.
 pub fn scenes() -> impl Iterator<Item = String> {
