@@ -28,7 +28,7 @@ mod worker;
 
 pub use app::{App, Request, Update};
 pub use camera_control::CameraControl;
-pub use change::{Change, Setting};
+pub use change::Change;
 pub use choices::{Choices, FrameRate, Navigation, Overlay, SCALES, TEXT_SCALES, Vsync};
 pub use gestures::{Gestures, Motion};
 pub use glimpse::Show;

@@ -3,9 +3,11 @@
 //! One mesh primitive of one node is one *object*; its index is the object identification number (OID) of
 //! Kim 2016, section 3.2. Instances are flattened: every triangle is stored where it stands.
 
+mod build;
 mod builtin;
 mod emitters;
 mod features;
+#[cfg(feature = "gltf")]
 mod gltf;
 mod material;
 mod octahedral;
@@ -248,10 +250,8 @@ impl Scene {
             if self.cameras.len() > names.len() {
                 names.push(format!("{} more", self.cameras.len() - names.len()));
             }
-            crate::Error::setting(
-                format!("--camera {}", wanted.unwrap_or("0")),
-                format!("no such camera; the scene has {}", names.join(", ")),
-            )
+            let expected = format!("a camera of the scene, which has {}", names.join(", "));
+            crate::Error::setting("camera", expected, wanted.unwrap_or("0"))
         })
     }
 }
