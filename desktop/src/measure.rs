@@ -2,8 +2,8 @@
 
 use anyhow::Context;
 use glimpse::{
-    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Renderer, Scene,
-    Settings, metrics, reference::Reference,
+    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Linking, Memory, Renderer,
+    Scene, Settings, metrics, reference::Reference,
 };
 use glimpse_measure::statistics::{SceneStatistics, timed};
 
@@ -55,9 +55,10 @@ impl<'g> Stage<'g> {
         let (camera, camera_name) = chosen_camera(&scene, options).with_context(|| name.to_owned())?;
         let methods = wishes.iter().map(|wish| wish.in_scene(&scene.objects)).collect::<glimpse::Result<_>>();
         let methods = methods.with_context(|| name.to_owned())?;
-        let statistics = SceneStatistics::of(name, &scene, options.features.into());
+        let linking = wishes.first().map_or(Linking::Auto, |wish| wish.settings.features);
+        let statistics = SceneStatistics::of(name, &scene, linking);
         let warnings = scene.warnings.clone();
-        let cores: Vec<_> = wishes.iter().map(|wish| wish.cores).collect();
+        let cores: Vec<_> = wishes.iter().map(|wish| wish.settings.paths.cpu_threads).collect();
         let reference = cores.iter().any(|cores| *cores > 0).then(|| Reference::new(&scene).with_wide_tree());
         progress.doing("building the acceleration structure");
         let (scene, build_ms) = timed(|| GpuScene::upload(gpu, scene).with_context(|| name.to_owned()))?;

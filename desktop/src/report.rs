@@ -30,7 +30,7 @@ pub fn run(options: &ReportOptions, adapter: Option<&str>) -> anyhow::Result<()>
         output: options.output.clone(),
         size: options.size.0,
         camera: options.camera.clone(),
-        base: Settings { depth: options.depth, min_weight: options.min_weight, ..Settings::default() },
+        base: options.recursion.settings(Settings::default().method)?,
         frames: options.frames as usize,
         tables: chosen(&options.tables),
         table5_sizes: options.table5_sizes.clone(),

@@ -116,9 +116,12 @@ fn the_json_has_every_field_of_the_contract() {
 fn settings_name_every_option() {
     let json = serde_json::to_value(example()).unwrap();
     let settings = &json["settings"];
-    assert_eq!((&settings["method"], &settings["features"]), (&json!("adaptive"), &json!("auto")));
-    for name in ["tolerances", "depth", "min_weight", "camera"] {
+    assert_eq!((&settings["method"], &settings["specialize"]), (&json!("adaptive"), &json!("auto")));
+    for name in ["t_pos", "depth", "min_weight", "camera"] {
         assert!(!settings[name].is_null(), "{name}");
+    }
+    for option in glimpse::options::OPTIONS {
+        assert!(settings.get(option.name.replace('-', "_")).is_some(), "{}", option.name);
     }
 }
 

@@ -84,7 +84,7 @@ fn chosen(names: &[String]) -> glimpse::Result<Vec<&'static Case>> {
     let find = |name: &String| {
         CASES.iter().find(|case| case.name == name).ok_or_else(|| {
             let known: Vec<_> = CASES.iter().map(|case| case.name).collect();
-            glimpse::Error::setting("CASE", format!("expected one of {}, found {name}", known.join(", ")))
+            glimpse::Error::setting("cases", format!("one of {}", known.join(", ")), name)
         })
     };
     names.iter().map(find).collect()

@@ -141,7 +141,7 @@ pub fn method(statistics: &Statistics) -> String {
 
 /// A method's name as it is typed.
 pub fn method_name(method: Method) -> String {
-    format!("{method:?}").to_lowercase()
+    method.name().to_owned()
 }
 
 /// What full tracing shows and the frame does not, in one line.

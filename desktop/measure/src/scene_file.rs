@@ -16,7 +16,7 @@ pub fn check(name: &str) -> anyhow::Result<()> {
     let path = Path::new(name);
     let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
     if !matches!(ending.as_deref(), Some("glb" | "gltf")) {
-        return Err(glimpse::Error::setting(name, "expected a .glb or .gltf file, or builtin:NAME").into());
+        return Err(glimpse::Error::setting("scene", "a .glb or .gltf file, or builtin:NAME", name).into());
     }
     files::readable(path)
 }
@@ -45,8 +45,8 @@ fn check_builtin(name: &str) -> anyhow::Result<()> {
     if BUILTIN_NAMES.contains(&name) {
         return Ok(());
     }
-    let reason = format!("no such scene; there are {}", BUILTIN_NAMES.join(", "));
-    Err(glimpse::Error::setting(format!("builtin:{name}"), reason).into())
+    let expected = format!("a built-in scene; there are {}", BUILTIN_NAMES.join(", "));
+    Err(glimpse::Error::setting("scene", expected, format!("builtin:{name}")).into())
 }
 
 /// The bytes of a relative URI (RFC 3986: percent-encoded, though not every exporter does it). A scene that somebody
