@@ -3,7 +3,7 @@
 use crate::{
     Camera, Gpu, GpuScene, Paths, Result, Settings, Tolerances,
     gpu::{Bound, Kernels, Timer, mirror::gpu_struct},
-    passes::{Output, Stage, TRACE_GROUP, Variant},
+    passes::{Clears, Output, TRACE_GROUP, Variant, denoise},
     plan::{Extent, Part, Rows},
     targets::{DISPATCH_BYTES, LIST_HEADER, Targets},
 };
@@ -132,7 +132,7 @@ impl Passes {
         let passes = targets.plan.passes();
         let kernels = passes
             .iter()
-            .map(|stage| kernels.get(gpu, stage.name(), variant.sources(*stage)))
+            .map(|stage| kernels.get(gpu, stage.name, variant.sources(stage)))
             .collect::<Result<Vec<_>>>()?;
         let color = color.create_view(&wgpu::TextureViewDescriptor::default());
         let mut resources = scene.resources();
@@ -166,8 +166,8 @@ impl Passes {
                 bound.push(kernels[part.pass].bind(&gpu.device, &resources)?);
             }
         }
-        let names: Vec<_> = passes.iter().map(|stage| stage.name()).collect();
-        Ok(Self { bound, timer: Timer::new(gpu, &names)? })
+        let timed = passes.iter().map(|stage| (stage.name, stage.tracing)).collect();
+        Ok(Self { bound, timer: Timer::new(gpu, timed)? })
     }
 
     /// Renders one frame with these constants and waits for it.
@@ -243,7 +243,7 @@ impl Passes {
     ) -> Result<()> {
         gpu.queue.write_buffer(&targets.frame, 0, &in_strides(&targets.plan.parts, constants, tolerances));
         let submissions = targets.plan.submissions().into_iter().map(|mut parts| {
-            parts.retain(|(_, part)| part.stage.removes_noise());
+            parts.retain(|(_, part)| denoise::STAGES.contains(&part.stage));
             parts
         });
         gpu.submit_all_and_wait(submissions.filter(|parts| !parts.is_empty()).map(|parts| {
@@ -268,26 +268,14 @@ impl Passes {
         part: &Part,
         renewed: u32,
     ) {
-        let [first, _] = part.bounds;
-        if first
-            && matches!(
-                part.stage,
-                Stage::Base
-                    | Stage::SubpixelTest
-                    | Stage::RefineTest
-                    | Stage::QuincunxBase
-                    | Stage::ReprojectDepth
-            )
-        {
-            // The queue is empty.
-            encoder.clear_buffer(&targets.list, 0, Some(LIST_HEADER));
-        }
-        if first && part.stage == Stage::QuincunxBase {
-            // No sample is claimed.
-            encoder.clear_buffer(&targets.attributes, 0, None);
-        }
-        if first && part.stage == Stage::ReprojectDepth {
-            encoder.clear_buffer(&targets.landed, 0, None);
+        if let [true, _] = part.bounds {
+            for cleared in part.stage.clears {
+                match cleared {
+                    Clears::ListHeader => encoder.clear_buffer(&targets.list, 0, Some(LIST_HEADER)),
+                    Clears::Attributes => encoder.clear_buffer(&targets.attributes, 0, None),
+                    Clears::Landed => encoder.clear_buffer(&targets.landed, 0, None),
+                }
+            }
         }
         let mut pass = self.timer.part(encoder, part.pass, part.bounds);
         match part.extent {

@@ -64,7 +64,7 @@ pub use gpu::{Gpu, instance};
 pub use gpu_scene::GpuScene;
 pub use image::{DisplayImage, LinearImage, Picture, encode_display, to_exr, to_png};
 pub use missing::Missing;
-pub use passes::{Demand, Demands, Linked};
+pub use passes::{Demand, Demands, Linked, Tracing};
 pub use plan::SAMPLES_PER_SUBMISSION;
 pub use pose::{Lens, Pose};
 pub use renderer::Renderer;

@@ -2,11 +2,15 @@
 
 use serde::Serialize;
 
+use crate::passes::Tracing;
+
 /// The time of one pass of one frame.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PassTime {
     /// The stage's name.
     pub name: &'static str,
+    /// Whether it traces rays.
+    pub tracing: Tracing,
     /// Milliseconds between its first and its last command.
     pub ms: f64,
 }

@@ -3,27 +3,13 @@
 use glimpse::metrics::ErrorReport;
 use glimpse::{
     Cost, FailedChecks, Features, FrameTime, Linking, Memory, Missing, Rays, Samples, Scene, Settings,
+    Tracing,
 };
 use serde::Serialize;
 
 use crate::cores::Sides;
 use crate::measure::{Run, Stage};
 use crate::pan::PanStatistics;
-
-/// The passes that trace rays; every other one is overhead of the adaptive method.
-const TRACING_PASSES: [&str; 11] = [
-    "base",
-    "trace_a1",
-    "trace_a2",
-    "postcorrect",
-    "postcorrect_scan",
-    "full",
-    "checkerboard",
-    "frameless",
-    "renew",
-    "path",
-    "look",
-];
 
 /// One method on one scene.
 #[derive(Clone, Debug, Serialize)]
@@ -148,6 +134,8 @@ pub struct Spread {
 pub struct PassMedian {
     /// Its name.
     pub name: &'static str,
+    /// Whether it traces rays.
+    pub tracing: Tracing,
     /// Over the frames.
     pub median: f64,
 }
@@ -286,13 +274,17 @@ pub fn pass_medians(frames: &[FrameTime]) -> Vec<PassMedian> {
     first
         .passes
         .iter()
-        .map(|pass| PassMedian { name: pass.name, median: Spread::of(times(pass.name)).median })
+        .map(|pass| PassMedian {
+            name: pass.name,
+            tracing: pass.tracing,
+            median: Spread::of(times(pass.name)).median,
+        })
         .collect()
 }
 
 /// The part of a frame spent in passes that trace nothing.
 pub fn non_tracing_share(passes: &[PassMedian], frame_ms: f64) -> Option<f64> {
-    let other = passes.iter().filter(|p| !TRACING_PASSES.contains(&p.name));
+    let other = passes.iter().filter(|p| p.tracing == Tracing::No);
     (!passes.is_empty() && frame_ms > 0.0).then(|| other.map(|p| p.median).sum::<f64>() / frame_ms)
 }
 

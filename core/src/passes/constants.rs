@@ -2,11 +2,11 @@
 
 use std::fmt::Write as _;
 
-use super::Variant;
+use super::{PATH_TILE, Variant, postcorrect};
 use crate::{
     Crossing, Direct, Linking, MAX_RAYS, Postcorrect, Roulette, SAMPLES_PER_SUBMISSION, Stopping, atlas,
     gpu::{self, shader::Source},
-    gpu_scene, plan,
+    gpu_scene,
     scene::OCTAHEDRAL_ERROR,
     sequence::{RANK_TILE, RANKS},
     stats::{CHECK_NAMES, Origin},
@@ -164,7 +164,7 @@ impl Variant {
             ("EDGE_COLOR", self.edge_round() - 3),
             ("EDGE_ROUND", self.edge_round()),
             ("EDGES_APRON", u32::from(!self.interpolates)),
-            ("ROUND_SAMPLES", plan::ROUND_SAMPLES),
+            ("ROUND_SAMPLES", postcorrect::ROUND_SAMPLES),
             ("TEXTURE_PAGE", atlas::MAX_PAGES - 1),
             ("RANKS", RANKS),
             ("RANK_TILE", RANK_TILE),
@@ -191,7 +191,7 @@ impl Variant {
             ("REFINE_FIRST", (1 << REFINE_STEP) - 1),
             ("RAY_DIFFUSE", 4),
             ("RAY_KINDS", RAY_KINDS as u32),
-            ("PATH_TILE", plan::PATH_TILE),
+            ("PATH_TILE", PATH_TILE),
             ("LIGHT_SAMPLES", self.paths.light_samples),
             ("STOPPING_LEVEL", self.paths.stopping_level()),
             ("COUNTER_RAYS", COUNTER_RAYS as u32),

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Stage, Variant};
+use super::{Variant, stages};
 use crate::{
     Linking, Method, Postcorrect, Result, Scene, Settings,
     gpu::shader::link,
@@ -56,7 +56,7 @@ impl Linked {
             crosses: false,
         };
         let passes = Plan::new(Method::Adaptive, &shape).passes();
-        for stage in Stage::ALL.into_iter().filter(|stage| passes.contains(stage)) {
+        for stage in stages().filter(|stage| passes.contains(stage)) {
             let sources = variant.sources(stage);
             let kernel = link(&sources)?;
             linked.bindings.extend(kernel.used_resources().map(|(name, ..)| name.to_owned()));

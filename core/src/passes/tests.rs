@@ -2,7 +2,7 @@
 
 use wgpu::naga::{AddressSpace, proc::Layouter};
 
-use super::{Output, Stage, Variant};
+use super::{Output, Stage, Tracing, Variant, Work, adaptive, refine, stages, supersample};
 use crate::{
     Crossing, Denoise, Direct, Features, Filter, Inactive, Jitter, Linking, Mip, Paths, Postcorrect,
     Robustness, Roulette, Sampler, Shining, Stopping, frame, gpu,
@@ -89,7 +89,7 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
     let mut mirrored = std::collections::HashSet::new();
     let mut kernels = 0;
     for variant in variants() {
-        for stage in Stage::ALL.into_iter().filter(|stage| is_linked(&variant, *stage)) {
+        for stage in stages().filter(|stage| is_linked(&variant, stage)) {
             let linked =
                 link(&variant.sources(stage)).unwrap_or_else(|e| panic!("{stage:?} {variant:?}: {e}"));
             kernels += 1;
@@ -118,17 +118,66 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
     let supersampling = variants().filter(|variant| variant.supersamples).count();
     assert_eq!(all, 256 + 4 * 10);
     let refining = variants().filter(|variant| variant.refines).count();
-    assert_eq!(kernels, all * (Stage::ALL.len() - 6) + 2 * supersampling + 4 * refining);
+    assert_eq!(kernels, all * (stages().count() - 6) + 2 * supersampling + 4 * refining);
     assert!(supersampling > 100 && refining > 50);
     assert_eq!(mirrored.len(), 4, "every mirrored struct was compared: {mirrored:?}");
 }
 
 /// Some kernels are not without extra samples, or without their refinement.
-fn is_linked(variant: &Variant, stage: Stage) -> bool {
-    match stage {
-        Stage::SubpixelTest | Stage::ExtraSamples => variant.supersamples,
-        Stage::RefineTest | Stage::Refine | Stage::CellTest | Stage::Cells => variant.refines,
-        _ => true,
+fn is_linked(variant: &Variant, stage: &Stage) -> bool {
+    let of_extra = [&supersample::SUBPIXEL_TEST, &supersample::EXTRA_SAMPLES].contains(&stage);
+    let of_refinement =
+        [&refine::REFINE_TEST, &refine::REFINE, &refine::CELL_TEST, &refine::CELLS].contains(&stage);
+    (!of_extra || variant.supersamples) && (!of_refinement || variant.refines)
+}
+
+/// A stage traces if, and only if, its kernel calls the traversal: the class is not a matter of opinion.
+#[test]
+fn stages_trace_where_their_kernels_call_the_traversal() {
+    for stage in stages() {
+        let variants: Vec<_> = variants().filter(|variant| is_linked(variant, stage)).step_by(37).collect();
+        assert!(!variants.is_empty(), "{stage:?}");
+        for variant in variants {
+            let linked = link(&variant.sources(stage)).expect("links");
+            let traverses = linked
+                .module
+                .functions
+                .iter()
+                .any(|(_, function)| function.name.as_deref() == Some("bvh_traverse"));
+            assert_eq!(traverses, stage.tracing != Tracing::No, "{stage:?}");
+            let listed = matches!(stage.work, Work::List | Work::Lines);
+            assert!(
+                stage.tracing == Tracing::No || (stage.tracing == Tracing::Listed) == listed,
+                "{stage:?}"
+            );
+        }
+    }
+}
+
+/// Names identify stages: in timings, in reports, and among compiled kernels.
+#[test]
+fn names_of_stages_are_distinct() {
+    let names: std::collections::HashSet<_> = stages().map(|stage| stage.name).collect();
+    assert_eq!(names.len(), stages().count());
+    for stage in stages() {
+        assert_eq!(Tracing::of_pass(stage.name), Some(stage.tracing));
+    }
+    assert_eq!(Tracing::of_pass("no such stage"), None);
+}
+
+/// Threads of a workgroup, which the dispatches of each shape of work are counted in.
+#[test]
+fn workgroups_fit_the_shape_of_their_work() {
+    for stage in stages() {
+        let variant = variants().find(|variant| is_linked(variant, stage)).expect("one");
+        let linked = link(&variant.sources(stage)).expect("links");
+        let threads: u32 = linked.module.entry_points[0].workgroup_size.iter().product();
+        match stage.work {
+            Work::Tiles(super::PATH_TILE) => assert_eq!(threads, 64, "{stage:?}"),
+            Work::Tiles(side) => assert_eq!(threads, side * side, "{stage:?}"),
+            Work::List | Work::Lines | Work::Ranks => assert_eq!(threads, super::TRACE_GROUP, "{stage:?}"),
+            Work::Fixed => {}
+        }
     }
 }
 
@@ -172,6 +221,6 @@ fn a_swapped_field_is_noticed() {
         fields: &[gpu::mirror::Field { name: "orthographic", offset: 0 }],
     };
     let variant = variants().next().expect("one");
-    let linked = link(&variant.sources(Stage::Base)).expect("links");
+    let linked = link(&variant.sources(&adaptive::BASE)).expect("links");
     assert!(!differences(&linked.module, &mirror).expect("declared").is_empty());
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::passes::{PATH_TILE, TRACED_TILE, Work, adaptive, frameless, full, path, postcorrect};
 
 const SIZES: [[u32; 2]; 10] = [
     [1, 1],
@@ -75,7 +76,7 @@ fn no_submission_exceeds_the_bound_and_no_part_is_lost() {
             // A row of workgroups is not divided, and neither is a workgroup of scans.
             let [width, height] = shape.grid;
             let scans = if shape.postcorrect == Postcorrect::Scans { 64 * width.max(height) } else { 0 };
-            let paths = parts.iter().any(|(_, part)| part.stage == Stage::Path);
+            let paths = parts.iter().any(|(_, part)| *part.stage == path::PATH);
             let tile = if paths { PATH_TILE } else { TRACED_TILE };
             let bound = SAMPLES_PER_SUBMISSION.max(tile * width.next_multiple_of(tile)).max(scans);
             assert!(samples <= bound, "{shape:?}: {samples} in {parts:?}");
@@ -93,7 +94,9 @@ fn every_pass_is_covered_once() {
                 assert_eq!(part.first, next, "{shape:?} {part:?}");
                 assert_eq!(part.bounds, [i == 0, i + 1 == parts.len()], "{shape:?} {part:?}");
                 next += match part.extent {
-                    Extent::Groups([groups, 1]) if part.stage == Stage::PostcorrectScan => 64 * groups,
+                    Extent::Groups([groups, 1]) if *part.stage == postcorrect::POSTCORRECT_SCAN => {
+                        64 * groups
+                    }
                     Extent::Groups([_, rows]) => rows,
                     Extent::Renewed(tiles) => tiles,
                     Extent::Chunk(chunk) => {
@@ -107,9 +110,24 @@ fn every_pass_is_covered_once() {
     }
 }
 
+#[test]
+fn dispatches_have_the_shape_that_their_stage_says() {
+    for (shape, plan) in plans() {
+        for part in &plan.parts {
+            let fits = match part.stage.work {
+                Work::Tiles(_) | Work::Fixed => matches!(part.extent, Extent::Groups(_)),
+                Work::Lines => matches!(part.extent, Extent::Groups([_, 1])) && part.step != [0, 0],
+                Work::List => matches!(part.extent, Extent::Chunk(_)),
+                Work::Ranks => matches!(part.extent, Extent::Renewed(_)),
+            };
+            assert!(fits, "{shape:?} {part:?}");
+        }
+    }
+}
+
 /// The rows that a stage of a plan treats, in order; for the adaptive steps those of references at one distance.
-fn rows_of(plan: &Plan, stage: Stage, stride: u32) -> Vec<u32> {
-    let parts = plan.parts.iter().filter(|part| part.stage == stage && part.bounds[0]);
+fn rows_of(plan: &Plan, stage: &Stage, stride: u32) -> Vec<u32> {
+    let parts = plan.parts.iter().filter(|part| *part.stage == *stage && part.bounds[0]);
     let rows = parts.map(|part| part.rows).filter(|rows| rows.stride == stride);
     rows.flat_map(|rows| (rows.row..rows.end).step_by(rows.stride as usize)).collect()
 }
@@ -120,13 +138,13 @@ fn every_row_is_made_once_and_stored_once_at_a_time() {
         let [_, height] = shape.grid;
         let every = |from: u32, stride: u32| (from..height).step_by(stride as usize).collect::<Vec<_>>();
         let full = Plan::new(Method::Full, &shape);
-        assert_eq!(rows_of(&full, Stage::Full, 1), every(0, 1), "{shape:?}");
+        assert_eq!(rows_of(&full, &full::FULL, 1), every(0, 1), "{shape:?}");
         let adaptive = Plan::new(Method::Adaptive, &shape);
-        assert_eq!(rows_of(&adaptive, Stage::Base, shape.block), every(0, shape.block), "{shape:?}");
+        assert_eq!(rows_of(&adaptive, &adaptive::BASE, shape.block), every(0, shape.block), "{shape:?}");
         for stride in [8, 4, 2].into_iter().filter(|stride| *stride <= shape.block) {
-            assert_eq!(rows_of(&adaptive, Stage::SimilarityA1, stride), every(0, stride), "{shape:?}");
+            assert_eq!(rows_of(&adaptive, &adaptive::SIMILARITY_A1, stride), every(0, stride), "{shape:?}");
             assert_eq!(
-                rows_of(&adaptive, Stage::SimilarityA2, stride),
+                rows_of(&adaptive, &adaptive::SIMILARITY_A2, stride),
                 every(stride / 2, stride),
                 "{shape:?}"
             );
@@ -134,8 +152,8 @@ fn every_row_is_made_once_and_stored_once_at_a_time() {
         for plan in [full, adaptive] {
             let pixels: Vec<_> = (0..height / shape.sampling).collect();
             let resolved = if shape.sampling > 1 { pixels } else { vec![] };
-            assert_eq!(rows_of(&plan, Stage::Resolve, 1), resolved, "{shape:?}");
-            for part in plan.parts.iter().filter(|part| part.stage != Stage::Resolve) {
+            assert_eq!(rows_of(&plan, &full::RESOLVE, 1), resolved, "{shape:?}");
+            for part in plan.parts.iter().filter(|part| *part.stage != full::RESOLVE) {
                 let (Rows { row, end, turn, .. }, rows) = (part.rows, plan.stored_rows);
                 let folded = |y: u32| y.abs_diff(turn);
                 assert!(row >= end || folded(row).max(folded(end - 1)) < rows, "{shape:?} {part:?}");
@@ -165,7 +183,7 @@ fn every_tile_is_renewed_once() {
     for (shape, plan) in plans() {
         let tiles = shape.grid.map(|side| u64::from(side.div_ceil(16))).iter().product::<u64>();
         let mut renewed = 0;
-        for part in plan.parts.iter().filter(|part| part.stage == Stage::Frameless) {
+        for part in plan.parts.iter().filter(|part| *part.stage == frameless::FRAMELESS) {
             let Extent::Renewed(count) = part.extent else { panic!("{part:?}") };
             let last = part.bounds[1];
             assert!(last || (1..=256).all(|share| count * share % TRACE_GROUP == 0), "{shape:?} {part:?}");

@@ -14,7 +14,7 @@ use crate::{
     Camera, Gpu, GpuScene, Result, Robustness, SAMPLES_PER_SUBMISSION, Settings,
     frame::Frame,
     gpu::{Kernel, Timer, mirror::gpu_struct, shader::Source},
-    passes::{TRACE_GROUP, TRACE_ROW, Variant, wgsl},
+    passes::{TRACE_GROUP, TRACE_ROW, Tracing, Variant, wgsl},
 };
 
 gpu_struct! {
@@ -192,7 +192,7 @@ pub(crate) fn dispatch<I: bytemuck::NoUninit, O: bytemuck::Pod>(
     resources: &[(&'static str, wgpu::BindingResource<'_>)],
 ) -> Result<(Vec<O>, f64)> {
     let kernel = Kernel::new(gpu, label, sources)?;
-    let timer = Timer::new(gpu, &[label])?;
+    let timer = Timer::new(gpu, vec![(label, Tracing::Listed)])?;
     let (mut all, mut ms) = (Vec::with_capacity(inputs.len()), 0.0);
     for inputs in inputs.chunks(SAMPLES_PER_SUBMISSION as usize) {
         let rays = gpu.storage("rays", inputs)?;

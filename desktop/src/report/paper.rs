@@ -126,6 +126,12 @@ mod tests {
         }
     }
 
+    /// A stage of another name would count among all else.
+    #[test]
+    fn every_step_is_a_stage() {
+        assert!(STEPS.iter().all(|(_, pass)| glimpse::Tracing::of_pass(pass).is_some()));
+    }
+
     /// A grid of twice the side has the samples of a frame of twice the side.
     #[test]
     fn ratios_of_equal_grids_agree() {

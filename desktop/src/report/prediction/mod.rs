@@ -17,7 +17,7 @@ use crate::args::TableName;
 pub use calibration::{Calibration, Cell, Check, leave_one_out};
 use model::{Bound, Device, Reach, milliseconds};
 pub use published::PUBLISHED;
-pub use work::{Kind, Work};
+pub use work::{Work, class_name};
 
 /// The frame that is asked about.
 pub const SIZE: [u32; 2] = [2560, 1440];
@@ -145,7 +145,7 @@ impl Predictions {
         let device = Device { gflops: phone.gflops.value, gigabytes: phone.gigabytes.value };
         let mut by_bound = [0.0; 2];
         for (load, share) in cell.loads.iter().zip(self.calibration.shares) {
-            // Kinds of passes are to each other as on this device.
+            // Classes of passes are to each other as on this device.
             let arithmetic = self.arithmetic[case] * share / self.calibration.shares[0];
             let reach = Reach { arithmetic, bandwidth: BANDWIDTH[case], missed: MISSED[case] };
             let (ms, bound) = milliseconds(load, device, reach);
