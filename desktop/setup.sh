@@ -7,16 +7,28 @@
 #   - the libraries that a window loads when it opens (keyboards, pointers, X11),
 #   - Xvfb, an X server without a screen, in which the tests open windows.
 #
-# Nothing else is touched, and nothing happens when nothing is missing, so it is safe to run twice.
+# It prints what it will install, add and replace before it changes anything, and changes nothing else: where nothing is
+# missing it does nothing, so it is safe to run twice. Without root it uses sudo, which may ask for a password.
 #
-# A driver counts as present when a manifest (ICD, *.json) lies where the loader looks. One exception: the Mesa 22.3
-# of Debian bookworm itself is taken for missing on a machine without a GPU, because its lavapipe is too old (no
-# headless surface, and other pixels than the golden frames). bookworm gets 25.0.7 from bookworm-backports.
+# A driver counts as present when a manifest (ICD, *.json) lies where the loader looks, and stays as it is. Debian bookworm
+# gets its driver from bookworm-backports: the Mesa 22.3 of bookworm itself has no headless surface and renders other
+# pixels than the golden frames of the tests.
+#
+#   sh desktop/setup.sh --golden-driver     the driver of the golden frames, in place of an older one of bookworm
 #
 # GLIMPSE_SETUP_ROOT=DIR looks for the system's files below DIR (the test of this script).
 set -eu
 
 mesa_version="25.0.7-2~bpo12+1"
+golden_driver=""
+case ${1-} in
+"") ;;
+--golden-driver) golden_driver=yes ;;
+*)
+    echo "setup: expected nothing or --golden-driver, found $1" >&2
+    exit 2
+    ;;
+esac
 root=${GLIMPSE_SETUP_ROOT-}
 if [ -z "$root" ]; then
     PATH=$PATH:/usr/sbin:/sbin # ldconfig, for users
@@ -74,15 +86,6 @@ has_gpu() {
 
 installed_version() { dpkg-query -W -f '${Version}' "$1" 2>/dev/null || true; }
 
-has_driver() {
-    has_manifest || return 1
-    [ "$codename" = bookworm ] || return 0
-    case $(installed_version mesa-vulkan-drivers) in
-    22.*) has_gpu ;;
-    *) return 0 ;;
-    esac
-}
-
 packages=""
 reasons=""
 if ! command -v cc >/dev/null; then
@@ -115,9 +118,26 @@ if ! command -v Xvfb >/dev/null; then
     reasons="$reasons, Xvfb for the tests"
 fi
 driver=""
-if ! has_driver; then
+replaced=""
+if ! has_manifest; then
     driver=mesa-vulkan-drivers
     reasons="$reasons, a Vulkan driver"
+elif [ "$codename" = bookworm ]; then
+    mesa=$(installed_version mesa-vulkan-drivers)
+    case $mesa in
+    22.*)
+        if [ -n "$golden_driver" ]; then
+            driver=mesa-vulkan-drivers
+            replaced=$mesa
+            reasons="$reasons, the driver of the golden frames"
+        elif [ -z "${VK_DRIVER_FILES-}${VK_ICD_FILENAMES-}" ] && ! has_gpu; then
+            say "keeping Mesa $mesa: tests of golden frames and of windows may fail with it, and" \
+                "'sh desktop/setup.sh --golden-driver' replaces it by $mesa_version"
+        fi
+        ;;
+    esac
+elif [ -n "$golden_driver" ]; then
+    say "keeping the driver: the one of the golden frames is packaged for Debian bookworm alone"
 fi
 
 if [ -z "$packages$driver" ]; then
@@ -133,19 +153,56 @@ if [ "$(id -u)" != 0 ]; then
     command -v sudo >/dev/null || fail "installing needs root, and there is no sudo: run 'sh desktop/setup.sh' as root"
     sudo=sudo
 fi
+
+from_backports=""
+source=""
+if [ -n "$driver" ] && [ "$codename" = bookworm ]; then
+    from_backports=yes
+    if ! grep -qs '^[^#]*bookworm-backports' "$root/etc/apt/sources.list" "$root"/etc/apt/sources.list.d/*; then
+        source="$root/etc/apt/sources.list.d/glimpse-backports.sources"
+    fi
+else
+    packages="$packages${driver:+ $driver}"
+fi
+
+say "this changes the system:"
+if [ -n "$source" ]; then
+    say "  adds the apt source $source (Debian's bookworm-backports)"
+fi
+if [ -n "$packages" ]; then
+    say "  installs$packages"
+fi
+if [ -n "$replaced" ]; then
+    say "  replaces $driver $replaced by $mesa_version of bookworm-backports"
+elif [ -n "$from_backports" ]; then
+    say "  installs $driver $mesa_version of bookworm-backports"
+fi
+if [ -n "$sudo" ]; then
+    say "  by sudo, which may ask for your password"
+fi
+
 as_root() {
     say "running: $*"
     # shellcheck disable=SC2086 # empty when we are root
     $sudo env DEBIAN_FRONTEND=noninteractive "$@" || fail "that failed: $*"
 }
 
-from_backports=""
-if [ -n "$driver" ] && [ "$codename" = bookworm ]; then
-    from_backports=yes
-    if ! grep -qs '^[^#]*bookworm-backports' "$root/etc/apt/sources.list" "$root"/etc/apt/sources.list.d/*; then
-        source="$root/etc/apt/sources.list.d/glimpse-backports.sources"
-        say "adding $source for Mesa $mesa_version"
-        $sudo tee "$source" >/dev/null <<'SOURCE' || fail "cannot write $source"
+# Installs packages, and says before which installed ones apt replaces for them.
+install() {
+    apt-get -s install --no-install-recommends "$@" 2>/dev/null |
+        while read -r word package old new _; do
+            case $word$old in
+            Inst\[*)
+                old=${old#[}
+                say "  replaces $package ${old%]} by ${new#(}"
+                ;;
+            esac
+        done
+    as_root apt-get install -y -qq --no-install-recommends "$@"
+}
+
+if [ -n "$source" ]; then
+    $sudo tee "$source" >/dev/null <<'SOURCE' || fail "cannot write $source"
 # Added by Glimpse's desktop/setup.sh, for mesa-vulkan-drivers.
 Types: deb
 URIs: http://deb.debian.org/debian
@@ -153,16 +210,11 @@ Suites: bookworm-backports
 Components: main
 Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
 SOURCE
-    fi
 fi
-
 as_root apt-get update -qq
-if [ -z "$from_backports" ]; then
-    packages="$packages $driver"
-fi
 if [ -n "$packages" ]; then
     # shellcheck disable=SC2086 # a list
-    as_root apt-get install -y -qq --no-install-recommends $packages
+    install $packages
 fi
 if [ -n "$from_backports" ]; then
     if apt-cache madison "$driver" | grep -qF " $mesa_version "; then
@@ -170,6 +222,6 @@ if [ -n "$from_backports" ]; then
     else
         say "Mesa $mesa_version is no longer in bookworm-backports: taking its newest (golden frames may differ)"
     fi
-    as_root apt-get install -y -qq --no-install-recommends -t bookworm-backports "$driver"
+    install -t bookworm-backports "$driver"
 fi
 say "done"

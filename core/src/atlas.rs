@@ -22,9 +22,9 @@ pub const MAX_PAGES: u32 = 1 << 11;
 /// The pages on the device, read as sRGB and as plain numbers.
 pub struct Atlas {
     texture: wgpu::Texture,
-    /// Decodes sRGB.
+    /// View as sRGB colours, decoded when read.
     pub color: wgpu::TextureView,
-    /// The texels as they are.
+    /// View of the same texels without decoding.
     pub data: wgpu::TextureView,
     places: Vec<[u32; 4]>,
 }
@@ -166,12 +166,12 @@ fn levels_size(size: [u32; 2]) -> [u32; 2] {
     }
 }
 
-/// Where everything stands.
+/// The places of all images in the pages of the atlas.
 struct Packing {
-    /// Width and height of the pages.
+    /// Width and height of the pages in texels.
     page: [u32; 2],
     pages: u32,
-    /// Of each image and of its levels.
+    /// The place of each image at full resolution, and that of its mip levels.
     spots: Vec<[Place; 2]>,
 }
 

@@ -9,13 +9,13 @@ use glam::{Mat4, Vec3};
 pub struct Camera {
     /// World-space eye (perspective) or centre of the near side (orthographic).
     pub origin: Vec3,
-    /// Half a frame height to the right.
+    /// Vector to the right in the image plane, half a frame height long.
     pub right: Vec3,
-    /// Half a frame height up.
+    /// Vector upwards in the image plane, half a frame height long.
     pub up: Vec3,
     /// The view direction: unit length unless the lens is shifted.
     pub forward: Vec3,
-    /// Parallel rays.
+    /// Whether rays are parallel.
     pub orthographic: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Finished frames in main memory.
+//! Finished frames in main memory, and their PNG and OpenEXR files.
 
 use std::io::Cursor;
 
@@ -10,7 +10,7 @@ pub type DisplayImage = RgbaImage;
 /// A frame as it was computed: linear RGB radiance, top row first.
 pub type LinearImage = Rgb32FImage;
 
-/// The bytes of a PNG file.
+/// Encodes a PNG file.
 ///
 /// # Errors
 /// [`crate::Error::Image`] where the encoder fails.
@@ -21,7 +21,7 @@ pub fn to_png(frame: &DisplayImage) -> crate::Result<Vec<u8>> {
     Ok(bytes.into_inner())
 }
 
-/// The bytes of an OpenEXR file.
+/// Encodes an OpenEXR file of 32-bit floating-point RGB.
 ///
 /// # Errors
 /// [`crate::Error::Image`] where the encoder fails.
@@ -34,9 +34,9 @@ pub fn to_exr(frame: &LinearImage) -> crate::Result<Vec<u8>> {
 /// A picture read from a file, in the form that the file has.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Picture {
-    /// From a PNG.
+    /// Display-encoded RGBA of a PNG file.
     Display(DisplayImage),
-    /// From an OpenEXR.
+    /// Linear radiance of an OpenEXR file.
     Linear(LinearImage),
 }
 
@@ -53,7 +53,7 @@ impl Picture {
         })
     }
 
-    /// As it is shown.
+    /// The display-encoded picture; linear radiance is encoded as sRGB.
     #[must_use]
     pub fn into_display(self) -> DisplayImage {
         match self {

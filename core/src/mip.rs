@@ -5,10 +5,10 @@ use glam::Vec4;
 
 use crate::scene::{Image8, Scene};
 
-/// What the bytes of an image mean, and so how they are averaged.
+/// The encoding of an image's bytes, which decides how they are averaged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Content {
-    /// Numbers.
+    /// Linear data.
     Data,
     /// sRGB, averaged in linear light; alpha is linear and decides nothing.
     Color,
@@ -73,7 +73,7 @@ pub fn level_size(size: [u32; 2], level: u32) -> [u32; 2] {
     size.map(|side| (side >> level).max(1))
 }
 
-/// The level that is one texel.
+/// The index of the level that has one texel.
 pub fn last_level([width, height]: [u32; 2]) -> u32 {
     width.max(height).max(1).ilog2()
 }

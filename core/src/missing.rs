@@ -1,4 +1,4 @@
-//! Missing objects (Kim 2016, section 4): what full tracing shows and a frame does not.
+//! Missing objects (Kim 2016, section 4): objects that full ray tracing shows and a frame does not.
 
 use std::collections::HashMap;
 
@@ -6,23 +6,23 @@ use serde::{Deserialize, Serialize};
 
 use crate::PixelRecord;
 
-/// How much of what is to be seen is not.
+/// Objects and pixels that a frame lost against full ray tracing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
 pub struct Missing {
-    /// Objects that full tracing shows.
+    /// Number of objects that full ray tracing shows in at least one pixel.
     pub objects_shown: u64,
-    /// Those of them that have not one pixel.
+    /// Objects among them that have no pixel in the frame.
     pub objects_lost: u64,
-    /// Pixels in which full tracing shows an object.
+    /// Number of pixels in which full ray tracing shows an object.
     pub pixels_shown: u64,
-    /// Those of them that show another object, or none.
+    /// Pixels among them that show another object in the frame, or none.
     pub pixels_lost: u64,
-    /// The share of an object's pixels that are lost, averaged over objects: a wire counts as much as a wall.
+    /// Share of an object's pixels that are lost, averaged over objects: a wire counts as much as a wall.
     pub mean_share_lost: f64,
 }
 
 impl Missing {
-    /// Of a frame against the same frame by full tracing, pixel by pixel; `None` for frames of different
+    /// Compares the records of a frame with those of full ray tracing, pixel by pixel; `None` for frames of different
     /// sizes, or without records.
     #[must_use]
     pub fn of(full: &[PixelRecord], frame: &[PixelRecord]) -> Option<Self> {

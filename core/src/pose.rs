@@ -1,18 +1,18 @@
-//! Where a camera stands and what it looks at, as people say it.
+//! A camera by eye, target, up vector and projection.
 
 use glam::{DVec3, Vec3};
 
 use crate::{Camera, Error, Result};
 
-/// What becomes of the rays' spread.
+/// The projection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Lens {
-    /// Rays from one point.
+    /// A pinhole camera: all rays start at the eye.
     Perspective {
-        /// From the lower to the upper edge of the picture, inside (0, 180).
+        /// Angle from the lower to the upper edge of the picture in degrees, inside (0, 180).
         vertical_fov_degrees: f32,
     },
-    /// Parallel rays.
+    /// An orthographic camera: all rays are parallel.
     Orthographic {
         /// World units from the lower to the upper edge of the picture.
         height: f32,
@@ -22,13 +22,13 @@ pub enum Lens {
 /// A camera by points: four options of the command line are one pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// World-space eye.
+    /// Position of the eye in world space.
     pub eye: Vec3,
     /// The world-space point in the middle of the picture. Only its direction from the eye counts.
     pub target: Vec3,
-    /// What is up in the picture, of any length, not along the view.
+    /// The up vector, of any length, not parallel to the view.
     pub up: Vec3,
-    /// The lens.
+    /// The projection.
     pub lens: Lens,
 }
 

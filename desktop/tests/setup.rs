@@ -60,7 +60,7 @@ impl System {
         system.command("id", "echo 0");
         system.command("ldconfig", "true");
         system.command("dpkg-query", "exit 1");
-        system.command("apt-get", "echo \"apt-get $*\" >>\"$RAN\"");
+        system.apt("");
         system.command("apt-cache", "echo ' mesa-vulkan-drivers | 25.0.7-2~bpo12+1 | http://deb/ Packages'");
         system
     }
@@ -102,26 +102,39 @@ impl System {
         fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).unwrap();
     }
 
+    /// apt, which writes down what it is asked to change, and answers a simulation with these lines.
+    fn apt(&self, simulation: &str) {
+        let script = format!(
+            "case \"$1\" in\n-s) echo '{simulation}' ;;\n*) echo \"apt-get $*\" >>\"$RAN\"; echo 'changed' ;;\nesac"
+        );
+        self.command("apt-get", &script);
+    }
+
     fn without(&self, name: &str) {
         fs::remove_file(self.folder.path().join("bin").join(name)).unwrap();
     }
 
     fn run(&self) -> Outcome {
-        self.run_with("", "")
+        self.run_as(&[], None)
     }
 
     fn run_with(&self, variable: &str, value: &str) -> Outcome {
+        self.run_as(&[], Some((variable, value)))
+    }
+
+    fn run_as(&self, arguments: &[&str], variable: Option<(&str, &str)>) -> Outcome {
         let ran = self.folder.path().join("ran");
         let _ = fs::remove_file(&ran);
         let mut command = Command::new("/bin/sh");
         command
             .arg(concat!(env!("CARGO_MANIFEST_DIR"), "/setup.sh"))
+            .args(arguments)
             .env_clear()
             .env("PATH", self.folder.path().join("bin"))
             .env("HOME", "/root")
             .env("RAN", &ran)
             .env("GLIMPSE_SETUP_ROOT", self.root());
-        if !variable.is_empty() {
+        if let Some((variable, value)) = variable {
             command.env(variable, value);
         }
         let output = command.output().unwrap();
@@ -191,12 +204,75 @@ fn the_newest_of_backports_where_the_pinned_version_is_gone() {
 }
 
 #[test]
-fn bookworms_own_mesa_is_too_old_unless_there_is_a_gpu() {
+fn an_old_driver_that_is_there_stays() {
     let system = System::complete(BOOKWORM);
     system.command("dpkg-query", "printf 22.3.6-1+deb12u1");
-    assert_eq!(system.run().ran.len(), 2);
+    let outcome = system.run();
+    assert_eq!((outcome.code, outcome.ran.len()), (0, 0), "{}", outcome.said);
+    for word in ["keeping Mesa 22.3.6-1+deb12u1", "golden frames", "--golden-driver", "25.0.7"] {
+        assert!(outcome.said.contains(word), "{}", outcome.said);
+    }
+    assert!(!system.root().join(SOURCES).exists());
+    // Where it does not render, it is not spoken of.
+    let other = system.run_with("VK_DRIVER_FILES", &system.root().join(MANIFEST).display().to_string());
+    assert_eq!((other.ran.len(), other.said.as_str()), (0, ""));
     system.file("dev/dri/renderD128", "");
-    assert!(system.run().ran.is_empty());
+    let gpu = system.run();
+    assert_eq!((gpu.ran.len(), gpu.said.as_str()), (0, ""));
+}
+
+#[test]
+fn an_old_driver_is_replaced_where_that_is_asked_for() {
+    let system = System::complete(BOOKWORM);
+    system.command("dpkg-query", "printf 22.3.6-1+deb12u1");
+    let outcome = system.run_as(&["--golden-driver"], None);
+    let mesa = "-t bookworm-backports mesa-vulkan-drivers=25.0.7-2~bpo12+1";
+    assert_eq!(outcome.ran, [UPDATE, &install(mesa)]);
+    let replaced = "replaces mesa-vulkan-drivers 22.3.6-1+deb12u1 by 25.0.7-2~bpo12+1";
+    assert!(outcome.said.contains(replaced), "{}", outcome.said);
+
+    for (release, version) in [(BOOKWORM, "25.0.7-2~bpo12+1"), (TRIXIE, "25.0.7-2"), (NOBLE, "24.0.5")] {
+        let system = System::complete(release);
+        system.command("dpkg-query", &format!("printf {version}"));
+        let outcome = system.run_as(&["--golden-driver"], None);
+        assert_eq!((outcome.code, outcome.ran.len()), (0, 0), "{}", outcome.said);
+        assert_eq!(outcome.said.contains("bookworm alone"), release != BOOKWORM, "{}", outcome.said);
+    }
+}
+
+#[test]
+fn what_changes_is_said_before_it_is_changed() {
+    let system = System::fresh(BOOKWORM);
+    system
+        .apt("Inst libdrm2 [2.4.114-1+b1] (2.4.123-1~bpo12+1 Debian:12 [amd64])\nInst libgbm1 (25.0 Debian)");
+    let outcome = system.run();
+    let changed = outcome.said.find("changed").unwrap();
+    for said in [
+        &format!("adds the apt source {}", system.root().join(SOURCES).display()),
+        &format!("installs {ALL}"),
+        "installs mesa-vulkan-drivers 25.0.7-2~bpo12+1 of bookworm-backports",
+    ] {
+        let at = outcome.said.find(said).unwrap_or_else(|| panic!("{said:?} in {}", outcome.said));
+        assert!(at < changed, "{}", outcome.said);
+    }
+    // What apt replaces for it is known once apt knows its packages.
+    let replaces = "replaces libdrm2 2.4.114-1+b1 by 2.4.123-1~bpo12+1";
+    let at = outcome.said.find(replaces).unwrap_or_else(|| panic!("{replaces:?} in {}", outcome.said));
+    let before = &outcome.said[..at];
+    assert_eq!(before.matches("changed").count(), 1, "the update alone comes before: {}", outcome.said);
+    assert!(!outcome.said.contains("replaces libgbm1"), "{}", outcome.said);
+    assert!(!outcome.said.contains("sudo"), "root needs none: {}", outcome.said);
+}
+
+#[test]
+fn an_argument_that_it_does_not_know_is_refused() {
+    let outcome = System::fresh(BOOKWORM).run_as(&["--golden"], None);
+    assert_eq!((outcome.code, outcome.ran.len()), (2, 0));
+    assert!(
+        outcome.said.contains("--golden-driver") && outcome.said.contains("found --golden"),
+        "{}",
+        outcome.said
+    );
 }
 
 #[test]
@@ -265,6 +341,8 @@ fn users_need_sudo() {
     let outcome = system.run();
     assert_eq!(outcome.code, 0, "{}", outcome.said);
     assert_eq!(outcome.ran[0], format!("sudo env DEBIAN_FRONTEND=noninteractive {UPDATE}"));
+    let (said, changed) = (outcome.said.find("by sudo, which may ask"), outcome.said.find("changed"));
+    assert!(said.is_some() && said < changed, "{}", outcome.said);
 }
 
 #[test]

@@ -27,14 +27,14 @@ fn tries(cause: Cause) -> u64 {
 pub struct Answer<const N: usize> {
     /// Objects, bits, whatever is right or wrong.
     pub labels: [u32; 2],
-    /// Whatever is more or less right.
+    /// Values that are compared with a tolerance.
     pub values: [f64; N],
     /// How far off each of the values may be.
     pub tolerances: [f64; N],
 }
 
 impl Answer<3> {
-    /// Radiance.
+    /// An item of three channels of linear radiance.
     #[must_use]
     pub fn radiance(color: DVec3) -> Self {
         let tolerance = RADIANCE * color.abs().max_element().max(DIM);
@@ -76,7 +76,7 @@ fn surrounded<const N: usize>(
     })
 }
 
-/// What became of one comparison.
+/// The result of one comparison.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
     /// Within the tolerance, by this part of it.
@@ -85,7 +85,7 @@ pub enum Outcome {
     Sensitive,
     /// It lies between displaced answers, and the exact one is another.
     Tie(Cause),
-    /// Nothing explains it.
+    /// The difference has no explanation; the text describes it.
     Wrong(String),
 }
 
@@ -109,23 +109,23 @@ pub fn judge<const N: usize>(found: &Answer<N>, reference: impl Fn(&mut Rounding
     ))
 }
 
-/// The count of many comparisons.
+/// The outcomes of many comparisons, counted.
 #[derive(Debug, Default)]
 pub struct Tally {
-    /// Within the tolerance.
+    /// Comparisons within the tolerance.
     pub same: usize,
-    /// A little farther off.
+    /// Comparisons beyond the tolerance that small changes of the input explain.
     pub sensitive: usize,
-    /// Decided in another way, by cause.
+    /// Comparisons that a tie decided otherwise, by cause.
     pub ties: BTreeMap<Cause, usize>,
-    /// One line each.
+    /// A description of each unexplained difference.
     pub wrong: Vec<String>,
     /// The largest difference of those that are the same, in units of the tolerance.
     pub worst: f64,
 }
 
 impl Tally {
-    /// Judges every item, on all cores.
+    /// Judges all items on all processor cores.
     pub fn of<T: Sync>(items: &[T], judge: impl Fn(&T) -> Outcome + Sync) -> Self {
         let workers = thread::available_parallelism().map_or(2, NonZero::get);
         let mut tally = Self::default();

@@ -1,4 +1,4 @@
-//! Small scenes in a few lines.
+//! A builder of small test scenes.
 
 use glam::{Vec2, Vec3, vec3};
 use glimpse::{
@@ -8,11 +8,11 @@ use glimpse::{
     },
 };
 
-/// A scene being built.
+/// A test scene under construction.
 pub struct Builder(Scene);
 
 impl Builder {
-    /// Nothing, in the dark.
+    /// An empty scene without light.
     #[must_use]
     #[allow(clippy::new_without_default, reason = "a builder is begun, not defaulted")]
     pub fn new() -> Self {
@@ -46,18 +46,18 @@ impl Builder {
         }
     }
 
-    /// An analytic sphere.
+    /// Adds an analytic sphere.
     pub fn sphere(&mut self, object: u32, center: Vec3, radius: f32) {
         self.0.spheres.push(Sphere { center, radius, object });
     }
 
-    /// A point light without limit.
+    /// Adds a point light of unlimited range.
     pub fn point_light(&mut self, position: Vec3, intensity: Vec3) {
         let kind = LightKind::Point { position, range: f32::INFINITY, falloff: true };
         self.light(Light { kind, intensity, radius: 0.0 });
     }
 
-    /// Any light.
+    /// Adds a light.
     pub fn light(&mut self, light: Light) {
         self.0.lights.push(light);
     }
@@ -69,24 +69,24 @@ impl Builder {
         self.texture(Texture { image, wrap: [Wrap::Repeat; 2], nearest: false })
     }
 
-    /// An image; its index.
+    /// Adds an image and returns its index.
     pub fn image(&mut self, image: Image8) -> u32 {
         self.0.images.push(image);
         self.0.images.len() as u32 - 1
     }
 
-    /// A way to read an image; its index.
+    /// Adds a texture and returns its index.
     pub fn texture(&mut self, texture: Texture) -> u32 {
         self.0.textures.push(texture);
         self.0.textures.len() as u32 - 1
     }
 
-    /// What is around it.
+    /// Sets the radiance of the background and of ambient light.
     pub fn environment(&mut self, background: Vec3, ambient: Vec3) {
         self.0.environment = Environment { background, ambient, truncated: ambient };
     }
 
-    /// The scene, seen by this camera.
+    /// Finishes the scene with this camera.
     #[must_use]
     pub fn seen_by(mut self, camera: Camera) -> Scene {
         if self.0.materials.iter().all(|m| m.textures().next().is_none()) {
@@ -125,7 +125,7 @@ pub fn mirror(color: Vec3) -> Material {
     Material { base_color: color, metallic: 1.0, roughness: 0.0, ..Material::default() }
 }
 
-/// Perfectly clear glass.
+/// Clear glass of this index of refraction.
 #[must_use]
 pub fn glass(ior: f32) -> Material {
     Material { roughness: 0.0, transmission: 1.0, ior, casts_shadow: false, ..Material::default() }

@@ -7,30 +7,30 @@ use glimpse::DisplayImage;
 use image::Rgba;
 use serde::{Deserialize, Serialize};
 
-/// The side of a tile.
+/// Side of a tile in pixels.
 pub const TILE: u32 = 8;
 
-/// What a picture may differ by.
+/// The bounds within which a picture counts as equal to its golden.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Tolerance {
     /// A pixel fails where a channel is off by more than this, in 1/255.
     pub threshold: u8,
-    /// So many pixels may fail.
+    /// The most pixels that may differ by more than the threshold.
     pub max_failed_pixels: usize,
     /// The largest root mean square error of an 8x8 tile, in 1/255.
     pub worst_tile_rmse: f64,
 }
 
-/// What a picture differs by.
+/// The measured difference of two pictures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
-    /// Pixels beyond the threshold.
+    /// Number of pixels that differ by more than the threshold.
     pub failed_pixels: usize,
     /// The largest difference of a channel.
     pub largest: u8,
     /// The root mean square error of the worst tile.
     pub worst_tile_rmse: f64,
-    /// The top left pixel of that tile.
+    /// Position of that tile's top left pixel.
     pub worst_tile_at: [u32; 2],
     /// How many pixels would fail at other thresholds.
     pub sweep: [(u8, usize); 6],

@@ -224,7 +224,7 @@ fn cuboid(b: &mut Builder, object: u32, low: Vec3, high: Vec3) {
     }
 }
 
-/// Matte things in parallel rays.
+/// Matte objects under an orthographic camera.
 ///
 /// # Panics
 /// Never.

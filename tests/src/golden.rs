@@ -22,31 +22,31 @@ pub const COMMAND: &str = "GLIMPSE_UPDATE_GOLDEN=1 cargo test --release -p glimp
 /// leaves room for another processor's rounding. A wrong pixel still shows in the worst tile.
 pub const TOLERANCE: Tolerance = Tolerance { threshold: 2, max_failed_pixels: 4, worst_tile_rmse: 0.5 };
 
-/// What stands in `NAME.toml`.
+/// The contents of `NAME.toml`: how a golden was made and what may differ.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Origin {
-    /// The adapter that made it.
+    /// Name of the adapter that rendered the golden.
     pub adapter: String,
-    /// Its driver with version.
+    /// The adapter's driver with its version.
     pub driver: String,
-    /// The command that made it.
+    /// The command that renders the golden again.
     pub command: String,
-    /// What a frame may differ by.
+    /// The bounds of a comparison.
     pub tolerance: Tolerance,
 }
 
 /// Where goldens are and what to do with them.
 pub struct Goldens {
-    /// The folder of the goldens.
+    /// The folder that holds the goldens.
     pub folder: PathBuf,
     /// Where the pictures of a failure go.
     pub failures: PathBuf,
-    /// Write instead of compare.
+    /// Write goldens instead of comparing with them.
     pub update: bool,
-    /// The adapter's name.
+    /// Name of the present adapter.
     pub adapter: String,
-    /// Its driver with version.
+    /// The adapter's driver with its version.
     pub driver: String,
 }
 
@@ -63,7 +63,7 @@ impl Goldens {
         }
     }
 
-    /// Compares a frame with its golden.
+    /// Compares a frame with the golden of this name.
     ///
     /// # Errors
     /// Where it differs, where there is no golden, and where one was written.

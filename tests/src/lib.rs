@@ -62,7 +62,7 @@ impl Drop for Lent {
 
 /// A scene on the device with the camera to look through.
 pub struct Stage {
-    /// The uploaded scene.
+    /// The scene on the device.
     pub scene: GpuScene,
     /// Its first camera, unless set otherwise.
     pub camera: Camera,
@@ -79,7 +79,7 @@ impl Stage {
         Self { scene: GpuScene::upload(gpu(), scene).expect("the scene fits the device"), camera }
     }
 
-    /// A built-in scene.
+    /// A harness for a built-in scene.
     ///
     /// # Panics
     /// Where there is no such scene.
@@ -88,7 +88,7 @@ impl Stage {
         Self::new(glimpse::scene::builtin(name).unwrap_or_else(|| panic!("builtin:{name} is missing")))
     }
 
-    /// A frame as it is computed.
+    /// Renders a frame and returns its linear radiance.
     ///
     /// # Panics
     /// Where the renderer fails.
@@ -185,7 +185,7 @@ pub fn shared_scene(name: &str) -> Option<Scene> {
     Some(scene.unwrap_or_else(|error| panic!("{name}: {error}")))
 }
 
-/// The workspace's folder.
+/// The root folder of the workspace.
 #[must_use]
 pub fn workspace() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."))

@@ -5,10 +5,10 @@
 
 use glam::{DVec3, dvec3};
 
-/// Pixels a side.
+/// Side of the square frame in pixels.
 pub const SIZE: u32 = 32;
 
-/// Levels of rays.
+/// Number of ray levels.
 pub const LEVELS: u32 = 3;
 
 /// Radiance from everywhere; also what a ray meets that meets nothing.
@@ -17,7 +17,7 @@ pub const AMBIENT: DVec3 = DVec3::splat(0.02);
 const NEAREST: f64 = 1e-7;
 const HALF_FOV_DEGREES: f64 = 12.5;
 
-/// One of the five.
+/// One of the five spheres of minray.
 struct Sphere {
     center: DVec3,
     color: DVec3,
@@ -38,10 +38,10 @@ const SPHERES: [Sphere; 5] = [
     Sphere { center: dvec3(-3.0, -3.0, 12.0), color: dvec3(0.8, 1.0, 1.0), radius: 5.0, diffuse: 0.0,  mirror: 0.0, transparent: 0.0,  luminous: 0.5,  index: 1.5 },
 ];
 
-/// What a pixel is, and why.
+/// A pixel's radiance and the sequence of surfaces that led to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pixel {
-    /// Linear RGB.
+    /// Linear RGB radiance.
     pub radiance: DVec3,
     /// The sphere that the primary ray meets.
     pub object: Option<usize>,
@@ -143,7 +143,7 @@ fn trace(origin: DVec3, direction: DVec3, level: u32, trail: &mut u64) -> DVec3 
     radiance
 }
 
-/// FNV-1a, a word at a time.
+/// Mixes a word into an FNV-1a hash.
 fn remember(trail: &mut u64, what: u64) {
     *trail = (*trail ^ (what + 1)).wrapping_mul(0x0000_0100_0000_01b3);
 }

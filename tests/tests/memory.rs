@@ -13,7 +13,7 @@ static ALLOCATOR: PeakAlloc = PeakAlloc;
 struct Case {
     name: &'static str,
     file: Vec<u8>,
-    /// What its one URI names.
+    /// The content of the one external file.
     external: Vec<u8>,
     triangles_and_objects: usize,
     texels: usize,
@@ -195,7 +195,7 @@ fn greed() -> Vec<Case> {
     ]
 }
 
-/// Files that are what they say.
+/// Well-formed files, with the memory that each may take.
 fn honest() -> Vec<Case> {
     const SIDE: u32 = 200;
     let corner = |i: u32| [(i % SIDE) as f32, (i / SIDE) as f32, 0.0];

@@ -42,7 +42,7 @@ pub fn limit(tree: &mut Bvh2) -> u32 {
 
 #[derive(Clone, Copy, Default)]
 struct Subtree {
-    /// Nodes on the longest path down.
+    /// Nodes on the longest path from the root to a leaf.
     height: u32,
     leaves: u32,
 }

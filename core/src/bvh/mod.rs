@@ -5,7 +5,7 @@
 //!                         +-- depth: no path is longer than DEPTH_LIMIT, before each step
 //! ```
 //!
-//! What is proven of it, whatever the input: every decoded box holds what is inside in exact arithmetic
+//! Guarantees for every input: each decoded box holds its content in exact arithmetic
 //! ([`quantise`]), no path is longer than [`depth::DEPTH_LIMIT`], and the traversal's stack is as large as it can get.
 
 mod cluster;
@@ -27,7 +27,7 @@ use crate::scene::{Scene, Sphere};
 /// Nodes, and the primitives in the order of their leaves. Primitives below the number of triangles are
 /// triangles, the others spheres.
 pub struct Bvh {
-    /// 80 bytes each.
+    /// Compressed eight-wide nodes of 80 bytes (Ylitie 2017, section 3).
     pub nodes: Vec<CwBvhNode>,
     /// Primitive `order[i]` of the scene stands at place `i`.
     pub order: Vec<u32>,
@@ -65,10 +65,10 @@ impl Bvh {
     }
 }
 
-/// The most that a node can encode.
+/// The most primitives of a leaf that the node format encodes.
 const PRIMITIVES_PER_LEAF: u32 = 3;
 
-/// A rounding outwards.
+/// The bounding box of a sphere, rounded outwards.
 fn sphere_bounds(sphere: &Sphere) -> Aabb {
     let center = Vec3A::from(sphere.center);
     Aabb {

@@ -75,13 +75,13 @@ fn without_denormals(x: f32) -> f32 {
     }
 }
 
-/// `a - b`, never more than it is.
+/// `a - b` in f64, rounded towards minus infinity.
 pub fn downwards(a: f32, b: f32) -> f64 {
     let (difference, error) = difference(a, b);
     if error < 0.0 { difference.next_down() } else { difference }
 }
 
-/// `a - b`, never less than it is.
+/// `a - b` in f64, rounded towards plus infinity.
 pub fn upwards(a: f32, b: f32) -> f64 {
     let (difference, error) = difference(a, b);
     if error > 0.0 { difference.next_up() } else { difference }

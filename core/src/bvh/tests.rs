@@ -1,4 +1,4 @@
-//! Hostile boxes.
+//! Tests of the tree with degenerate, huge and identical boxes.
 
 use glam::{Vec3A, vec3a};
 use obvhs::{aabb::Aabb, bvh2::Bvh2};

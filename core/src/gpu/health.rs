@@ -1,21 +1,21 @@
-//! What befalls a device outside of any call's own result.
+//! Device loss and errors that wgpu reports outside of the call that caused them.
 
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::Gpu;
 use crate::{Error, Result};
 
-/// What the device has reported so far.
+/// Reports of the device so far.
 #[derive(Default)]
 pub(super) struct Health {
-    /// Why the device was lost.
+    /// The reason of the loss, once the device is lost.
     pub lost: OnceLock<String>,
     /// The first error that no scope caught.
     uncaught: Mutex<Option<wgpu::Error>>,
 }
 
 impl Health {
-    /// Listens to a device.
+    /// Registers callbacks for loss and uncaptured errors of the device.
     pub fn watch(device: &wgpu::Device) -> Arc<Self> {
         let health = Arc::new(Self::default());
         let sink = Arc::clone(&health);

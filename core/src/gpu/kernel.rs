@@ -17,7 +17,7 @@ use crate::{Error, Result};
 pub struct Kernels(HashMap<Vec<Source>, Arc<Kernel>>);
 
 impl Kernels {
-    /// How many there are.
+    /// Number of compiled kernels.
     pub fn count(&self) -> usize {
         self.0.len()
     }
@@ -45,7 +45,7 @@ pub struct Kernel {
 }
 
 impl Kernel {
-    /// Links, validates and compiles.
+    /// Links the sources, validates the module and creates the compute pipeline.
     ///
     /// # Errors
     /// [`Error::Shader`] where it does not compile, here or in the driver; a device that failed.
@@ -135,7 +135,7 @@ pub struct Bound {
 }
 
 impl Bound {
-    /// Dispatches that many workgroups.
+    /// Dispatches `x * y` workgroups.
     pub fn dispatch(&self, pass: &mut wgpu::ComputePass<'_>, [x, y]: [u32; 2]) {
         self.set(pass);
         pass.dispatch_workgroups(x, y, 1);

@@ -1,4 +1,4 @@
-//! A trap of lavapipe's.
+//! Checks for settings of lavapipe that mix up compiled kernels in Mesa's shader cache.
 
 use crate::{Error, Result};
 

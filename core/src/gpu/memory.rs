@@ -42,7 +42,7 @@ impl Gpu {
         self.filled(label, bytemuck::cast_slice(content), wgpu::BufferUsages::STORAGE)
     }
 
-    /// A buffer with this content.
+    /// Creates a buffer with this content.
     pub(crate) fn filled(
         &self,
         label: &str,

@@ -1,10 +1,10 @@
 //! Rust structs that the shaders read: declared once here and compared with the WGSL by a test.
 
-/// One field of a mirrored struct.
+/// A field of a struct that Rust and WGSL declare alike.
 #[cfg(test)]
 #[derive(Clone, Copy, Debug)]
 pub struct Field {
-    /// The name on both sides.
+    /// The field's name in Rust and WGSL.
     pub name: &'static str,
     /// Bytes from the start of the struct.
     pub offset: usize,
@@ -14,11 +14,11 @@ pub struct Field {
 #[cfg(test)]
 #[derive(Clone, Copy, Debug)]
 pub struct Mirror {
-    /// The name on both sides.
+    /// The struct's name in Rust and WGSL.
     pub name: &'static str,
-    /// Bytes.
+    /// Size in bytes.
     pub size: usize,
-    /// In order.
+    /// The fields in order of declaration.
     pub fields: &'static [Field],
 }
 

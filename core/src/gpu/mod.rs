@@ -30,12 +30,12 @@ use crate::{Error, Result};
 /// slowest frame that is still useful (a software driver, 16384x16384) takes a few minutes.
 pub const PATIENCE: Duration = Duration::from_secs(600);
 
-/// What is known of an adapter.
+/// What an adapter reports of itself.
 #[derive(Clone, Debug)]
 pub struct AdapterFacts {
     /// Name, backend, driver, as wgpu reports them.
     pub info: wgpu::AdapterInfo,
-    /// What the adapter offers.
+    /// The limits that the adapter supports.
     pub limits: wgpu::Limits,
     /// Whether frames are timed on the GPU.
     pub timestamps: bool,
@@ -65,9 +65,9 @@ pub struct Gpu {
     /// Held from a submission until its result has been copied: whoever polls a lost device frees its buffers, those
     /// that another thread has mapped included.
     turn: Mutex<()>,
-    /// What drivers compiled before.
+    /// Pipelines that the driver compiled in earlier runs.
     compiled: Option<wgpu::PipelineCache>,
-    /// It is a CPU and gets kernels that are made for one.
+    /// Whether the device is a CPU, for which other kernels are linked.
     pub(crate) on_cpu: bool,
 }
 
@@ -177,14 +177,14 @@ impl Gpu {
         self.health.lost.get().map(String::as_str)
     }
 
-    /// All adapters.
+    /// Lists all adapters of the machine.
     #[must_use]
     pub fn adapters() -> Vec<AdapterFacts> {
         let adapters = pollster::block_on(instance().enumerate_adapters(wgpu::Backends::all()));
         adapters.iter().map(AdapterFacts::of).collect()
     }
 
-    /// This device's adapter.
+    /// What the adapter of this device reports.
     #[must_use]
     pub fn facts(&self) -> &AdapterFacts {
         &self.facts

@@ -1,10 +1,10 @@
-//! What drivers have compiled, to be kept from one run to the next.
+//! The driver's pipeline cache, kept from one run to the next.
 
 use super::Gpu;
 
 impl Gpu {
-    /// Compiles with what [`Gpu::compiled`] gave in an earlier run, if anything: kernels that are in it need no compiler. Of
-    /// another driver or version, or where the driver keeps nothing, it counts as nothing.
+    /// Uses the pipeline cache that [`Gpu::compiled`] returned in an earlier run: kernels in it are not compiled again. A
+    /// cache of another driver or version is ignored, as is any where the driver has none.
     ///
     /// # Safety
     /// `before` came from [`Gpu::compiled`], unchanged: drivers trust it.
@@ -20,7 +20,7 @@ impl Gpu {
         self
     }
 
-    /// What the driver has compiled so far, where it lends that and [`Gpu::with_compiled`] asked for it.
+    /// The driver's pipeline cache so far, where it has one and [`Gpu::with_compiled`] asked for it.
     #[must_use]
     pub fn compiled(&self) -> Option<Vec<u8>> {
         self.compiled.as_ref()?.get_data()

@@ -15,9 +15,9 @@ use wgpu::naga::{
 /// One WGSL file, or a generated piece.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Source {
-    /// For messages.
+    /// Path of the file below `core/src`, for error messages.
     pub file: &'static str,
-    /// WGSL.
+    /// WGSL source code.
     pub text: Cow<'static, str>,
 }
 
@@ -27,46 +27,46 @@ pub enum ShaderError {
     /// The compiler's message at its place in the file.
     #[error("{file}:{line}:{column}: {message}")]
     Invalid {
-        /// WGSL file.
+        /// The WGSL file.
         file: &'static str,
-        /// From 1.
+        /// Line, counted from 1.
         line: usize,
-        /// From 1.
+        /// Column, counted from 1.
         column: usize,
-        /// The compiler's words.
+        /// The message of the WGSL compiler.
         message: String,
     },
     /// The device or its driver does not take a module that is valid WGSL.
     #[error("kernel `{kernel}` does not compile on `{adapter}`: {message}")]
     Refused {
-        /// The kernel's label.
+        /// Label of the kernel.
         kernel: String,
-        /// The adapter's name.
+        /// Name of the adapter.
         adapter: String,
-        /// The driver's words.
+        /// The driver's message.
         message: String,
     },
     /// The resources given are not those that the shader uses.
     #[error("kernel `{kernel}`: bound {given:?}, the shader uses {used:?}")]
     Bindings {
-        /// The kernel's label.
+        /// Label of the kernel.
         kernel: String,
-        /// Names given, sorted.
+        /// Names of the resources that were bound, sorted.
         given: Vec<String>,
-        /// Names used, sorted.
+        /// Names of the resources that the kernel uses, sorted.
         used: Vec<String>,
     },
 }
 
-/// A linked and validated module.
+/// A module of several WGSL files, validated.
 pub struct Linked {
-    /// Resources are numbered in group 0.
+    /// The module; its resources are numbered in group 0.
     pub module: naga::Module,
-    /// The validator's findings.
+    /// What naga's validator derived, such as which resources each function uses.
     pub info: ModuleInfo,
 }
 
-/// Links the sources in order.
+/// Joins the sources in order, numbers the resources and validates the module.
 ///
 /// # Errors
 /// [`ShaderError::Invalid`] at the file, line and column of the mistake.

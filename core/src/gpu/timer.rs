@@ -1,4 +1,4 @@
-//! Timestamps around every pass.
+//! Timestamp queries around every pass of a frame.
 
 use super::Gpu;
 use crate::{FrameTime, PassTime, Result, passes::Tracing};
@@ -12,7 +12,7 @@ pub struct Timer {
 struct Queries {
     set: wgpu::QuerySet,
     resolved: wgpu::Buffer,
-    /// Nanoseconds a tick.
+    /// Nanoseconds of a tick of the timestamp counter.
     period: f32,
 }
 
@@ -45,7 +45,7 @@ impl Timer {
         Ok(Self { passes, queries })
     }
 
-    /// Begins the pass of that position.
+    /// Begins the compute pass at this position of the frame, with its timestamps.
     pub fn pass<'e>(&self, encoder: &'e mut wgpu::CommandEncoder, index: usize) -> wgpu::ComputePass<'e> {
         self.part(encoder, index, [true, true])
     }
@@ -70,7 +70,7 @@ impl Timer {
         })
     }
 
-    /// Goes after the last pass.
+    /// Resolves the queries and copies them for reading; comes after the last pass.
     pub fn resolve(&self, encoder: &mut wgpu::CommandEncoder) {
         if let Some(queries) = &self.queries {
             encoder.resolve_query_set(&queries.set, 0..2 * self.passes.len() as u32, &queries.resolved, 0);

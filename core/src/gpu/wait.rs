@@ -1,4 +1,4 @@
-//! Submissions, the wait for them, and what comes back.
+//! Submissions, the wait for them, and readback.
 
 use std::{
     panic::{AssertUnwindSafe, catch_unwind, resume_unwind},
@@ -8,7 +8,7 @@ use std::{
 use super::{Gpu, memory::padded_row};
 use crate::{Error, Result};
 
-/// A submission of another thread makes wgpu give a configuration up: it is tried so often.
+/// Attempts to configure a surface: a concurrent submission of another thread makes wgpu abandon one.
 const CONFIGURATIONS: usize = 100;
 
 impl Gpu {

@@ -1,4 +1,4 @@
-//! What kernels read at any place.
+//! Storage of data that kernels read at random: buffers on GPUs, images on CPUs.
 
 use super::Gpu;
 use crate::Result;
@@ -8,11 +8,11 @@ pub const TEXEL_ROW: u32 = 4096;
 
 const TEXEL_BYTES: u32 = 16;
 
-/// Words in a buffer or in an image.
+/// 32-bit words in a storage buffer or an image.
 pub enum Words {
     /// A storage buffer.
     Buffer(wgpu::Buffer),
-    /// Four words a texel, row by row.
+    /// An RGBA32Uint image: four words a texel, row by row.
     Texels(wgpu::Texture, wgpu::TextureView),
 }
 

@@ -8,10 +8,10 @@ use crate::{DisplayImage, Result};
 /// The viewing condition: a 0.7 m wide 4K screen seen from 0.7 m, FLIP's default.
 pub const PIXELS_PER_DEGREE: f32 = nv_flip::DEFAULT_PIXELS_PER_DEGREE;
 
-/// What the error map holds; every pixel's error lies in 0 to 1.
+/// Statistics of the error map; every pixel's error lies in 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flip {
-    /// Over all pixels.
+    /// Mean over all pixels, 0 to 1.
     pub mean: f64,
     /// The least error that 99 % of the pixels do not exceed.
     pub p99: f64,

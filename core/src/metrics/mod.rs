@@ -35,7 +35,7 @@ pub struct ErrorReport {
     pub flip_p99: Option<f64>,
     /// RMSE of the worst tile of [`TILE`] x [`TILE`] pixels: a mean over the frame hides a small wrong place.
     pub worst_tile_rmse: f64,
-    /// Top left pixel of that tile.
+    /// Position of that tile's top left pixel.
     pub worst_tile: [u32; 2],
     /// RMSE of linear radiance, where both images have it.
     #[serde(skip_serializing_if = "Option::is_none")]

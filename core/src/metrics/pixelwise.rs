@@ -6,10 +6,10 @@ use crate::{DisplayImage, Error, LinearImage, Result};
 /// The side of a tile of [`worst_tile`], in pixels.
 pub const TILE: u32 = 8;
 
-/// A tile of the frame and its error.
+/// A tile of 8x8 pixels and its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tile {
-    /// Top left pixel.
+    /// Position of its top left pixel.
     pub position: [u32; 2],
     /// As [`rmse`], over the tile's pixels that lie inside the frame.
     pub rmse: f64,

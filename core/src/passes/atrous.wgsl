@@ -4,7 +4,7 @@
 fn atrous_side(index: i32) -> vec2i {
     let turn = vec2i(index & 1, index >> 1u) * 2 - 1;
     let beside = select(vec2i(0, turn.x), vec2i(turn.x, 0), turn.y < 0);
-    // Steps of 1 and 4.
+    // The pattern turns by 45 degrees from level to level: diagonal for steps of 1 and 4.
     return select(turn, beside, (frame.step.x & 5) != 0);
 }
 

@@ -18,7 +18,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     let cells = cell_filled(differing);
     var sum = refine_load(pixel, REFINE_SUM);
     for (var i = REFINE_STEP; i < REFINE_MOST; i += 1u) {
-        // A cell without a sample is as its quarter.
+        // A stratum without a sample takes the colour of its subpixel's sample.
         if (cells & (1u << i)) == 0u {
             sum += refine_load(pixel, refine_in_quarter(cell_quarter(order_cell(i))));
         }

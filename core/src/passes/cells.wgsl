@@ -22,7 +22,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     inspect_refined(its.pixel, REFINE_FIRST | cells, refine_round(its.pixel));
 }
 
-// The n-th bit that is set, from the lowest on.
+// Index of the n-th set bit, counted from the lowest.
 fn cells_nth(cells: u32, n: u32) -> u32 {
     var left = cells;
     for (var i = 0u; i < n; i += 1u) {

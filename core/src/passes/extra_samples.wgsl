@@ -55,7 +55,7 @@ fn extra_pixel(master: u32, index: u32, local: u32) -> vec3f {
     return center + difference / 16.0 + inactive_correction(pixel, mask);
 }
 
-// All sixteen samples, in their order.
+// The sum of all sixteen samples of a pixel, in their order.
 fn extra_sum(local: u32) -> vec3f {
     var sum = vec3f(0.0);
     for (var i = 0u; i < 16u; i += 4u) {

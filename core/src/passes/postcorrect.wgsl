@@ -3,7 +3,7 @@
 // for the next round. Which pixels are traced does not depend on the order: comparisons are between a traced pixel and
 // what was interpolated, and neither changes any more.
 
-// An entry of the list that is no pixel.
+// Marks an entry of the list that holds no pixel.
 const NOWHERE: u32 = 0xffffffffu;
 
 @compute @workgroup_size(TRACE_GROUP)

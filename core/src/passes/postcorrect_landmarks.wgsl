@@ -1,7 +1,7 @@
 // Step-IV, beyond the paper: small things may lie between the samples as a whole, and no traced pixel has them for a
 // neighbour. Where a point that is known of one would be seen, it is looked for.
 
-// Points in world space.
+// Points on thin objects, in world space.
 var<storage, read> landmarks: array<f32>;
 
 @compute @workgroup_size(TRACE_GROUP)

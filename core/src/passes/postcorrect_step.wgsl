@@ -1,9 +1,9 @@
 // What both parts of the postcorrection share: a traced pixel and its four neighbours.
 
-// What no pixel has.
+// An identity that no pixel has.
 const NO_IDENTITY: vec2u = vec2u(0xffffffffu);
 
-// Nothing beyond the band is looked at.
+// Claims a neighbour inside the band whose identity differs, so that one thread alone traces it.
 fn postcorrect_claim(pixel: vec2u, unlike: vec2u) -> bool {
     let inside = pixel.x < frame.size.x && pixel.y >= frame.row && pixel.y < frame.end;
     if !inside || !attributes_claim(pixel, unlike) {

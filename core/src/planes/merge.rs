@@ -18,12 +18,12 @@ pub struct Merge {
     tally: Arc<Tally>,
 }
 
-/// The owner's end of a worker.
+/// The owner's end of the channel to a worker thread.
 struct Core {
-    /// None once no more is wanted.
+    /// Sends views to trace; `None` once the worker is told to end.
     orders: Option<Sender<Arc<Order>>>,
     deliveries: Receiver<Delivery>,
-    /// Merged of the present view.
+    /// Number of samples of the present view that were merged into the frame.
     samples: u32,
 }
 
@@ -99,7 +99,7 @@ impl Merge {
         self.cores.iter().map(|core| core.samples).collect()
     }
 
-    /// Of all samples that were begun.
+    /// How many samples were begun, finished and dropped so far.
     #[must_use]
     pub fn fates(&self) -> Fates {
         Fates {

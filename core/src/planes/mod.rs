@@ -40,12 +40,12 @@ use crate::{Camera, Denoise, Paths, Settings};
 /// The number of the first sample of the cores. No GPU comes so far: at 100 frames a second it takes 248 days.
 pub const FIRST_SAMPLE: u32 = 1 << 31;
 
-/// What planes are of. Those of different views are never added.
+/// A camera, a picture size and the settings that path samples depend on. Samples of different views are never added.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     camera: Camera,
     size: [u32; 2],
-    /// The usual ones but for what paths heed.
+    /// Default settings except for those that paths depend on.
     settings: Settings,
 }
 
@@ -60,12 +60,12 @@ impl View {
     }
 }
 
-/// The sum of samples of every pixel.
+/// The sum of several samples of each pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plane {
-    /// How many of each.
+    /// Number of samples of each pixel.
     pub samples: u32,
-    /// Linear radiances, row by row.
+    /// Sums of linear RGB radiance, row by row from the top left.
     pub rgb: Vec<f32>,
 }
 
@@ -76,26 +76,26 @@ impl Plane {
     }
 }
 
-/// What has become of the samples that cores began, of all views. A sample that is none of the others is on its way.
+/// Numbers of samples by their state, over all views. The rest of those begun are still being traced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Fates {
-    /// Begun.
+    /// Samples that were begun.
     pub begun: u64,
-    /// Handed to the renderer, or ready to be.
+    /// Samples that were handed to the renderer or are ready to be.
     pub merged: u64,
-    /// Of a view that was left, or unfinished when the work ended.
+    /// Samples of a view that was left, or that were unfinished when the work ended.
     pub given_up: u64,
 }
 
 /// The work on one view: an order is followed until there is another.
 struct Order {
     view: View,
-    /// The number of the next sample.
+    /// The number of the next sample of the sequence.
     next: AtomicU32,
     tally: Arc<Tally>,
 }
 
-/// Counted where it happens.
+/// Counts samples by what became of them.
 #[derive(Default)]
 struct Tally {
     begun: AtomicU64,

@@ -8,7 +8,7 @@ use crate::{
     targets::Targets,
 };
 
-/// Side of the tile of a workgroup.
+/// Side of a workgroup's tile in pixels.
 const TILE: u32 = 16;
 
 /// Runs between frames. It reads and writes two buffers of a frame once, neither larger than a binding: on a phone 128 MiB

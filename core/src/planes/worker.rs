@@ -20,7 +20,7 @@ pub struct Worker {
     finished: Option<Plane>,
 }
 
-/// A sample of the rows above `row`.
+/// A sample of which the rows above `row` are traced.
 struct Begun {
     sample: u32,
     row: u32,

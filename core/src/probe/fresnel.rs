@@ -18,24 +18,24 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// What becomes of it.
+    /// Reflectance and refracted direction as the shader computes them.
     pub struct ProbeFresnel {
         /// Share that is reflected, of unpolarised light.
         reflectance: f32,
         /// Cosine on the other side, 0 where everything is reflected.
         transmitted: f32,
-        /// 1 where everything is reflected.
+        /// 1 at total internal reflection, else 0.
         total: u32,
-        /// Nothing.
+        /// Padding to the alignment of vec3.
         padding0: u32,
         /// Unit direction on the other side for the normal +z and a ray towards +x; zero where everything is reflected.
         refracted: [f32; 3],
-        /// Nothing.
+        /// Padding to the alignment of vec3.
         padding1: u32,
     }
 }
 
-/// What the shaders compute for each boundary.
+/// Runs the shaders' Fresnel equations for each boundary.
 ///
 /// # Errors
 /// A device that failed or cannot hold the boundaries.

@@ -1,4 +1,4 @@
-//! Rays of the caller's through the shaders' own functions: what tests, stress cases and measurements look through.
+//! Runs the shaders' own functions on rays of the caller, for tests, stress cases and measurements.
 
 mod fresnel;
 mod peak;
@@ -18,13 +18,13 @@ use crate::{
 };
 
 gpu_struct! {
-    /// What a ray meets.
+    /// The closest hit of a ray.
     pub struct ProbeHit {
         /// In units of the ray's direction; the ray's own end where it meets nothing.
         t: f32,
         /// In the order of the leaves; [`ProbeHit::MISS`] without a hit.
         primitive: u32,
-        /// OID, 0 without a hit.
+        /// 1 + OID, 0 without a hit.
         object: u32,
         /// Weight of the triangle's second corner.
         u: f32,
@@ -36,13 +36,13 @@ gpu_struct! {
 gpu_struct! {
     /// Where a ray arrives, and where rays that leave the surface start.
     pub struct ProbeSpawn {
-        /// World space.
+        /// Position in world space.
         position: [f32; 3],
         /// In the order of the leaves; [`ProbeHit::MISS`] without a hit, with zeros in everything else.
         primitive: u32,
         /// Unit shading normal on the viewer's side.
         normal: [f32; 3],
-        /// OID.
+        /// OID of the object.
         object: u32,
         /// Unit normal of the face on the viewer's side.
         face: [f32; 3],
@@ -50,21 +50,21 @@ gpu_struct! {
         inside: u32,
         /// Where rays to the viewer's side of the face start.
         above: [f32; 3],
-        /// In units of the ray's direction.
+        /// Ray parameter of the hit, in units of the ray's direction.
         t: f32,
         /// Where rays to the other side of the face start.
         below: [f32; 3],
-        /// Distance of both from the face.
+        /// Distance of `above` and `below` from the face, in world units.
         offset: f32,
     }
 }
 
 gpu_struct! {
-    /// What a ray sees.
+    /// The radiance of a ray and the attributes of its first hit.
     pub struct ProbeSample {
-        /// Linear radiance.
+        /// Linear RGB radiance.
         color: [f32; 3],
-        /// Parameter of the first hit.
+        /// Ray parameter of the first hit.
         depth: f32,
         /// Unit shading normal of the first hit.
         normal: [f32; 3],
@@ -74,11 +74,11 @@ gpu_struct! {
         gcol: [f32; 3],
         /// Bit i is set where light i does not reach the first hit.
         shadow: u32,
-        /// Folded into [0, 1].
+        /// Texture coordinates, wrapped into [0, 1].
         texcoord: [f32; 2],
-        /// Nothing.
+        /// Padding to the struct's alignment.
         padding0: u32,
-        /// Nothing.
+        /// Padding to the struct's alignment.
         padding1: u32,
     }
 }
@@ -88,7 +88,7 @@ impl ProbeHit {
     pub const MISS: u32 = u32::MAX;
 }
 
-/// A scene that can be asked.
+/// Runs the shaders' functions on single rays against a scene.
 pub struct Probe<'a> {
     gpu: &'a Gpu,
     scene: &'a GpuScene,
@@ -131,7 +131,7 @@ impl<'a> Probe<'a> {
         Ok(self.run("probe_spawn", &spawn_sources(&self.variant), rays, rescale)?.0)
     }
 
-    /// What rays see, with the settings' recursion limits.
+    /// Traces and shades rays, with the settings' recursion limits.
     ///
     /// # Errors
     /// Invalid settings, or a device that failed or cannot hold the rays.
@@ -213,7 +213,7 @@ pub(crate) fn dispatch<I: bytemuck::NoUninit, O: bytemuck::Pod>(
     Ok((all, ms))
 }
 
-/// The kernels' sources.
+/// The sources of the probe's tracing kernel.
 pub(crate) fn trace_sources(variant: &Variant) -> Vec<Source> {
     variant.tracing_sources([wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_trace.wgsl")])
 }

@@ -41,7 +41,7 @@ pub fn peak_gflops(gpu: &Gpu) -> Result<Option<f64>> {
     Ok((median > 0.0).then(|| operations / median * 1e-6))
 }
 
-/// The kernel's sources.
+/// The sources of the kernel.
 pub(crate) fn sources() -> Vec<Source> {
     let constants = format!("const TRACE_GROUP: u32 = {TRACE_GROUP};\nconst TURNS: u32 = {TURNS};\n");
     vec![

@@ -8,11 +8,11 @@ gpu_struct! {
     /// A ray; `direction` may have any length. A ray that is none meets nothing: a direction of zero or with a component
     /// that is not finite, an origin beyond 16 [`MAX_COORDINATE`] or not a number, an end that is not a number.
     pub struct ProbeRay {
-        /// World space.
+        /// Origin in world space.
         origin: [f32; 3],
         /// Hits at this parameter or beyond do not count.
         t_max: f32,
-        /// World space.
+        /// Direction in world space, of any length.
         direction: [f32; 3],
         /// Not 0: any hit will do (a shadow ray).
         any: u32,
@@ -20,9 +20,9 @@ gpu_struct! {
         left: u32,
         /// Width of what the ray stands for where it starts, in units of the scene.
         width: f32,
-        /// What that grows by in a unit of length.
+        /// Growth of the cone's width per unit of distance.
         growth: f32,
-        /// Nothing.
+        /// Padding to the struct's alignment.
         padding: u32,
     }
 }

@@ -13,7 +13,7 @@ const MANTISSA_BITS: i32 = 9;
 const EXPONENT_BIAS: i32 = 15;
 const MOST_RADIANCE: f64 = 65408.0;
 
-/// What similarity is judged by and what is interpolated.
+/// The attributes of a pixel that are tested for similarity and interpolated (Kim 2016, section 3.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attributes {
     /// Parameter along the pixel's ray (POS).
@@ -28,11 +28,11 @@ pub struct Attributes {
     pub shadow: u32,
     /// The part of the radiance that other rays brought (GCOL).
     pub gcol: DVec3,
-    /// Folded into [0, 1] (TCOORD).
+    /// Texture coordinates, wrapped into [0, 1] (TCOORD).
     pub texcoord: DVec2,
-    /// Vertex colour, linear.
+    /// Interpolated vertex colour, linear RGB.
     pub color: DVec3,
-    /// What the pixel covers of textures: log2 of the second moments along s and along t, and their correlation.
+    /// The pixel's footprint in textures: log2 of the second moments along s and along t, and their correlation.
     pub footprint: DVec3,
 }
 
@@ -53,7 +53,7 @@ pub(super) fn moments(footprint: DVec3) -> DVec3 {
 }
 
 impl Attributes {
-    /// Of a ray that meets nothing.
+    /// The attributes of a ray without a hit.
     #[must_use]
     pub fn miss() -> Self {
         Self {

@@ -8,11 +8,11 @@ use super::{Attributes, Cause, Limits, Material, Ray, Reference, Rounding, Surfa
 /// A ray on its way, with its place in the recursion.
 pub(super) struct Branch {
     pub ray: Ray,
-    /// The primitive that it starts on.
+    /// The primitive that the ray starts on, which it must not hit again; `None` for primary rays.
     pub left: Option<usize>,
     /// The share of the sample's radiance that it brings.
     pub weight: DVec3,
-    /// 1 for the primary ray.
+    /// Recursion level: 1 for the primary ray.
     pub level: u32,
 }
 
@@ -20,9 +20,9 @@ pub(super) struct Branch {
 #[derive(Clone, Copy)]
 pub(super) struct Leaving {
     pub direction: DVec3,
-    /// Width and growth.
+    /// Width of the ray's cone at its origin, and its growth per unit of distance.
     pub cone: (f64, f64),
-    /// Of the radiance that it finds.
+    /// Weight of the ray's radiance in the pixel, for each channel.
     pub share: DVec3,
 }
 
@@ -50,7 +50,7 @@ impl Reference {
         [Some(mirrored), through]
     }
 
-    /// What the rays that leave the surface bring to the sample, and what the heaviest of those that hit something hits.
+    /// Radiance of the mirrored and refracted rays, and the hit of the one with the greatest weight that hits anything.
     pub(super) fn bounced(
         &self,
         s: &Surface,

@@ -1,4 +1,4 @@
-//! What a sample stands for: the cone around its rays, and what that covers of textures.
+//! Ray cones: the width of a sample along its rays, and its footprint in textures.
 
 use glam::{DVec2, DVec3};
 

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-/// Of red, green and blue.
+/// Factors of the threshold for the red, green and blue contrast (Jin 2009, 4.2).
 const SCALE: [f64; 3] = [1.36, 1.02, 2.04];
 
 /// Red's, green's and blue's contrast, of colours about as they are shown; in the dark, the difference alone.
@@ -12,7 +12,7 @@ pub(super) fn contrasts(colors: impl Iterator<Item = DVec3>) -> [f64; 3] {
     [0, 1, 2].map(|i| (high[i] - low[i]) / (high[i] + low[i]).max(1.0))
 }
 
-/// A colour about as it is shown.
+/// Encodes linear radiance with gamma 2, an approximation of the display's curve.
 pub(super) fn shown(color: DVec3) -> DVec3 {
     color.clamp(DVec3::ZERO, DVec3::ONE).map(f64::sqrt)
 }

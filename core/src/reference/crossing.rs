@@ -1,4 +1,4 @@
-//! Two eyes, and samples of one that are samples of the other too (Kim & Sung 2021, equations 1 to 6).
+//! Stereo: reuse of one eye's path samples in the other eye's picture (Kim & Sung 2021, equations 1 to 6).
 
 use glam::DVec3;
 
@@ -11,22 +11,22 @@ const NEAR: f64 = 1e-3;
 /// Faces are of one plane whose normals have this cosine.
 const PLANE: f64 = 0.999_999;
 
-/// Where a sample lands in the other eye's picture.
+/// The contribution of a sample to a pixel of the other eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Landing {
-    /// In the frame.
+    /// Column and row of the pixel in the other eye's picture.
     pub pixel: [u32; 2],
-    /// What it counts for there.
+    /// Weight of the sample in that pixel, for each channel.
     pub share: DVec3,
 }
 
-/// What a path has met first, if that is a plane mirror and no more.
+/// The first surface of a path, if that is a plane mirror with no other lobe.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mirror {
     object: u32,
     point: DVec3,
     face: DVec3,
-    /// Of the light that arrives.
+    /// Weight of the light that arrives, for each channel.
     share: DVec3,
 }
 
@@ -103,7 +103,7 @@ impl Frame<'_> {
         inside.then_some([first + at[0] as u32, at[1] as u32])
     }
 
-    /// A ray from that eye to a point.
+    /// The ray from the eye on this side to a point.
     fn eye_ray_to(&self, side: f64, point: DVec3) -> Ray {
         let (middle, length) = self.ray(self.size.map(|n| n / 2));
         let origin = self.eye_origin(side);
@@ -114,8 +114,8 @@ impl Frame<'_> {
         Ray { origin, direction: way.normalize_or_zero(), growth, ..middle }
     }
 
-    /// What the sample of a pixel counts for there, and where else it lands, by the surface at this level of its path;
-    /// `mirror` is kept from one level to the next.
+    /// The weight of a sample in its own pixel, and its contribution to the other eye, from the surface at this level of
+    /// its path; `mirror` is kept from one level to the next.
     pub(super) fn crossed(
         &self,
         (pixel, level): ([u32; 2], u32),
@@ -162,7 +162,7 @@ impl Frame<'_> {
         Some((own, Landing { pixel, share: share * there / (here + there) }))
     }
 
-    /// What the light from there counts for that the ray finds, compared to what this eye finds; none if it does not get there.
+    /// The weight of the surface along the other eye's ray, relative to this eye's; `None` where the ray does not reach it.
     fn sees(
         &self,
         ray: &Ray,

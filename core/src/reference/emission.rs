@@ -9,7 +9,7 @@ use super::{Ray, Reference, Rounding, Surface};
 /// Rays to points on emitters end so far behind them, of the distance: rounding decides nothing.
 const REACH: f64 = 1.001;
 
-/// What arrives from a point on an emitter.
+/// The light that arrives from a sampled point on an emitter.
 #[derive(Clone, Copy)]
 pub(super) struct Emitted {
     pub radiance: DVec3,

@@ -7,32 +7,32 @@ use super::{
 };
 use crate::{Camera, Mip, Origin, Settings};
 
-/// A frame of a scene.
+/// A frame to be computed in f64.
 pub struct Frame<'a> {
-    /// What is seen.
+    /// The scene.
     pub reference: &'a Reference,
-    /// From where.
+    /// The camera.
     pub camera: Camera,
     /// Width and height in pixels; where pixels have several samples these take their place.
     pub size: [u32; 2],
-    /// How.
+    /// The settings of the frame.
     pub settings: Settings,
 }
 
-/// A pixel of an adaptive frame.
+/// A pixel of an adaptive frame with what decided about it.
 #[derive(Clone, Copy, Debug)]
 pub struct Pixel {
-    /// How it came to be.
+    /// The step of the method that produced the pixel.
     pub origin: Origin,
     /// The checks that fail between its two references, as bits in the order of [`crate::CHECK_NAMES`].
     pub failed: u32,
-    /// Before they are stored.
+    /// Attributes of the first hit, not yet quantised for storage.
     pub attributes: Attributes,
-    /// Linear radiance.
+    /// Linear RGB radiance.
     pub color: DVec3,
 }
 
-/// What textures are averaged over, of the width that a sample stands for.
+/// Scale of the width over which textures are averaged, relative to the width of a sample.
 const SHARE: f64 = 0.85;
 
 impl Frame<'_> {
@@ -76,7 +76,7 @@ impl Frame<'_> {
         self.followed(&ray, length, rounding)
     }
 
-    /// What a ray sees whose direction was that long.
+    /// Traces a ray whose direction had this length before it was normalised.
     pub(super) fn followed(&self, ray: &Ray, length: f64, rounding: &mut Rounding) -> Sample {
         let mut sample = self.reference.sample(ray, &Limits::of(&self.settings), rounding);
         sample.attributes.depth /= length;
@@ -130,7 +130,7 @@ impl Frame<'_> {
         }
     }
 
-    /// What is stored of a pixel of a base row: the steps that refer to it come before postcorrection.
+    /// The attributes of a pixel of a base row as they are stored: steps that refer to it come before postcorrection.
     fn reached(
         &self,
         pixel: [u32; 2],

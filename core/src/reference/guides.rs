@@ -1,4 +1,4 @@
-//! What guides the removal of noise: the first diffuse surface of each pixel's paths.
+//! The denoiser's G-buffer: attributes of the first diffuse surface of each pixel's paths.
 
 use glam::DVec3;
 
@@ -10,32 +10,32 @@ use crate::scene::octahedral_decode_exact;
 pub enum Way {
     /// Some did not, or met light before they left it: the pixel is not filtered.
     None,
-    /// It is seen directly.
+    /// The surface is seen directly.
     Direct,
-    /// By mirrors or glass.
+    /// The surface is seen by way of mirrors or glass.
     Mirrored,
 }
 
-/// What is known of a pixel's first diffuse surface.
+/// Attributes of a pixel's first diffuse surface.
 #[derive(Clone, Copy, Debug)]
 pub struct Guide {
-    /// How it is seen.
+    /// Whether the surface is seen directly.
     pub way: Way,
     /// Its unit normal, of the first sample.
     pub normal: DVec3,
     /// How far it lies along the way from the eye, in lengths of the primary ray's direction, of the first sample.
     pub depth: f64,
-    /// What it scatters of the light that arrives there, times what mirrors and glass leave of it: the mean of all samples.
+    /// Diffuse albedo times the transmittance of the mirrors and glass before it: the mean of all samples.
     pub albedo: DVec3,
     /// The last path was stopped and had left every surface by the diffuse lobe.
     pub smoothed: bool,
 }
 
-/// Steps of a channel of the albedo.
+/// Quantisation steps of an albedo channel (10 bits).
 const ALBEDO_STEPS: f64 = 1023.0;
 
 impl Guide {
-    /// As the shaders store it, in the words of [`crate::Renderer::guides`].
+    /// Decodes the words of [`crate::Renderer::guides`], as the shaders store them.
     #[must_use]
     pub fn unpacked([normal, depth, albedo, smoothed]: [u32; 4]) -> Self {
         let channel = |shift: u32| f64::from(albedo >> shift & 1023) / ALBEDO_STEPS;
@@ -66,7 +66,7 @@ pub(super) struct Search {
 }
 
 impl Search {
-    /// From the eye.
+    /// The record of a path that starts at the eye; `length` is that of its direction.
     pub fn new(length: f64) -> Self {
         let guide =
             Guide { way: Way::None, normal: DVec3::ZERO, depth: 0.0, albedo: DVec3::ZERO, smoothed: false };
@@ -81,7 +81,7 @@ impl Search {
         }
     }
 
-    /// It counts as diffuse if more paths leave it by the diffuse lobe than not, or if this one is to.
+    /// Records a surface that counts as diffuse: most paths leave it by the diffuse lobe, or this one does.
     pub fn meet(&mut self, (s, lobes): (&Surface, &Lobes), chosen: bool, throughput: DVec3, level: u32) {
         if self.guide.way == Way::None && (lobes.is_diffuse() || chosen) {
             self.guide.way = if level == 1 { Way::Direct } else { Way::Mirrored };
@@ -90,7 +90,7 @@ impl Search {
         }
     }
 
-    /// What was found.
+    /// The attributes of the first diffuse surface that the path met.
     pub fn guide(&self, smoothed: bool) -> Guide {
         let way = if self.shone { Way::None } else { self.guide.way };
         Guide { way, smoothed, ..self.guide }

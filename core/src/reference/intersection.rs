@@ -5,11 +5,11 @@ use glam::DVec3;
 /// A ray with a direction of unit length.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    /// Where it starts.
+    /// Origin in world space.
     pub origin: DVec3,
-    /// Where it goes.
+    /// Direction in world space, not necessarily of unit length.
     pub direction: DVec3,
-    /// Where it ends.
+    /// Largest ray parameter that counts as a hit.
     pub t_max: f64,
     /// Width of what it stands for where it starts; negative behind a focus.
     pub width: f64,
@@ -17,14 +17,14 @@ pub struct Ray {
     pub growth: f64,
 }
 
-/// Where a ray crosses a primitive.
+/// The intersection of a ray with one primitive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
-    /// Distance.
+    /// Ray parameter of the intersection.
     pub t: f64,
     /// Triangles of the scene by index, then its spheres.
     pub primitive: usize,
-    /// OID.
+    /// OID of the primitive's object.
     pub object: u32,
     /// Weight of the triangle's second corner.
     pub u: f64,
@@ -44,7 +44,7 @@ pub(super) struct Primitive {
 }
 
 impl Primitive {
-    /// Its box.
+    /// The primitive's axis-aligned bounding box.
     pub fn bounds(&self) -> (DVec3, DVec3) {
         match self.shape {
             Shape::Triangle { corner, e1, e2 } => {
@@ -99,7 +99,7 @@ pub(super) fn moeller_trumbore(
     Some((s.dot(p) * scale, ray.direction.dot(q) * scale, e2.dot(q) * scale, determinant.abs()))
 }
 
-/// `b` and `u` of `t = b +- sqrt(u)`.
+/// The terms `b` and `u` of a sphere's ray parameters `t = b +- sqrt(u)`.
 pub(super) fn sphere_terms(ray: &Ray, center: DVec3, radius: f64) -> (f64, f64) {
     let to_center = center - ray.origin;
     let b = ray.direction.dot(to_center);

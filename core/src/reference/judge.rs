@@ -13,7 +13,7 @@ use super::{
     traversal::{Hit, TRAVERSAL_ULPS, Tracer},
 };
 
-/// How an f32 answer compares.
+/// How a hit computed in f32 compares with the f64 reference.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// The same object at the same distance.
@@ -22,7 +22,7 @@ pub enum Verdict {
     Tie,
     /// Another answer that rounding explains: it exists, and nothing lies clearly in front of it.
     Explained,
-    /// A wrong answer, in words.
+    /// The hit is wrong; the text says how.
     Wrong(String),
 }
 
@@ -87,7 +87,7 @@ fn claimed_near(exact: Hit, answer: Hit, candidates: &[Candidate]) -> bool {
 }
 
 impl Primitive {
-    /// Every hit that f32 may see.
+    /// All hits that an f32 traversal may report as the closest, given its rounding errors.
     fn candidates(&self, ray: &Ray, rounding: f64) -> Vec<Candidate> {
         match self.shape {
             Shape::Triangle { corner, e1, e2 } => {

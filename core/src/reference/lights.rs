@@ -9,22 +9,22 @@ use crate::scene::LightKind;
 
 /// Squared distances to a light are at least this.
 const LEAST_DISTANCE2: f64 = 1e-30;
-/// No irradiance is larger.
+/// Upper bound of the irradiance of a light, as in the shaders.
 const MOST_IRRADIANCE: f64 = 1e30;
 
-/// What of a light arrives at a point.
+/// The light that arrives at a point from one punctual light.
 #[derive(Clone, Copy, Debug)]
 pub struct Arrival {
-    /// Unit vector to the light.
+    /// Unit vector from the surface to the light.
     pub direction: DVec3,
-    /// Infinite for directional lights.
+    /// Distance to the light; infinite for directional lights.
     pub distance: f64,
     /// On a surface that faces the light, without anything between.
     pub irradiance: DVec3,
 }
 
 impl Reference {
-    /// What of light `index` arrives at a point.
+    /// The light that arrives at a point from light `index`.
     #[must_use]
     pub fn arrival(&self, index: usize, position: DVec3) -> Arrival {
         let light = &self.scene.lights[index];
@@ -55,7 +55,7 @@ impl Reference {
         Arrival { direction, distance, irradiance }
     }
 
-    /// What a surface reflects towards the viewer of the lights that reach it.
+    /// Radiance that a surface reflects towards the viewer from the lights that reach it.
     pub(super) fn lights_reflected(&self, s: &mut Shading<'_>, diffuse: DVec3) -> DVec3 {
         let shadow = s.shadow;
         let mut sum = DVec3::ZERO;

@@ -6,26 +6,26 @@ use glam::DVec3;
 
 use super::{Cause, Material, Reference, Rounding, Surface, bounce::Leaving};
 
-/// What a surface does with light, by the share of it.
+/// Weights of the three lobes of a surface.
 pub(super) struct Lobes {
-    /// Scattered as by a diffuse surface.
+    /// Albedo of the diffuse lobe.
     pub diffuse: DVec3,
     /// The reflected ray, and the refracted one where there is one.
     pub specular: [Option<Leaving>; 2],
-    /// The largest channels of all three.
+    /// The largest channel of each of the three lobes.
     largest: [f64; 3],
 }
 
-/// A lobe that was chosen.
+/// The lobe that a path was scattered by.
 pub(super) struct Chosen {
     /// The share of the light over the probability of the choice.
     pub weight: DVec3,
-    /// None for a diffuse one.
+    /// The mirrored or refracted ray; `None` for a diffuse lobe.
     pub leaving: Option<Leaving>,
 }
 
 impl Lobes {
-    /// Those of a surface that a ray of this direction meets.
+    /// The lobes of a surface for a ray of this direction.
     pub fn of(
         reference: &Reference,
         s: &Surface,
@@ -52,7 +52,7 @@ impl Lobes {
         diffuse > 0.0 && mirror == 0.0 && refraction == 0.0
     }
 
-    /// Is some of the light mirrored?
+    /// Whether the surface has a mirror lobe.
     pub fn mirrors(&self) -> bool {
         self.largest[1] > 0.0
     }

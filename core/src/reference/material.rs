@@ -18,9 +18,9 @@ pub struct Material {
     metallic: f64,
     roughness: f64,
     transmission: f64,
-    /// Index of refraction.
+    /// Index of refraction relative to air.
     pub ior: f64,
-    /// A pane without thickness.
+    /// A pane without thickness: transmitted rays go straight on.
     pub thin: bool,
     pub(super) unlit: bool,
     weights: Option<Weights>,
@@ -31,7 +31,7 @@ pub(super) struct Shading<'a> {
     pub material: Material,
     pub position: DVec3,
     pub normal: DVec3,
-    /// Unit vector to the viewer.
+    /// Unit vector from the surface to the viewer.
     pub view: DVec3,
     pub inside: bool,
     /// Bit i says that light i does not reach the point.
@@ -61,7 +61,7 @@ impl Reference {
         }
     }
 
-    /// What a surface sends towards the viewer by itself: emission, ambient and direct light.
+    /// Local radiance towards the viewer: emission, ambient and direct light.
     pub(super) fn local(&self, mut s: Shading<'_>) -> DVec3 {
         let m = s.material;
         if m.unlit {

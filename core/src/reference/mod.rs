@@ -1,4 +1,4 @@
-//! What is right: the steps of the shaders by the same names, in f64 on the CPU, slow and obvious.
+//! The reference: every step of the shaders by the same name, in f64 on the CPU, without any optimisation.
 //!
 //! | here | shaders |
 //! | --- | --- |
@@ -91,14 +91,14 @@ use crate::{
     scene::{Emitters, Image8, Thinness},
 };
 
-/// A scene that is asked in f64.
+/// A scene that is traced and shaded in f64.
 pub struct Reference {
     scene: Scene,
     tracer: Tracer,
     features: Features,
     thinness: Thinness,
     emitters: Emitters,
-    /// Of each image, from level 1 on.
+    /// The mip levels of each image, from level 1 on.
     levels: Vec<Vec<Image8>>,
     bounds: (DVec3, DVec3),
     /// The linear value of each byte of sRGB.
@@ -136,7 +136,7 @@ impl Reference {
         Self { tracer: self.tracer.with_wide_tree(), ..self }
     }
 
-    /// The geometry alone.
+    /// The traversal of the scene's geometry alone.
     #[must_use]
     pub fn tracer(&self) -> &Tracer {
         &self.tracer

@@ -6,17 +6,17 @@ use super::{Frame, Guide, guides::Way};
 
 /// A picture of paths with what guides the removal of its noise.
 pub struct Noise<'a> {
-    /// How it was made.
+    /// The settings and camera of the frame.
     pub frame: &'a Frame<'a>,
-    /// Of each pixel.
+    /// Number of samples of each pixel.
     pub samples: u32,
     /// Means of each pixel's samples, row by row.
     pub means: &'a [DVec3],
-    /// Of each pixel, row by row.
+    /// First diffuse surface of each pixel, row by row.
     pub guides: &'a [Guide],
 }
 
-/// Surfaces are taken for no darker.
+/// Lower bound of an albedo channel when radiance is divided by albedo.
 const LEAST_ALBEDO: f64 = 0.01;
 /// A pixel of one sample counts for no more than so many times the mean brightness of the four beside it.
 const BRIGHTER: f64 = 4.0;
@@ -31,7 +31,7 @@ const NORMAL: f64 = 0.25;
 const ALBEDO: f64 = 0.5;
 /// Steps that guides are compared in: of a component of the normal and of the mean albedo.
 const STEPS: f64 = 127.0;
-/// Levels of the a-trous filter.
+/// Number of levels of the a-trous filter; the step doubles from one to the next.
 const LEVELS: u32 = 4;
 
 impl Noise<'_> {
@@ -107,7 +107,7 @@ impl Noise<'_> {
         light
     }
 
-    /// A level of the filter.
+    /// Filters one pixel at one level, with samples `step` pixels apart.
     fn filtered(&self, pixel: [u32; 2], step: i32, lights: &[DVec3]) -> DVec3 {
         let own = self.index(pixel);
         if self.guides[own].way == Way::None {
@@ -161,14 +161,14 @@ impl Noise<'_> {
         ray.origin + depth * length * ray.direction
     }
 
-    /// Side of a pixel at that depth.
+    /// Side of a pixel's footprint at this view depth, in world units.
     fn footprint(&self, depth: f64) -> f64 {
         let side = 2.0 * self.frame.camera.up.as_dvec3().length() / f64::from(self.frame.size[1]);
         if self.frame.camera.orthographic { side } else { side * depth }
     }
 }
 
-/// Of 3x3 pixels.
+/// Offsets of the 3x3 pixels around a pixel.
 fn offsets() -> impl Iterator<Item = [i32; 2]> {
     (-1..=1).flat_map(|y| (-1..=1).map(move |x| [x, y]))
 }

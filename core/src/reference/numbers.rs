@@ -5,21 +5,21 @@ use crate::{Sampler, Settings};
 /// The golden ratio's share of 2^32: seeds that follow each other end up far apart.
 const SEED_STEP: u32 = 0x9e37_79b9;
 
-/// Those of one sample of one pixel.
+/// The random numbers of one sample of one pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Numbers {
-    /// Where they come from.
+    /// Kind of the generator.
     pub sampler: Sampler,
-    /// Of whatever is random.
+    /// Seed of the frame.
     pub seed: u32,
-    /// Column and row.
+    /// Column and row of the pixel.
     pub pixel: [u32; 2],
-    /// Counts from 0.
+    /// Index of the sample, from 0.
     pub sample: u32,
 }
 
 impl Numbers {
-    /// As a frame's settings have it.
+    /// The numbers of this sample with the sampler and the seed of the settings.
     #[must_use]
     pub fn of(settings: &Settings, pixel: [u32; 2], sample: u32) -> Self {
         Self { sampler: settings.paths.sampler, seed: settings.seed, pixel, sample }

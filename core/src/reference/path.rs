@@ -25,33 +25,33 @@ const PLACE_IN_PIXEL: u32 = 0;
 const DIMENSIONS: u32 = 4;
 /// Which lobe; whether the path stops away from the gaze.
 const LOBE: u32 = 0;
-/// The diffuse direction.
+/// Dimension of the diffuse direction.
 const DIRECTION: u32 = 1;
 /// Which emitter; whether roulette ends the path.
 const EMITTER: u32 = 2;
-/// Where on it.
+/// Dimension of the point on the emitter.
 const POINT: u32 = 3;
 /// From one point on emitters to the next.
 const LIGHT_SAMPLE: u32 = 1024;
 
-/// What a path found.
+/// The result of one path.
 #[derive(Clone, Copy, Debug)]
 pub struct PathSample {
-    /// Linear.
+    /// Linear RGB radiance.
     pub radiance: DVec3,
-    /// It was stopped because it is away from the gaze.
+    /// Whether gaze-based stopping ended the path.
     pub stopped: bool,
-    /// It left every surface by the diffuse lobe.
+    /// Whether the path left every surface by the diffuse lobe.
     pub diffuse_only: bool,
-    /// What it counts for in its own pixel.
+    /// Weight of the sample in its own pixel.
     pub own: f64,
     /// The pixel of the other eye that it counts for too.
     pub landing: Option<Landing>,
-    /// Its first diffuse surface.
+    /// Attributes of the first diffuse surface.
     pub guide: Guide,
 }
 
-/// A path on its way.
+/// The state of a path between two bounces.
 struct Path<'a> {
     frame: &'a Frame<'a>,
     pixel: [u32; 2],
@@ -59,17 +59,17 @@ struct Path<'a> {
     /// The probability of stopping at a vertex.
     stop: f64,
     ray: Ray,
-    /// The primitive that it starts on.
+    /// The primitive that the ray starts on; `None` at the eye.
     left: Option<usize>,
-    /// What the radiance that arrives along the ray counts for.
+    /// Throughput: the weight of the radiance that arrives along the ray.
     throughput: DVec3,
-    /// 1 for the ray from the eye.
+    /// Bounce level: 1 for the ray from the eye.
     level: u32,
     /// How densely the ray was drawn about a diffuse surface, per unit of solid angle.
     density: Option<f64>,
     /// The first hit, if that is a plane mirror.
     mirror: Option<Mirror>,
-    /// What the sample counts for in its own pixel, and where else.
+    /// Weight of the sample in its own pixel, and its contribution to the other eye.
     crossed: Option<(f64, Landing)>,
     search: Search,
     radiance: DVec3,
@@ -175,7 +175,7 @@ impl Path<'_> {
         }
     }
 
-    /// Irradiance by punctual lights.
+    /// Irradiance of a surface by the punctual lights that reach it.
     fn punctual(&self, s: &Surface, rounding: &mut Rounding) -> DVec3 {
         if self.frame.settings.paths.shining == Shining::Emitters {
             return DVec3::ZERO;

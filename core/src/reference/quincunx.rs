@@ -10,16 +10,16 @@ use super::{
 /// Places in the frame, in eighths of a pixel.
 type Point = [u32; 2];
 
-/// A pixel of a quincunx frame.
+/// A pixel of a frame by quincunx sampling.
 #[derive(Clone, Copy, Debug)]
 pub struct Quincunx {
-    /// Linear radiance.
+    /// Linear RGB radiance.
     pub color: DVec3,
     /// Bit i: quarter i of the pixel is divided; bit 4 + 4 i + j: so is quarter j of that.
     pub divided: u32,
 }
 
-/// The recursion through one pixel.
+/// The recursive subdivision of one pixel.
 struct Recursion<'a, 'r> {
     frame: &'a Frame<'r>,
     decided: Option<u32>,

@@ -14,10 +14,10 @@ use crate::{
 /// The first four of the sixteen samples, as bits.
 const FIRST: u32 = 0b1111;
 
-/// How a pixel is refined.
+/// The extra samples of a pixel and what asked for them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Refinement {
-    /// In which round, 0 the first.
+    /// The round in which the pixel is refined, from 0; `None` where it is not.
     pub round: Option<u32>,
     /// Which samples it gets besides its own, as [`crate::PixelRecord::cells`].
     pub cells: u32,
@@ -127,7 +127,7 @@ impl Frame<'_> {
         self.settings.thresholds.values().into_iter().map(f64::from).fold(1.0, f64::min)
     }
 
-    /// The neighbours inside the frame.
+    /// The eight neighbours that lie inside the frame.
     fn around(&self, pixel: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
         let size = self.size;
         let steps = (0..9).filter(|i| *i != 4).map(|i| [i % 3 - 1, i / 3 - 1]);

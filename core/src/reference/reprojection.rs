@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::{Frame, Rounding};
 
-/// Side of a tile of ranks.
+/// Side of the tile whose pixels are ranked for renewal.
 const TILE: u32 = 16;
 
 /// A pixel is suspected between pixels that are nearer than this share of its depth.
@@ -16,16 +16,16 @@ const ERROR: f64 = 0.0625;
 /// Points count as no closer to each other than this, in pixels.
 const LEAST_WAY: f64 = 0.25;
 
-/// What the frame before left of a pixel.
+/// A pixel of the previous frame, kept for reprojection.
 #[derive(Clone, Copy, Debug)]
 pub struct Kept {
-    /// What it shows, `None` if that is not to be seen from elsewhere.
+    /// The world-space point that it shows; `None` if that must not be reprojected.
     pub point: Option<DVec3>,
-    /// Linear radiance.
+    /// Linear RGB radiance.
     pub radiance: DVec3,
 }
 
-/// A kept point where it is seen now.
+/// A kept surface point, projected into the present frame.
 #[derive(Clone, Copy, Debug)]
 struct Landed {
     at: DVec2,
@@ -54,7 +54,7 @@ impl Frame<'_> {
         (rank + TILE * TILE - first) % (TILE * TILE) < count
     }
 
-    /// What each pixel shows of the frame before, row by row; `None` where it is to be traced.
+    /// The pixels reprojected from the previous frame, row by row; `None` where a pixel must be traced.
     #[must_use]
     pub fn reprojected(&self, before: &[Kept]) -> Vec<Option<DVec3>> {
         let landed = self.landed(before);
@@ -111,7 +111,7 @@ impl Frame<'_> {
     }
 }
 
-/// What a point so far from the centre of a pixel counts in it.
+/// Filter weight of a point at this distance from the centre of a pixel.
 fn weight(aside: DVec2) -> f64 {
     (1.0 - aside.x.abs()).max(0.0) * (1.0 - aside.y.abs()).max(0.0)
 }

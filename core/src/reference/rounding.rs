@@ -1,4 +1,4 @@
-//! What rounding may do: an f32 tracer decides differently where a decision hangs on its last digits. The reference can
+//! Effects of rounding: an f32 tracer decides differently where a decision depends on its last digits. The reference can
 //! be asked the same question with numbers displaced at random by as much as f32 may be off. Where that never leads to
 //! the tracer's answer, rounding does not explain it.
 
@@ -19,7 +19,7 @@ const CONTRAST_SCALE: f64 = 64.0;
 pub enum Cause {
     /// Which surface a ray meets, and where: silhouettes, edges, grazing rays.
     Silhouette,
-    /// Whether a light reaches a point.
+    /// The visibility of a light from a point.
     ShadowEdge,
     /// Which texels a texture coordinate lies between: texel edges and seams.
     TexelEdge,
@@ -84,12 +84,12 @@ impl Rounding {
         if contrast > 0.0 { self.number(Cause::Branch, contrast, CONTRAST_SCALE) } else { contrast }
     }
 
-    /// A pair of numbers.
+    /// Perturbs a 2D vector by at most a rounding error at this scale.
     pub(super) fn pair(&mut self, cause: Cause, p: DVec2, scale: f64) -> DVec2 {
         DVec2::new(self.number(cause, p.x, scale), self.number(cause, p.y, scale))
     }
 
-    /// A point or vector.
+    /// Perturbs a point or a vector by at most a rounding error at this scale.
     pub(super) fn vector(&mut self, cause: Cause, p: DVec3, scale: f64) -> DVec3 {
         DVec3::new(
             self.number(cause, p.x, scale),
@@ -98,7 +98,7 @@ impl Rounding {
         )
     }
 
-    /// A unit vector.
+    /// Perturbs a unit vector and normalises it again.
     pub(super) fn direction(&mut self, cause: Cause, d: DVec3) -> DVec3 {
         if self.is(cause) { self.vector(cause, d, 1.0).normalize_or_zero() } else { d }
     }

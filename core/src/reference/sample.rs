@@ -11,21 +11,21 @@ use crate::Settings;
 /// When the recursion ends. A sample follows every ray inside these limits, however many they are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// Levels of rays.
+    /// Number of ray levels; 1 is primary rays alone.
     pub depth: u32,
     /// Rays that would contribute less to the sample are not followed.
     pub min_weight: f64,
 }
 
 impl Limits {
-    /// Those of a frame.
+    /// The limits that the settings of a frame state.
     #[must_use]
     pub fn of(settings: &Settings) -> Self {
         Self { depth: settings.depth, min_weight: f64::from(settings.min_weight) }
     }
 }
 
-/// What a ray sees.
+/// Radiance and attributes of one primary ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
     /// Of the first hit, exact; [`Attributes::miss`] without one.
@@ -71,7 +71,7 @@ impl Reference {
         })
     }
 
-    /// What a ray sees.
+    /// Traces and shades one primary ray by Whitted's model.
     #[must_use]
     pub fn sample(&self, ray: &Ray, limits: &Limits, rounding: &mut Rounding) -> Sample {
         self.follow(&Branch { ray: *ray, left: None, weight: DVec3::ONE, level: 1 }, limits, rounding)

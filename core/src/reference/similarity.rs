@@ -12,9 +12,9 @@ use crate::{CHECK_NAMES, scene::OCTAHEDRAL_ERROR};
 /// An attribute vector with the place that it stands for.
 #[derive(Clone, Copy, Debug)]
 pub struct Reached {
-    /// As stored.
+    /// Attributes of the first hit, quantised as they are stored.
     pub attributes: Attributes,
-    /// World space.
+    /// Position of the first hit in world space.
     pub position: DVec3,
 }
 

@@ -10,16 +10,16 @@ use super::{
 };
 use crate::{Inactive, Jitter};
 
-/// What the test of a pixel's quarters says.
+/// The result of the subpixel test of a pixel (Jin 2009, 4.1.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tested {
-    /// As [`crate::PixelRecord::active`].
+    /// Subpixels with extra samples, as bits of [`crate::PixelRecord::active`].
     pub active: u32,
-    /// As [`crate::PixelRecord::differing`].
+    /// Attributes that differ from a neighbour's, as bits of [`crate::PixelRecord::differing`].
     pub differing: u32,
 }
 
-/// What is compared of a hit (Jin 2009, Table 1).
+/// The attributes of a hit that are compared (Jin 2009, Table 1).
 #[derive(Clone, Copy, Debug)]
 struct Edges {
     object: Option<u32>,
@@ -55,7 +55,7 @@ impl Frame<'_> {
         self.followed(&ray, length, rounding)
     }
 
-    /// A pixel's own sample.
+    /// The sample through the centre of a pixel.
     #[must_use]
     pub fn presampled(&self, pixel: [u32; 2], rounding: &mut Rounding) -> Sample {
         self.sample_in(pixel, 1, self.settings.jitter == Jitter::On, rounding)
@@ -158,13 +158,13 @@ impl Frame<'_> {
         f64::from(differing.reduce(f32::min).unwrap_or(col))
     }
 
-    /// The nearest pixel of the frame.
+    /// The neighbouring pixel, clamped to the frame.
     pub(super) fn beside(&self, pixel: [u32; 2], step: [i64; 2]) -> [u32; 2] {
         [0, 1].map(|i| (i64::from(pixel[i]) + step[i]).clamp(0, i64::from(self.size[i]) - 1) as u32)
     }
 }
 
-/// The same attribute of both hits.
+/// The bits of one attribute, for the primary and the secondary hit.
 fn bits([primary, secondary]: [bool; 2], bit: u32) -> u32 {
     u32::from(primary) << bit | u32::from(secondary) << (bit + 4)
 }

@@ -6,14 +6,14 @@ use glam::{DVec2, DVec3};
 use super::{Cause, Crossing, Ray, Reference, Rounding};
 use crate::scene::octahedral_decode_exact;
 
-/// The surface at a hit.
+/// A point of a surface with everything that shading needs.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface {
-    /// World space.
+    /// Position in world space.
     pub position: DVec3,
-    /// OID.
+    /// OID of the object.
     pub object: u32,
-    /// The primitive that is hit.
+    /// Index of the primitive.
     pub primitive: usize,
     /// Unit shading normal on the viewer's side of the face.
     pub normal: DVec3,
@@ -23,11 +23,11 @@ pub struct Surface {
     pub inside: bool,
     /// As the corners have it, neither folded nor clamped.
     pub texcoord: DVec2,
-    /// Vertex colour, linear.
+    /// Interpolated vertex colour, linear RGB.
     pub color: DVec3,
     /// Width of what the ray stands for, and what that grows by in a unit of length.
     pub width: f64,
-    /// See `width`.
+    /// Growth of the cone's width per unit of distance.
     pub growth: f64,
     /// Second moments (ss, tt, st) of what it covers in texture coordinates.
     pub footprint: DVec3,

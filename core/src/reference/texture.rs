@@ -12,12 +12,12 @@ const LONGEST: [f64; 2] = [9.0, 3.0];
 /// Above this part of a level the next one sets in.
 const SETS_IN: f64 = 0.75;
 
-/// What the bytes of an image mean.
+/// The encoding of an image's bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Encoding {
-    /// Colours; alpha is linear.
+    /// sRGB-encoded colour with linear alpha.
     Srgb,
-    /// Numbers.
+    /// Linear values.
     Linear,
 }
 
@@ -74,7 +74,7 @@ impl Reference {
         }
     }
 
-    /// A level of a texture at one point.
+    /// Samples one mip level of a texture at a point.
     fn point(
         &self,
         texture: &Texture,

@@ -1,4 +1,4 @@
-//! What a ray hits, in f64 on the CPU: a median-split tree of boxes, or no tree at all.
+//! Closest hits in f64 on the CPU, by a median-split tree of boxes or by testing every primitive.
 
 use std::ops::Range;
 
@@ -14,12 +14,12 @@ use crate::Scene;
 pub(super) const TRAVERSAL_ULPS: f64 = 8.0;
 const ROUNDING: f64 = TRAVERSAL_ULPS * f32::EPSILON as f64;
 
-/// The first thing on a ray.
+/// The closest intersection of a ray with the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// OID.
+    /// OID of the object.
     pub object: u32,
-    /// Distance.
+    /// Ray parameter of the hit.
     pub t: f64,
 }
 
@@ -34,7 +34,7 @@ enum Node {
     Leaf { bounds: Box3, items: Range<usize> },
 }
 
-/// A scene to shoot rays at.
+/// The primitives of a scene with a tree to trace rays through.
 pub struct Tracer {
     pub(super) primitives: Vec<Primitive>,
     nodes: Vec<Node>,
@@ -70,13 +70,13 @@ impl Tracer {
         Self { wide: Wide::new(&self.primitives), ..self }
     }
 
-    /// The nearest hit.
+    /// The closest hit, found by the tree.
     #[must_use]
     pub fn nearest(&self, ray: &Ray) -> Option<Hit> {
         self.first(ray, None, |_| true).map(|c| Hit { object: c.object, t: c.t })
     }
 
-    /// The nearest hit, without the tree.
+    /// The closest hit, found by testing every primitive: what the tree is checked against.
     #[must_use]
     pub fn nearest_of_all(&self, ray: &Ray) -> Option<Hit> {
         self.crossings(ray, None).first().map(|c| Hit { object: c.object, t: c.t })

@@ -24,7 +24,7 @@ pub(super) struct Wide {
     tree: CwBvh,
     low: DVec3,
     high: DVec3,
-    /// Units in one of the scene's.
+    /// Units of the tree in one unit of the scene.
     scale: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What emits, as a distribution to draw points from.
+//! Emissive primitives as a distribution that points are sampled from.
 
 use super::Scene;
 
@@ -10,14 +10,14 @@ use super::Scene;
 pub struct Emitters {
     /// Each emissive primitive: triangles by index, then spheres as `triangles + index`.
     pub primitives: Vec<u32>,
-    /// The share of the whole up to and with each of them; the last is 1.
+    /// Cumulative distribution over the primitives; the last value is 1.
     pub cumulative: Vec<f32>,
-    /// The sum of strength times area.
+    /// The sum of emitted strength times area over all emissive primitives.
     pub total: f64,
 }
 
 impl Emitters {
-    /// Those of a scene that have an area.
+    /// Collects the emissive primitives of a scene whose area is greater than zero.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let strength = |object: u32| {

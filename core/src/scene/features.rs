@@ -1,4 +1,4 @@
-//! What a scene needs: the facts that decide which pieces of the shaders are linked at all.
+//! Features of a scene: the facts that decide which pieces of the shaders are linked.
 
 use glam::Vec3;
 
@@ -11,36 +11,36 @@ pub struct Features {
     pub textures: bool,
     /// Some material is more than matte: it shines, mirrors, lets light through, emits, is unlit or has its shares given.
     pub glossy: bool,
-    /// Some material emits.
+    /// At least one material has an emissive factor above zero.
     pub emission: bool,
     /// Some object has a texture of metallic and roughness.
     pub metallic_roughness_textures: bool,
     /// Some object has a texture of emission.
     pub emissive_textures: bool,
-    /// Some object has vertex colours.
+    /// At least one object has vertex colours.
     pub vertex_colors: bool,
     /// Shading normals differ from those of the faces somewhere.
     pub smooth_normals: bool,
     /// Some object has holes cut by alpha.
     pub alpha_mask: bool,
-    /// Some object lets shadow rays pass.
+    /// At least one object casts no shadow, so that shadow rays must look at flags.
     pub shadow_filter: bool,
-    /// There are analytic spheres.
+    /// The scene holds analytic spheres.
     pub spheres: bool,
     /// Some material reflects like a mirror.
     pub reflection: bool,
-    /// Some material is transparent.
+    /// At least one material transmits light.
     pub refraction: bool,
     /// Light passes straight through some surfaces.
     pub panes: bool,
     /// There are lights: shadow rays and check SH are linked.
     pub lights: bool,
-    /// There are more lights than one.
+    /// The scene has more than one light.
     pub several_lights: bool,
 }
 
 impl Features {
-    /// What this scene needs.
+    /// Derives the features that rendering this scene needs.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let used = || scene.objects.iter().filter_map(|o| scene.materials.get(o.material as usize));
@@ -63,7 +63,7 @@ impl Features {
         }
     }
 
-    /// Everything, needed or not.
+    /// All features switched on, for kernels that link every piece.
     #[must_use]
     pub fn all() -> Self {
         Self {

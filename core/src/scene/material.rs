@@ -1,4 +1,4 @@
-//! Materials in Whitted's terms.
+//! Materials in the terms of Whitted's illumination model.
 //!
 //! A glTF material (base colour c, metallic m, roughness r, transmission tau, index n) means, with the Fresnel
 //! reflectance F of the view angle:
@@ -15,22 +15,22 @@
 
 use glam::Vec3;
 
-/// What a surface does with light.
+/// How a surface reflects, transmits and emits light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// For messages.
+    /// The material's name in the file, for messages.
     pub name: String,
     /// Linear RGB; multiplied by the texture and the vertex colours.
     pub base_color: Vec3,
-    /// 0 dielectric, 1 metal.
+    /// Share of metallic reflection: 0 for dielectrics, 1 for metals.
     pub metallic: f32,
     /// glTF roughness (alpha = roughness^2).
     pub roughness: f32,
-    /// Emitted radiance, linear RGB.
+    /// Emitted radiance in linear RGB.
     pub emission: Vec3,
     /// Share of the light that is not reflected and passes through.
     pub transmission: f32,
-    /// Index of refraction, at least 1.
+    /// Index of refraction relative to air, at least 1.
     pub ior: f32,
     /// A pane without thickness: light passes straight on.
     pub thin: bool,
@@ -42,11 +42,11 @@ pub struct Material {
     pub alpha: f32,
     /// False where shadow rays pass (transmissive surfaces, after import).
     pub casts_shadow: bool,
-    /// sRGB colour and alpha.
+    /// Index of the base colour's texture: sRGB colour and linear alpha.
     pub base_color_texture: Option<u32>,
     /// Green is roughness, blue is metallic.
     pub metallic_roughness_texture: Option<u32>,
-    /// sRGB.
+    /// Index of the emission's texture, sRGB.
     pub emissive_texture: Option<u32>,
     /// Where the shares are given instead of following from Fresnel's equations (Heckbert's minray).
     pub weights: Option<Weights>,
@@ -57,7 +57,7 @@ pub struct Material {
 pub struct Weights {
     /// Times base colour: the local diffuse part.
     pub diffuse: f32,
-    /// Times white: the reflected ray.
+    /// Weight of the mirrored ray's radiance, untinted.
     pub mirror: f32,
     /// Times white: the refracted ray; lost on total internal reflection.
     pub refraction: f32,
@@ -87,7 +87,7 @@ impl Default for Material {
 }
 
 impl Material {
-    /// The textures it reads.
+    /// Indices of the textures that the material reads.
     pub fn textures(&self) -> impl Iterator<Item = u32> {
         [self.base_color_texture, self.metallic_roughness_texture, self.emissive_texture]
             .into_iter()
@@ -114,7 +114,7 @@ impl Material {
         }
     }
 
-    /// Whether light passes through.
+    /// Whether the material transmits light.
     #[must_use]
     pub fn refracts(&self) -> bool {
         match self.weights {

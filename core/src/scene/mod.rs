@@ -44,13 +44,13 @@ pub const MAX_IOR: f32 = 1.0e4;
 /// The least range of a light: the fourth power of its inverse is finite in f32.
 pub const MIN_RANGE: f32 = 1.0e-9;
 
-/// How many cameras an error lists.
+/// The most camera names that an error message lists.
 const CAMERAS_NAMED: usize = 16;
 
 /// A scene in main memory. [`crate::GpuScene::upload`] consumes it.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
-    /// Corner positions of each triangle.
+    /// World-space corner positions of each triangle.
     pub positions: Vec<[Vec3; 3]>,
     /// Unit shading normals of each triangle's corners, [`octahedral_encode`]d; flat triangles repeat the face normal.
     pub normals: Vec<[u32; 3]>,
@@ -58,25 +58,25 @@ pub struct Scene {
     pub texcoords: Vec<[Vec2; 3]>,
     /// Vertex colours (linear RGBA, 8 bits a channel, red lowest); empty where no object has them.
     pub colors: Vec<[u32; 3]>,
-    /// The object of each triangle.
+    /// OID of each triangle: index into [`Scene::objects`].
     pub triangle_objects: Vec<u32>,
-    /// Analytic spheres.
+    /// Analytic spheres, behind the triangles in the numbering of primitives.
     pub spheres: Vec<Sphere>,
-    /// Objects, by OID.
+    /// Objects, indexed by their OID.
     pub objects: Vec<Object>,
-    /// Materials, by index.
+    /// Materials, indexed by [`Object::material`].
     pub materials: Vec<Material>,
-    /// Textures, by index.
+    /// Textures, indexed by the texture slots of [`Material`].
     pub textures: Vec<Texture>,
     /// Images that textures show, by index.
     pub images: Vec<Image8>,
-    /// At most [`MAX_LIGHTS`].
+    /// Punctual lights, at most [`MAX_LIGHTS`].
     pub lights: Vec<Light>,
     /// Cameras of the file with their names; never empty after import.
     pub cameras: Vec<(String, Camera)>,
-    /// What a ray meets that meets nothing.
+    /// Radiance of rays without a hit, and of light that is not traced.
     pub environment: Environment,
-    /// What the import had to leave out, one sentence each, naming the element.
+    /// Parts of the file that the import left out: one sentence each that names the element.
     pub warnings: Vec<String>,
 }
 
@@ -85,39 +85,39 @@ pub struct Scene {
 pub struct Object {
     /// `node/mesh[primitive]` or a name of the built-in scene.
     pub name: String,
-    /// Index of its material.
+    /// Index into [`Scene::materials`].
     pub material: u32,
 }
 
-/// An analytic sphere.
+/// A sphere that is intersected analytically, not tessellated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    /// World-space centre.
+    /// Centre in world space.
     pub center: Vec3,
-    /// Greater than zero.
+    /// Radius in world units, greater than zero.
     pub radius: f32,
-    /// Its OID.
+    /// OID: index into [`Scene::objects`].
     pub object: u32,
 }
 
 /// How coordinates outside [0, 1) are read (glTF 2.0, section 3.8.4.5).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Wrap {
-    /// The fraction counts.
+    /// Tiles the image: the fraction of the coordinate is used.
     #[default]
     Repeat,
     /// Every second repetition is mirrored.
     MirroredRepeat,
-    /// The border texel goes on.
+    /// Repeats the texels of the image's border.
     ClampToEdge,
 }
 
-/// An image with a way to read it.
+/// An image with wrap modes and filtering: what glTF calls a texture with its sampler.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Texture {
     /// Index into [`Scene::images`].
     pub image: u32,
-    /// Along s and t.
+    /// Wrap modes along s and t.
     pub wrap: [Wrap; 2],
     /// Nearest instead of bilinear filtering.
     pub nearest: bool,
@@ -126,18 +126,18 @@ pub struct Texture {
 /// An 8-bit RGBA image, row by row from the top left.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Image8 {
-    /// Texels a row.
+    /// Width in texels.
     pub width: u32,
-    /// Rows.
+    /// Height in texels.
     pub height: u32,
-    /// `width * height * 4` bytes.
+    /// RGBA, 8 bits a channel, rows from the top: `width * height * 4` bytes.
     pub rgba: Vec<u8>,
 }
 
 /// A punctual light (KHR_lights_punctual), without exposure: reflected radiance is albedo / pi x E x cos.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
-    /// Where it shines from.
+    /// The light's geometry.
     pub kind: LightKind,
     /// Linear RGB; W/sr for point and spot lights, W/m^2 for directional ones.
     pub intensity: Vec3,
@@ -146,32 +146,32 @@ pub struct Light {
     pub radius: f32,
 }
 
-/// The geometry of a light.
+/// The kind of a punctual light with its geometry.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LightKind {
     /// Shines in all directions from `position`; E = intensity / d^2, windowed to zero at `range` if that is finite.
     Point {
-        /// World space.
+        /// Position in world space.
         position: Vec3,
         /// Where the light ends; infinite without limit.
         range: f32,
         /// False for lights whose E does not fall with distance (Heckbert's minray).
         falloff: bool,
     },
-    /// A point light with a cone.
+    /// A point light that shines inside of a cone.
     Spot {
-        /// World space.
+        /// Position in world space.
         position: Vec3,
         /// Where the light ends; infinite without limit.
         range: f32,
-        /// Unit vector along which it shines.
+        /// Unit vector of the cone's axis, away from the light.
         direction: Vec3,
         /// Half angles in radians, `inner <= outer <= pi/2`; full inside `inner`, none outside `outer`.
         cone: Range<f32>,
     },
-    /// Parallel rays.
+    /// A light at infinity: parallel rays.
     Directional {
-        /// Unit vector along which it shines.
+        /// Unit vector in which the light travels.
         direction: Vec3,
     },
 }

@@ -20,7 +20,7 @@ pub fn encode(n: Vec3) -> u32 {
     quantise(x) | quantise(y) << 16
 }
 
-/// The unit vector of a packed one.
+/// Decodes the unit vector of a packed octahedral word.
 #[must_use]
 pub fn decode(packed: u32) -> Vec3 {
     decode_exact(packed).as_vec3()

@@ -105,7 +105,7 @@ impl Thinness {
     }
 }
 
-/// What is known of a thing, in the scene's unit of length.
+/// Extents of a connected object, in the scene's unit of length.
 struct Thing {
     thickness: f64,
     length: f64,
@@ -119,7 +119,7 @@ impl Thing {
         Self { thickness: width, length: width, landmarks: vec![sphere.center.as_dvec3()] }
     }
 
-    /// The thing with these triangles.
+    /// Measures the connected object that consists of these triangles.
     fn of<'a>(triangles: impl Iterator<Item = &'a [Vec3; 3]> + Clone) -> Self {
         let (center, axes, extents, area) = box_around(triangles.clone());
         let mut order = [0, 1, 2];

@@ -1,4 +1,4 @@
-//! What every scene must keep to, whether a file, a program or a built-in scene made it.
+//! Validation of scenes, whether a file, a program or a built-in function made them.
 
 use std::ops::RangeInclusive;
 

@@ -23,7 +23,7 @@ pub const CASE: Case = Case {
 
 const DEGREES: [f64; 8] = [1.0e-4, 1.0e-2, 1.0, 45.0, 120.0, 179.0, 179.9, 179.99];
 
-/// Where the eye stands.
+/// The position of the camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Place {
     Inside,

@@ -1,4 +1,4 @@
-//! Several faces in one place.
+//! Coplanar faces: several triangles in the same plane.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 

@@ -1,4 +1,4 @@
-//! Light and view along the surface.
+//! Grazing incidence: light and view nearly parallel to the surface.
 
 use std::f64::consts::PI;
 
@@ -24,7 +24,7 @@ pub const CASE: Case = Case {
 
 const PLANES: u64 = 56;
 const LIGHTS: usize = 32;
-/// What the rounding of two unit vectors moves their cosine by, and more.
+/// Upper bound of the error of a cosine from the rounding of its two unit vectors.
 const COSINE_ERROR: f64 = 4.0e-7;
 
 fn run(bench: &Bench<'_>) -> Result<Outcome> {

@@ -16,7 +16,7 @@ pub struct Mesh {
     pub triangles: Vec<[DVec3; 3]>,
 }
 
-/// Which triangles are one object.
+/// How triangles are grouped into objects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Objects {
     One,
@@ -141,7 +141,7 @@ pub fn bare(material: Material) -> Scene {
     Scene { materials: vec![material], environment: dark, ..Scene::default() }
 }
 
-/// A random rotation.
+/// A uniformly distributed random rotation.
 pub fn rotation(random: &mut Random) -> DMat3 {
     let z = random.direction();
     let x = z.any_orthonormal_vector();

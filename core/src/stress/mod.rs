@@ -32,36 +32,36 @@ use crate::{
     scene::Material,
 };
 
-/// What a case runs on.
+/// The device and the parameters of a run of stress cases.
 pub struct Bench<'a> {
     /// The device under test.
     pub gpu: &'a Gpu,
     /// About as many rays (samples, evaluations) as the case shall use.
     pub rays: u64,
-    /// Of everything random in it.
+    /// Seed of the random rays.
     pub seed: u64,
     /// The measures that are linked; all of them, unless it is to be seen what one is good for.
     pub robustness: Robustness,
 }
 
-/// A row of the table.
+/// A stress case: a row of the table.
 pub struct Case {
-    /// Its name on the command line.
+    /// The name that selects the case.
     pub name: &'static str,
-    /// How its inputs are made.
+    /// How the inputs of the case are constructed.
     pub construction: &'static str,
-    /// When it passes.
+    /// The condition under which the case passes.
     pub rule: &'static str,
-    /// Runs it.
+    /// Runs the case.
     pub run: fn(&Bench<'_>) -> Result<Outcome>,
 }
 
-/// What came out.
+/// The result of a case.
 #[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Outcome {
     /// Rays (samples, evaluations) that were judged.
     pub rays: u64,
-    /// Answers that nothing explains.
+    /// Number of differences from the reference that rounding does not explain.
     pub failures: u64,
     /// Answers that differ from the reference for a known cause, by cause.
     pub explained: Vec<Explained>,
@@ -71,12 +71,12 @@ pub struct Outcome {
     pub digest: Option<String>,
 }
 
-/// Differences with one cause.
+/// Differences that have the same explanation.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct Explained {
-    /// What they come from.
+    /// The explanation.
     pub cause: &'static str,
-    /// How many.
+    /// Number of differences.
     pub count: u64,
 }
 
@@ -102,7 +102,7 @@ impl Outcome {
         self.worst.get_or_insert_with(replay);
     }
 
-    /// Passes or fails.
+    /// Counts one answer, and keeps the first wrong one for replay.
     pub fn check(&mut self, right: bool, replay: impl FnOnce() -> String) {
         if right { self.pass() } else { self.fail(replay) }
     }
@@ -143,7 +143,7 @@ fn ray_through(eye: DVec3, target: DVec3) -> ProbeRay {
     ray(eye.as_dvec3(), target.as_vec3().as_dvec3() - eye.as_dvec3())
 }
 
-/// A ray without end, rounded to f32.
+/// A ray of unlimited length, rounded to f32.
 fn ray(origin: DVec3, direction: DVec3) -> ProbeRay {
     let (origin, direction) = (origin.as_vec3(), direction.as_vec3());
     ProbeRay { origin: origin.into(), t_max: 3.0e38, direction: direction.into(), ..ProbeRay::default() }
@@ -167,7 +167,7 @@ fn thin_pane() -> Material {
     }
 }
 
-/// What a hit says, for the judgement.
+/// The attributes of a hit that are compared with the reference.
 fn answer(hit: &ProbeHit, length: f64) -> Option<Hit> {
     (hit.primitive != ProbeHit::MISS).then(|| Hit { object: hit.object, t: f64::from(hit.t) * length })
 }
@@ -187,7 +187,7 @@ const EDGES: [&str; 4] = [
     "an edge within 8 ulp of its distance from the ray",
 ];
 
-/// Judges hits by the reference.
+/// Compares the shader's hits with those of the reference.
 fn judge(
     outcome: &mut Outcome,
     tracer: &Tracer,

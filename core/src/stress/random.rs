@@ -7,7 +7,7 @@ use glam::DVec3;
 pub struct Random(pub u64);
 
 impl Random {
-    /// The next 64 bits.
+    /// The next 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -16,7 +16,7 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Uniform in [0, 1).
+    /// A number uniformly distributed in [0, 1).
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
@@ -26,12 +26,12 @@ impl Random {
         (self.bits() % count as u64) as usize
     }
 
-    /// Uniform in a box.
+    /// A point uniformly distributed in a box.
     pub fn inside(&mut self, low: DVec3, high: DVec3) -> DVec3 {
         low + (high - low) * DVec3::new(self.unit(), self.unit(), self.unit())
     }
 
-    /// Uniform on the unit sphere.
+    /// A direction uniformly distributed on the unit sphere.
     pub fn direction(&mut self) -> DVec3 {
         let z = 2.0 * self.unit() - 1.0;
         let phi = std::f64::consts::TAU * self.unit();

@@ -1,4 +1,4 @@
-//! Something tiny on something huge.
+//! Scenes that hold tiny objects on huge ones.
 
 use glam::{DMat3, dvec3};
 

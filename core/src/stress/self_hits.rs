@@ -30,7 +30,7 @@ const COPY: u32 = 2;
 const GAP: f64 = 1.0e-5;
 /// The height of a triangle over its longest side, in its length, below which it is a needle.
 const NEEDLE: f64 = 1.0e-2;
-/// Rays from each side of each hit.
+/// Number of rays that leave each side of each hit.
 const LEAVING: usize = 8;
 
 fn run(bench: &Bench<'_>) -> Result<Outcome> {

@@ -1,4 +1,4 @@
-//! Thin triangles.
+//! Slivers: triangles with one very small angle.
 
 use glam::DVec3;
 

@@ -11,7 +11,7 @@ pub const CASE: Case = Case {
     run,
 };
 
-/// What may be wished, and what may not, of one option.
+/// Valid and invalid values of one option.
 struct Wishes {
     option: &'static str,
     set: fn(&mut Settings, f32),

@@ -3,7 +3,7 @@
 
 const ACTIVE_MASTER: u32 = 0x40000000u;
 const ACTIVE_NONE: u32 = 0xffffffffu;
-// Samples of an active subpixel.
+// Number of samples of an active subpixel.
 const ACTIVE_SAMPLES: u32 = 4u;
 const ACTIVE_RUN: u32 = TRACE_GROUP / ACTIVE_SAMPLES;
 
@@ -15,12 +15,12 @@ fn active_pixel(entry: u32) -> vec2u {
     return vec2u(entry & 0x3fffu, (entry >> 14u) & 0x3fffu);
 }
 
-// Are both of one pixel?
+// Whether two entries belong to the same pixel.
 fn active_same(a: u32, b: u32) -> bool {
     return ((a ^ b) & 0x8fffffffu) == 0u;
 }
 
-// From the upper left: right is 1, down is 2.
+// Index of the subpixel: bit 0 is right, bit 1 is down.
 fn active_quarter(entry: u32) -> u32 {
     return (entry >> 28u) & 3u;
 }

@@ -1,4 +1,4 @@
-// Another level follows.
+// Result of an a-trous level that is not the last: the filtered light is stored for the next level.
 
 fn atrous_result(pixel: vec2u, words: vec4u, light: vec3f) {
     filtered[guides_place(pixel)] = vec4u(words.xy, filtered_light(light));

@@ -1,4 +1,4 @@
-// The last level's light, as the surface shows it.
+// Result of the last a-trous level: the filtered light times the albedo is displayed.
 
 fn atrous_result(pixel: vec2u, words: vec4u, light: vec3f) {
     output(pixel, filtered_albedo(guides[guides_place(pixel)]) * light);

@@ -37,12 +37,12 @@ fn attributes_plane(plane: u32, pixel: vec2u) -> u32 {
     return (frame_folded(pixel.y) / 2u * PLANES + plane) * frame.size.x + pixel.x;
 }
 
-// Does a later step refer to the pixel?
+// Whether a later step interpolates from the pixel, so that its attributes must be stored.
 fn attributes_stored(pixel: vec2u) -> bool {
     return pixel.y % 2u == 0u;
 }
 
-// Where OID is.
+// Index of the pixel's OID in the attribute buffer.
 fn attributes_object(pixel: vec2u) -> u32 {
     return attributes_plane(select(PLANE_OBJECT_BETWEEN, PLANE_OBJECT, attributes_stored(pixel)), pixel);
 }

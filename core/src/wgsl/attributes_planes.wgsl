@@ -10,7 +10,7 @@ fn attributes_write(place: u32, word: u32) {
     attributes[place] = word;
 }
 
-// Keeps what later steps refer to.
+// Stores the attributes that later steps refer to.
 fn attributes_keep(pixel: vec2u, a: Attributes, traced: u32) {
     if attributes_stored(pixel) {
         attributes_store(pixel, a, traced);

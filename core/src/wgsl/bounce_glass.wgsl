@@ -10,7 +10,7 @@ struct Branch {
 
 var<private> bounce_stack: array<Branch, BOUNCE_STACK>;
 var<private> bounce_stacked: u32;
-// Branches that were kept for this sample.
+// Number of branches that were pushed for this sample.
 var<private> bounce_kept: u32;
 
 fn bounce_next(branch: ptr<function, Branch>) -> bool {
@@ -23,13 +23,13 @@ fn bounce_next(branch: ptr<function, Branch>) -> bool {
     return true;
 }
 
-// Keeps a branch for later, or replaces it.
+// Pushes a branch, or returns the radiance that stands for it where a limit cuts it off.
 fn bounce_push(ray: Ray, weight: vec3f, level: u32, kind: u32) -> vec3f {
     let largest = max(weight.x, max(weight.y, weight.z));
     if largest <= 0.0 {
         return vec3f(0.0);
     }
-    // The primary ray is one of the rays.
+    // The primary ray counts among the MAX_RAYS rays of a sample.
     if level > frame.depth || largest < frame.min_weight || bounce_kept + 1u >= MAX_RAYS {
         return weight * frame.truncated;
     }

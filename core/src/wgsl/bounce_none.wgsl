@@ -1,4 +1,4 @@
-// Nothing in the scene reflects or refracts: the primary ray is the only one.
+// For scenes without mirrors and glass: a sample is its primary ray alone.
 
 struct Branch {
     ray: Ray,

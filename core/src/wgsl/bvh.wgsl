@@ -12,7 +12,7 @@ fn bvh_corners(primitive: u32) -> array<vec3f, 3> {
     return array<vec3f, 3>(tree_corner(primitive, 0u), tree_corner(primitive, 1u), tree_corner(primitive, 2u));
 }
 
-// What depends on the ray alone.
+// Terms of the slab test that depend on the ray alone.
 struct Slabs {
     origin: vec3f,
     inverse: vec3f,
@@ -105,7 +105,7 @@ fn bvh_traverse(ray: Ray, any: bool) -> Hit {
     let slabs = bvh_slabs(ray);
     let shear = triangle_shear(ray);
     var best = Hit(ray.t_max, MISS, 0.0, 0.0);
-    // Hits before this are looked at.
+    // Ray parameter of the closest hit so far: farther nodes are skipped.
     var reach = ray.t_max;
     var stack: array<vec2u, BVH_STACK>;
     var stacked = 0u;

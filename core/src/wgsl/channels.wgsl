@@ -1,4 +1,4 @@
-// What a share of light is judged by.
+// Measures of an RGB weight that decide about following a ray.
 
 fn channels_largest(share: vec3f) -> f32 {
     return max(share.x, max(share.y, share.z));

@@ -34,7 +34,7 @@ fn cone_footprint(width: f32, direction: vec3f, face: vec3f, corners: array<vec3
     return vec3f(a * a + b * b, a.x * a.y + b.x * b.y);
 }
 
-// The footprint as an attribute.
+// The footprint as it is stored among the attributes.
 fn cone_attribute(s: Surface) -> vec3f {
     let sign = texture_fold_sign(s.object, s.texcoord);
     return attributes_footprint(s.footprint * vec3f(1.0, 1.0, sign));

@@ -1,4 +1,4 @@
-// Nothing asks how much of the scene a sample stands for.
+// For frames without mip mapping: no ray cones are traced.
 
 fn cone_arrived(ray: Ray, t: f32) -> vec2f {
     return vec2f(0.0);

@@ -1,8 +1,8 @@
-// What the other eye is to look at: primitives + 1, 0 for none.
+// The surfaces of a path that the other eye is tested against: 1 + index of the primitive, 0 for none.
 
 struct Crossing {
     first: u32,
-    // Behind a mirror.
+    // The primitive seen by way of a plane mirror.
     second: u32,
 }
 

@@ -6,7 +6,7 @@ struct CrossingMirror {
     object: u32,
     point: vec3f,
     face: vec3f,
-    // Of the light that arrives.
+    // Weight of the light that arrives by the mirror, for each channel.
     share: vec3f,
 }
 
@@ -30,7 +30,7 @@ fn crossing_mirrors(look: ptr<function, Look>, s: Surface, m: Material, lobes: L
     return mirrors;
 }
 
-// What a mirror shows is seen behind it.
+// The mirror image of a surface point behind the mirror's plane.
 fn crossing_image(mirror: CrossingMirror, s: Surface) -> CrossingImage {
     if !mirror.there {
         return CrossingImage(s.position, s.face);

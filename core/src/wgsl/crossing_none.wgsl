@@ -1,4 +1,4 @@
-// Each eye for itself.
+// For frames without reuse between the eyes: a sample counts in its own pixel alone.
 
 struct Crossing {
     nothing: u32,

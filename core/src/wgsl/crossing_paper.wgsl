@@ -3,11 +3,11 @@
 // plane is at depth 1.
 
 struct Crossing {
-    // What the sample counts for in its own pixel.
+    // Weight of the sample in its own pixel.
     own: f32,
     // Where it lands: the index of a pixel + 1, 0 for nowhere.
     landing: u32,
-    // What it counts for there.
+    // Weight of the sample in the other eye's pixel, for each channel.
     other: vec3f,
 }
 

@@ -1,4 +1,4 @@
-// The other eye looks at first hits: the scene has no mirrors.
+// Reuse for scenes without mirrors: the other eye is tested against first hits alone.
 
 struct CrossingMirror {
     there: bool,

@@ -30,7 +30,7 @@ fn edges_color(pixel: vec2u) -> vec3f {
     ));
 }
 
-// The words of the secondary hit.
+// The two words that describe the secondary hit.
 fn edges_secondary_words(pixel: vec2u) -> vec2u {
     if !HAS_GCOL {
         return vec2u(0u);

@@ -1,4 +1,4 @@
-// Pixels keep what supersampling compares.
+// Stores the attributes that supersampling compares between neighbouring pixels.
 
 fn edges_keep(pixel: vec2u, a: Attributes, secondary: vec2u, color: vec3f) {
     var normal = 0u;
@@ -13,7 +13,7 @@ fn edges_keep_interpolated(pixel: vec2u, reference: vec2u, middle: Attributes, c
     edges_keep(pixel, middle, edges_secondary_words(reference), color);
 }
 
-// `object` is OID + 1.
+// Packs the object (OID + 1), the number of lights that do not reach the hit, and whether its texture counts.
 fn edges_word(object: u32, shadow: u32) -> u32 {
     if object == 0u {
         return 0u;

@@ -1,4 +1,4 @@
-// The darkest and the brightest, as shown, of a pixel and the eight around it.
+// The least and the greatest display-encoded colour of a pixel and its eight neighbours.
 
 struct EdgesRange {
     low: vec3f,

@@ -1,4 +1,4 @@
-// Emitters are seen, also in mirrors and through glass, and light nothing.
+// For frames lit by punctual lights alone: emitters are visible, directly and in mirrors and glass, but light nothing.
 
 fn emitters_weight(density: f32, s: Surface, direction: vec3f) -> f32 {
     return select(0.0, 1.0, density == 0.0);

@@ -1,4 +1,4 @@
-// No rays go to emitters: paths meet them, or nothing emits.
+// Without next-event estimation: emitters contribute where a path hits them, or the scene has none.
 
 fn emitters_weight(density: f32, s: Surface, direction: vec3f) -> f32 {
     return 1.0;

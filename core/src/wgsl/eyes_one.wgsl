@@ -1,16 +1,16 @@
-// One eye sees the whole picture.
+// Camera rays of a frame for one eye.
 
-// Does one eye see both pixels?
+// Whether both pixels belong to the picture of one eye.
 fn eyes_same(a: vec2u, b: vec2u) -> bool {
     return true;
 }
 
-// The pixel in the eye's own picture.
+// Position of the pixel in the picture of its eye.
 fn eyes_pixel(pixel: vec2u) -> vec2u {
     return pixel;
 }
 
-// Through a place in a pixel.
+// The primary ray through a place in [0, 1]^2 of a pixel.
 fn eyes_ray(pixel: vec2u, place: vec2f) -> Ray {
     return frame_ray_at(vec2f(pixel) + place, 1.0, 1.0);
 }

@@ -13,12 +13,12 @@ fn eyes_of(pixel: vec2u) -> u32 {
     return select(EYES_LEFT, EYES_RIGHT, pixel.x >= eyes_width());
 }
 
-// Does one eye see both pixels?
+// Whether both pixels belong to the picture of one eye.
 fn eyes_same(a: vec2u, b: vec2u) -> bool {
     return eyes_of(a) == eyes_of(b);
 }
 
-// The pixel in the eye's own picture.
+// Position of the pixel in the picture of its eye.
 fn eyes_pixel(pixel: vec2u) -> vec2u {
     return vec2u(pixel.x - eyes_of(pixel) * eyes_width(), pixel.y);
 }
@@ -40,7 +40,7 @@ fn eyes_aside() -> f32 {
     return 0.5 * (f32(frame.size.x) - f32(eyes_width()));
 }
 
-// Through a place in a pixel.
+// The primary ray through a place in [0, 1]^2 of a pixel.
 fn eyes_ray(pixel: vec2u, place: vec2f) -> Ray {
     var ray = frame_ray_at(vec2f(eyes_pixel(pixel)) + vec2f(eyes_aside(), 0.0) + place, 1.0, 1.0);
     let side = eyes_side(eyes_of(pixel));

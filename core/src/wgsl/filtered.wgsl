@@ -7,9 +7,9 @@ var<storage, read> filtered_before: array<vec4u>;
 
 // Surfaces are taken for no darker: what a black one shows remains.
 const FILTERED_LEAST_ALBEDO: f32 = 0.01;
-// Less light than that is none.
+// Light below this counts as black.
 const FILTERED_BLACK: f32 = 1.0e-20;
-// Steps of the mean albedo.
+// Quantisation steps of the mean albedo.
 const FILTERED_ALBEDO: f32 = 127.0;
 
 const FILTERED_MIRRORED: u32 = 0x80000000u;
@@ -22,7 +22,7 @@ fn filtered_sum(channels: vec3f) -> f32 {
     return channels.x + channels.y + channels.z;
 }
 
-// The first two words.
+// Packs normal, mean albedo, kind and depth of the first diffuse surface into two words.
 fn filtered_guide(guide: vec4u) -> vec2u {
     let normal = pack4x8snorm(vec4f(octahedral_decode(guide.x), 0.0));
     let albedo = u32(round(FILTERED_ALBEDO / 3.0 * filtered_sum(guides_albedo(guide))));
@@ -30,7 +30,7 @@ fn filtered_guide(guide: vec4u) -> vec2u {
     return vec2u(normal | albedo << 24u | kind, guide.y);
 }
 
-// The last two.
+// Packs the light into two words.
 fn filtered_light(light: vec3f) -> vec2u {
     let sum = filtered_sum(light);
     return vec2u(bitcast<u32>(sum), pack2x16unorm(light.xy / max(sum, FILTERED_BLACK)));

@@ -1,4 +1,4 @@
-// What guides the removal of noise is found on the way of a path.
+// Finds the first diffuse surface along a path, whose attributes guide the denoiser.
 
 struct Guide {
     // A unit of length in units of the primary ray's parameter.

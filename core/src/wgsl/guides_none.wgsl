@@ -1,4 +1,4 @@
-// Noise stays as it is.
+// For frames without a denoiser: no attributes of first diffuse surfaces are kept.
 
 struct Guide {
     nothing: u32,

@@ -1,4 +1,4 @@
-// What the frame before left.
+// Reads the history that the previous frame has left.
 
 var<storage, read> history_before: array<f32>;
 

@@ -1,4 +1,4 @@
-// Some surfaces have holes, some let shadow rays pass.
+// Hit filter for scenes with alpha-masked surfaces, and with surfaces that let shadow rays pass.
 
 fn hit_counts(primitive: u32, u: f32, v: f32, shadow: bool) -> bool {
     let flags = shading_at(primitive).w;

@@ -1,4 +1,4 @@
-// Nothing stops a ray; what it passes through is counted.
+// Hit filter of the probe that counts the surfaces along a ray: no surface stops it.
 
 var<private> hit_counted: u32;
 

@@ -1,6 +1,6 @@
 // The centres around an inactive quarter of a pixel stand for it, bilinearly (Jin 2009, section 6).
 
-// What that adds to the pixel.
+// What bilinear interpolation adds to the pixel's colour for its inactive subpixels.
 fn inactive_correction(pixel: vec2u, mask: u32) -> vec3f {
     let own = edges_color(pixel);
     var sum = vec3f(0.0);

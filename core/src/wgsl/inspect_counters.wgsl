@@ -57,7 +57,7 @@ fn inspect_failed(pixel: vec2u, failed: u32) {
     }
 }
 
-// A pixel that postcorrection is to trace.
+// Counts a pixel that postcorrection is to trace.
 fn inspect_claim() {
     inspect_count(COUNTER_CLAIMED, 1u);
 }
@@ -107,7 +107,7 @@ fn inspect_more(pixel: vec2u) {
     }
 }
 
-// What the test of a pixel's quarters says.
+// Records the result of the subpixel test.
 fn inspect_edges(pixel: vec2u, edges: u32) {
     if HAS_RECORDS {
         inspection.pixels[pixel.y * frame.size.x + pixel.x].edges = edges;

@@ -1,4 +1,4 @@
-// Samples lie in the centre of their cells.
+// Sample positions without jitter: the centre of each stratum.
 
 fn jitter_in(cell: vec2u) -> vec2f {
     return vec2f(0.5);

@@ -5,7 +5,7 @@ struct Light {
     kind: u32,
     intensity: vec3f,
     radius: f32,
-    // Along which it shines.
+    // Unit vector in which the light shines.
     direction: vec3f,
     // 1 / range^2, 0 without a range.
     inverse_range2: f32,
@@ -32,7 +32,7 @@ fn lights_count() -> u32 {
 }
 
 struct Arrival {
-    // Unit vector to the light.
+    // Unit vector from the surface to the light.
     direction: vec3f,
     distance: f32,
     irradiance: vec3f,

@@ -1,4 +1,4 @@
-// All active subpixels.
+// Range of the list that is dispatched: all active subpixels.
 
 const LIST_SAMPLES: u32 = 4u;
 

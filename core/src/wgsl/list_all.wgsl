@@ -1,4 +1,4 @@
-// All that the adaptive steps have listed.
+// Range of the list that is dispatched: everything that the adaptive steps have listed.
 
 const LIST_SAMPLES: u32 = 1u;
 

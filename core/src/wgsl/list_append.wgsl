@@ -1,4 +1,4 @@
-// The list as steps see it that add to it.
+// Appending to the list of samples to be traced.
 
 struct ListOut {
     count: atomic<u32>,

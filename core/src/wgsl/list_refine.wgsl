@@ -1,4 +1,4 @@
-// What is listed and not done.
+// Range of the list that is dispatched: listed pixels whose next samples are not traced yet.
 
 const LIST_SAMPLES: u32 = 4u;
 

@@ -1,4 +1,4 @@
-// What is listed and not done, as far as a round goes.
+// Range of the list that is dispatched: entries not yet treated, up to the most that a round may trace.
 
 const LIST_SAMPLES: u32 = 1u;
 

@@ -1,4 +1,4 @@
-// What the step before has listed.
+// Range of the list that is dispatched: what the previous step has appended.
 
 const LIST_SAMPLES: u32 = 1u;
 

@@ -4,16 +4,16 @@ struct Lobes {
     diffuse: vec3f,
     mirror: vec3f,
     refraction: vec3f,
-    // Largest channels.
+    // Largest channel of each lobe.
     chances: vec3f,
-    // Of all three.
+    // Sum of the three.
     sum: f32,
     // To the normal, on the viewer's side and, for refraction, on the other.
     cosine: f32,
     beyond: f32,
 }
 
-// A lobe that was chosen.
+// The sampled lobe.
 struct Leaving {
     ray: Ray,
     // The share of the light over the probability of the choice.

@@ -1,4 +1,4 @@
-// Every material is matte: paths go on by the diffuse lobe alone, and nothing emits.
+// For scenes of diffuse, non-emissive materials: paths go on by the diffuse lobe alone.
 
 struct Lobes {
     diffuse: vec3f,

@@ -1,9 +1,9 @@
-// What the other eye sees of a path's first surface, or of what is behind a mirror.
+// Visibility of a path's first surface, or of what a plane mirror shows of it, from the other eye.
 
 struct Look {
     pixel: vec2u,
     ray: Ray,
-    // 1 for the ray from the eye.
+    // Bounce level: 1 for the ray from the eye.
     level: u32,
     crossing: Crossing,
 }

@@ -54,7 +54,7 @@ fn material_ratio(m: Material, inside: bool) -> f32 {
     return select(1.0 / m.ior, m.ior, inside);
 }
 
-// Schlick's (1 - cos)^5.
+// The factor (1 - cos)^5 of Schlick's approximation.
 fn material_grazing(cosine: f32) -> f32 {
     let x = 1.0 - cosine;
     let x2 = x * x;
@@ -66,7 +66,7 @@ fn material_fresnel(m: Material, cosine: f32, inside: bool) -> vec3f {
     let ratio = material_ratio(m, solid_inside);
     var dielectric = fresnel_reflectance(cosine, ratio, fresnel_transmitted(cosine, ratio));
     if material_is(m, OBJECT_THIN) {
-        // Both faces of the pane, all orders.
+        // Reflectance of a pane: both faces, all orders of internal reflection.
         dielectric = 2.0 * dielectric / (1.0 + dielectric);
     }
     let grazing = material_grazing(cosine);
@@ -117,7 +117,7 @@ fn material_rough_metal(m: Material) -> vec3f {
     return m.base * (m.metallic * (1.0 - material_gloss(m)));
 }
 
-// Both.
+// Albedo of the diffuse and the specular lobe together.
 fn material_albedo(m: Material, cosine: f32, inside: bool) -> vec3f {
     return material_diffuse(m, cosine, inside) + material_rough_metal(m);
 }

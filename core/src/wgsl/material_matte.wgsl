@@ -1,4 +1,4 @@
-// Every material is matte: a colour that scatters light.
+// For scenes of diffuse materials: a material is its albedo.
 
 struct Material {
     base: vec3f,

@@ -1,4 +1,4 @@
-// What treats noise of paths sees of a picture.
+// Neighbourhoods of pixels as the denoisers see them.
 
 // Is there such a pixel, and does the same eye see it?
 fn noise_reaches(pixel: vec2u, tap: vec2i) -> bool {

@@ -12,13 +12,13 @@ struct Object {
     // Shares of local, mirrored and refracted light where OBJECT_WEIGHTS is set.
     weights: vec3f,
     flags: u32,
-    // Places in the atlas.
+    // Rectangles of the textures in the atlas.
     base_color_texture: vec4u,
     metallic_roughness_texture: vec4u,
     emissive_texture: vec4u,
 }
 
-// What of it is not used is not read.
+// Reads an object; compilers drop the reads of fields that are not used.
 fn object_at(object: u32) -> Object {
     let base = object_part(object, 0u);
     let emission = object_part(object, 1u);

@@ -10,7 +10,7 @@ fn octahedral_encode(n: vec3f) -> u32 {
     return pack2x16snorm(p);
 }
 
-// A vector of length 0.57 to 1.
+// Decodes to a vector of length 0.57 to 1, not normalised.
 fn octahedral_direction(packed: u32) -> vec3f {
     let p = unpack2x16snorm(packed);
     let z = 1.0 - abs(p.x) - abs(p.y);

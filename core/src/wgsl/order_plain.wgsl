@@ -1,4 +1,4 @@
-// Workgroups treat the tiles in their own order.
+// Order of tiles on GPUs: workgroups treat the tiles in their own order.
 
 const ORDER_SINGLY: u32 = 1u;
 const ORDER_RUNS: u32 = 1u;

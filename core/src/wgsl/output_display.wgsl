@@ -1,4 +1,4 @@
-// The frame as it is shown: sRGB-encoded, 8 bits a channel.
+// Writes the displayed frame: sRGB-encoded, 8 bits a channel.
 
 var display: texture_storage_2d<rgba8unorm, write>;
 

@@ -1,4 +1,4 @@
-// The frame as it was computed.
+// Writes linear radiance, 32-bit floating point.
 
 var linear: texture_storage_2d<rgba32float, write>;
 

@@ -1,4 +1,4 @@
-// Samples that a pixel is averaged from later.
+// Writes radiances of samples, which are averaged to pixels later.
 
 fn output(sample: vec2u, radiance: vec3f) {
     samples_store(sample, radiance);

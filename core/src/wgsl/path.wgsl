@@ -1,19 +1,19 @@
 // One sample of a path tracer (Kajiya 1986): a path from the eye that goes on by one lobe of each surface.
 
-// Vertices from which on paths end at random.
+// Bounce level from which on Russian roulette may end a path.
 const PATH_ROULETTE_LEVEL: u32 = 3u;
 
 // The numbers of a path: behind the place in the pixel a vertex has as many pairs of its own as PATH_DIMENSIONS.
 const PATH_DIMENSIONS: u32 = 4u;
 // Which lobe; whether the path stops away from the gaze.
 const PATH_LOBE: u32 = 0u;
-// The diffuse direction.
+// Dimension of the diffuse direction.
 const PATH_DIRECTION: u32 = 1u;
 // Which emitter; whether roulette ends the path.
 const PATH_EMITTER: u32 = 2u;
-// Where on it.
+// Dimension of the point on the emitter.
 const PATH_POINT: u32 = 3u;
-// From one point on emitters to the next.
+// Distance of the dimensions of successive light samples.
 const PATH_LIGHT_SAMPLE: u32 = 1024u;
 
 struct Path {
@@ -22,14 +22,14 @@ struct Path {
     kind: u32,
     // What the radiance that arrives along the ray counts for.
     throughput: vec3f,
-    // 1 for the ray from the eye.
+    // Bounce level: 1 for the ray from the eye.
     level: u32,
     // How densely the ray was drawn about a diffuse surface, per unit of solid angle; 0 for all other rays.
     density: f32,
-    // What was found.
+    // Radiance found so far.
     radiance: vec3f,
     crossing: Crossing,
-    // At the first hit: OID + 1, distance, normal.
+    // Attributes of the first hit: OID + 1, distance, normal.
     object: u32,
     depth: f32,
     normal: vec3f,

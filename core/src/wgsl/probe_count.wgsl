@@ -1,4 +1,4 @@
-// How many surfaces rays pass through.
+// Counts the surfaces that rays of the caller pass through.
 
 var<storage, read_write> results: array<u32>;
 

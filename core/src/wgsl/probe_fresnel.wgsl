@@ -1,4 +1,4 @@
-// Boundaries of dielectrics.
+// Evaluates Fresnel's equations for boundaries that the caller states.
 
 struct ProbeBoundary {
     cosine: f32,
@@ -7,9 +7,9 @@ struct ProbeBoundary {
 
 struct ProbeFresnel {
     reflectance: f32,
-    // Cosine on the other side.
+    // Cosine of the refracted direction.
     transmitted: f32,
-    // 1 where everything is reflected.
+    // 1 at total internal reflection, else 0.
     total: u32,
     padding0: u32,
     // For the normal +z and a ray that comes along +x; zero where everything is reflected.

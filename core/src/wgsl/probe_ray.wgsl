@@ -1,4 +1,4 @@
-// Rays of the caller's.
+// Rays that the caller states.
 
 struct ProbeRay {
     origin: vec3f,

@@ -1,4 +1,4 @@
-// What rays see: a whole sample each.
+// Traces and shades rays of the caller, and reports radiance and attributes.
 
 struct ProbeSample {
     color: vec3f,

@@ -1,4 +1,4 @@
-// Where rays arrive, and where those that leave the surface start.
+// Reports hit points, and the origins of rays that leave the surface to either side.
 
 struct ProbeSpawn {
     position: vec3f,

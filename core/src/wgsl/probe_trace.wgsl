@@ -1,4 +1,4 @@
-// What rays meet.
+// Traces rays of the caller and reports their closest hits.
 
 struct ProbeHit {
     t: f32,

@@ -2,7 +2,7 @@
 // then the contrast of the four colours decides.
 
 struct Test {
-    // Bit i: quarter i, as in active.wgsl.
+    // Bit i is set where subpixel i, numbered as in active.wgsl, is active.
     quarters: u32,
     // Of any quarter: bit 0, the contrast exceeds the colour's threshold; bits 1 to 8, the attributes of Table 1 differ.
     differing: u32,
@@ -14,7 +14,7 @@ fn quarters_test(pixel: vec2u) -> Test {
     }
     let own = edges_load(pixel);
     let own_shown = contrast_shown(own.color);
-    // Textures count whatever the neighbours are.
+    // Textures are tested on the pixel itself, whatever its neighbours are.
     let own_bits = quarters_textures(own);
     var bits: array<u32, 9>;
     var shown: array<vec3f, 9>;
@@ -63,7 +63,7 @@ fn quarters_differing(own: Edges, other: Edges) -> u32 {
         | (quarters_differing_at(own.secondary, other.secondary, own.secondary_normal, other.secondary_normal) << 4u);
 }
 
-// Object, normal, shadow count.
+// Bits for differences of object, normal and number of shadowing lights.
 fn quarters_differing_at(a: u32, b: u32, a_normal: u32, b_normal: u32) -> u32 {
     if !quarters_in_focus(a) && !quarters_in_focus(b) {
         return 0u;

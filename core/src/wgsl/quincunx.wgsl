@@ -5,7 +5,7 @@
 
 var<storage, read_write> samples: array<f32>;
 
-// Eighths from one lattice sample to the next.
+// Distance of neighbouring lattice samples, in eighths of a pixel.
 const QUINCUNX_STEP: u32 = 2u;
 
 fn quincunx_place(point: vec2u) -> u32 {
@@ -63,7 +63,7 @@ fn quincunx_differs(q: Quad) -> bool {
     return contrast_exceeds(min(a, b), max(a, b), frame.similar);
 }
 
-// The pixel that a sample is counted with.
+// The pixel that counts a sample which several pixels share.
 fn quincunx_pixel(point: vec2u) -> vec2u {
     return min(point / 8u + vec2u(0u, frame.row), frame.size - 1u);
 }

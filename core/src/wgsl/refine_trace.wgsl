@@ -6,7 +6,7 @@ struct Refining {
     listed: bool,
     pixel: vec2u,
     step: u32,
-    // Which of the four is the thread's.
+    // Which of the four samples of a step this thread traces.
     part: u32,
 }
 
@@ -20,7 +20,7 @@ fn refine_begin(group: u32, local: u32) -> Refining {
     return Refining(listed, refine_pixel(entry), refine_step(entry), local % REFINE_STEP);
 }
 
-// The i-th of the pixel's sixteen samples.
+// Traces the i-th of the pixel's sixteen samples.
 fn refine_trace(pixel: vec2u, i: u32, local: u32) -> vec3f {
     let color = sample_follow(frame_ray_in(4u * pixel + order_cell(i), 4.0)).color;
     refine_colors[local] = color;
@@ -28,7 +28,7 @@ fn refine_trace(pixel: vec2u, i: u32, local: u32) -> vec3f {
     return color;
 }
 
-// Of the four from that place on.
+// Sum of the four samples of a pixel, from workgroup slot `local` on.
 fn refine_sum(local: u32) -> vec3f {
     return refine_colors[local] + refine_colors[local + 1u] + refine_colors[local + 2u] + refine_colors[local + 3u];
 }

@@ -1,4 +1,4 @@
-// Where the points of the frame before are seen now.
+// Projects the surface points of the previous frame into the present one.
 
 struct Landed {
     // The greatest key of what landed in the pixel, 0 where nothing did.
@@ -9,10 +9,10 @@ struct Landed {
 
 var<storage, read_write> landed: array<Landed>;
 
-// What a pixel of the frame before is moved to.
+// Target of a pixel of the previous frame.
 struct Move {
     to: u32,
-    // 0 where it is moved nowhere.
+    // Key of the depth test; 0 where the point is outside of the frame.
     key: u32,
 }
 
@@ -33,13 +33,13 @@ fn reproject_move(pixel: vec2u) -> Move {
     let depth = dot(point - frame.origin, frame.forward);
     let aside = fract(at) - 0.5;
     let offset = u32(dot(aside, aside) * f32((2u << MOVE_OFFSET_BITS) - 2u));
-    // The sign of a depth is no bit of it.
+    // Depths are positive: the sign bit is shifted out of the key.
     let order = (bitcast<u32>(depth) << 1u) & ~((1u << MOVE_OFFSET_BITS) - 1u);
     let to = vec2u(at);
     return Move(to.y * frame.size.x + to.x, ~(order | min(offset, (1u << MOVE_OFFSET_BITS) - 1u)));
 }
 
-// Is there anything to move?
+// Whether the camera has moved since the previous frame.
 fn reproject_needed() -> bool {
     return frame.renewed < RANKS && frame.still == 0u;
 }

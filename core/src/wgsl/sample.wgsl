@@ -3,7 +3,7 @@
 struct Sample {
     attributes: Attributes,
     color: vec3f,
-    // Rays were followed beyond the first hit.
+    // Whether rays beyond the first hit were followed.
     bounced: bool,
 }
 

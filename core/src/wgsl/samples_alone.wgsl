@@ -1,4 +1,4 @@
-// Samples of paths are added up where they are taken, and shown at once.
+// Sums of path samples where each pixel has its own samples alone: added and displayed at once.
 
 fn samples_add(pixel: vec2u, crossing: Crossing, radiance: vec3f) {
     if COUNTS {

@@ -1,4 +1,4 @@
-// Leaves a sample where it is until the other eye has looked.
+// Stores a path sample until its visibility from the other eye is known.
 
 fn samples_add(pixel: vec2u, crossing: Crossing, radiance: vec3f) {
     let place = samples_place(pixel);

@@ -1,4 +1,4 @@
-// Nobody asks what the second hit of a sample is.
+// For frames that do not compare secondary hits: nothing is stored of them.
 
 fn secondary_begin() {}
 fn secondary_hit(weight: vec3f, s: Surface, shadow: u32) {}

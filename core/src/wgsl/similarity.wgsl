@@ -17,13 +17,13 @@ fn similarity_seam(a: vec2f, b: vec2f) -> bool {
     return any((low < vec2f(t)) & (high > vec2f(1.0 - t)));
 }
 
-// The checks that fail, as CHECK_* bits.
+// The similarity checks that fail for a pair of references, as CHECK_* bits.
 fn similarity_failed(a: Attributes, a_pixel: vec2u, b: Attributes, b_pixel: vec2u) -> u32 {
     if a.object != b.object {
         return CHECK_OID;
     }
     if a.object == 0u {
-        // Two misses differ in nothing.
+        // Two references without a hit pass every check, unless the tolerance traces everything.
         return select(CHECK_POS, 0u, frame.pos_tolerance > 0.0);
     }
     let a_position = similarity_position(a_pixel, a.depth);

@@ -1,4 +1,4 @@
-// The scene has no analytic spheres.
+// For scenes without analytic spheres.
 
 fn sphere_is(primitive: u32) -> bool {
     return false;

@@ -4,7 +4,7 @@ fn stopping_stops(pixel: vec2u, number: f32) -> bool {
     return number < stopping_probability(pixel);
 }
 
-// What a path counts for that has gone on.
+// Weight of a path that was not stopped.
 fn stopping_weight(pixel: vec2u) -> f32 {
     if !STOPPING_COMPENSATED {
         return 1.0;

@@ -1,4 +1,4 @@
-// Paths go on wherever the eyes look.
+// For frames without gaze-based stopping: paths go on everywhere in the picture.
 
 fn stopping_stops(pixel: vec2u, number: f32) -> bool {
     return false;

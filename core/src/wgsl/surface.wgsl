@@ -1,7 +1,7 @@
-// The surface at a hit.
+// The interpolated surface at a hit, and the origins of rays that leave it.
 
 struct Surface {
-    // Of the hit.
+    // Index of the primitive that was hit.
     primitive: u32,
     t: f32,
     position: vec3f,
@@ -9,7 +9,7 @@ struct Surface {
     // Shading normal and normal of the face, both on the viewer's side of the face.
     normal: vec3f,
     face: vec3f,
-    // New rays start this far from the face.
+    // Distance of spawned origins from the face.
     offset: f32,
     inside: bool,
     texcoord: vec2f,
@@ -128,7 +128,7 @@ fn surface_spawn(s: Surface, direction: vec3f, t_max: f32, cone: vec2f) -> Ray {
     return Ray(s.position + side * s.face, t_max, direction, s.primitive, 0.0, cone);
 }
 
-// The same ray on its way through the surface.
+// The continuation of a ray through the surface, in the same direction.
 fn surface_pass(s: Surface, ray: Ray) -> Ray {
     return Ray(ray.origin, FAR, ray.direction, s.primitive, s.t, ray.cone);
 }

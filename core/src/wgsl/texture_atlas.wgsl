@@ -1,12 +1,12 @@
 // All images in one array of pages, with glTF's wrap modes. A place is (x | y << 16, width | height << 16,
 // page | wrap_s << 11 | wrap_t << 13 | page of the levels << 15 | TEXTURE_* flags, x | y << 16 of the levels).
 
-// Decodes sRGB.
+// The pages as sRGB: decoded when read.
 var atlas_color: texture_2d_array<f32>;
-// The same texels as they are.
+// The same pages without decoding.
 var atlas_data: texture_2d_array<f32>;
 
-// A rectangle of texels on a page.
+// A rectangle of texels on a page of the atlas.
 struct Texels {
     corner: vec2i,
     size: vec2i,
@@ -28,7 +28,7 @@ fn texture_wrap_axis(i: i32, size: i32, wrap: u32) -> i32 {
     return select(clamp(i, 0, size - 1), repeated, wrap == WRAP_REPEAT);
 }
 
-// Of the third word of a place.
+// Wrap modes of s and t, from the third word of a place.
 fn texture_wrap(word: u32) -> vec2u {
     return vec2u((word >> 11u) & 3u, (word >> 13u) & 3u);
 }
@@ -37,13 +37,13 @@ fn texture_corner(word: u32) -> vec2i {
     return vec2i(vec2u(word & 0xffffu, word >> 16u));
 }
 
-// The image itself.
+// The rectangle of the image at full resolution.
 fn texture_whole(place: vec4u) -> Texels {
     let nearest = (place.z & TEXTURE_NEAREST) != 0u;
     return Texels(texture_corner(place.x), texture_corner(place.y), i32(place.z & TEXTURE_PAGE), nearest);
 }
 
-// What one point of the texture shows.
+// Samples a texture at one point, nearest or bilinear.
 fn texture_point(atlas: texture_2d_array<f32>, t: Texels, wrap: vec2u, texcoord: vec2f) -> vec4f {
     let folded = vec2f(texture_fold_axis(texcoord.x, wrap.x), texture_fold_axis(texcoord.y, wrap.y));
     let at = folded * vec2f(t.size) - 0.5;

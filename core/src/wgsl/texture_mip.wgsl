@@ -9,15 +9,15 @@
 // so r^2 = (w^2 + 3) / s^2 - 2, and one point does for s^2 = 1 + w^2 / 3: the level is the one below that. One is taken off
 // w^2: what is magnified is the image as it is.
 
-// An ellipse in texels of the image.
+// The footprint's ellipse in texels of the image.
 struct Ellipse {
-    // Of its longer axis.
+    // Direction of the longer axis.
     direction: vec2f,
     // w^2 along the longer and the shorter axis.
     axes: vec2f,
 }
 
-// A level from 1 on.
+// The rectangle of a mip level from 1 on.
 fn texture_level(place: vec4u, level: u32) -> Texels {
     let size = texture_corner(place.y);
     var corner = texture_corner(place.w);
@@ -48,7 +48,7 @@ fn texture_average(atlas: texture_2d_array<f32>, place: vec4u, texcoord: vec2f, 
     let level = min(0.5 * log2(s2), smallest);
     let below = u32(level);
     let finer = texture_points(atlas, place, below, texcoord, ellipse);
-    // From level to level there is no step.
+    // Blends two levels, so that no seam is visible between them.
     let part = 1.0 - TEXTURE_STEPS * (f32(below + 1u) - level);
     if part <= 0.0 {
         return finer;

@@ -1,4 +1,4 @@
-// The scene shows no texture.
+// For scenes without textures.
 
 fn texture_color(place: vec4u, texcoord: vec2f, footprint: vec3f) -> vec4f {
     return vec4f(1.0);

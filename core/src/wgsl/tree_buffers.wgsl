@@ -6,7 +6,7 @@ var<storage, read> primitives: array<f32>;
 // Normals of a primitive's corners (octahedral), and object | SURFACE_* flags.
 var<storage, read> shading: array<vec4u>;
 
-// A fifth of a node.
+// Reads 16 of a node's 80 bytes.
 fn tree_node(index: u32, part: u32) -> vec4u {
     return nodes[5u * index + part];
 }

@@ -6,7 +6,7 @@ var primitives: texture_2d<u32>;
 // Normals of a primitive's corners (octahedral), and object | SURFACE_* flags.
 var shading: texture_2d<u32>;
 
-// A fifth of a node.
+// Reads 16 of a node's 80 bytes.
 fn tree_node(index: u32, part: u32) -> vec4u {
     return textureLoad(nodes, texel(5u * index + part), 0);
 }

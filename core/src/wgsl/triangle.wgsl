@@ -4,7 +4,7 @@
 
 struct TriangleHit {
     t: f32,
-    // Weights of the second and third corner.
+    // Barycentric weights of the second and third corner.
     u: f32,
     v: f32,
     hit: bool,

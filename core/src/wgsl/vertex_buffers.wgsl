@@ -11,7 +11,7 @@ fn vertex_stride() -> u32 {
     return arrayLength(&vertices) / arrayLength(&shading);
 }
 
-// Of the three corners.
+// Texture coordinates of the three corners.
 fn vertex_texcoords(primitive: u32) -> array<vec2f, 3> {
     let stride = vertex_stride();
     if stride < 6u {

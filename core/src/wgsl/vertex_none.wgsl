@@ -1,4 +1,4 @@
-// Vertices carry neither texture coordinates nor colours.
+// For scenes without texture coordinates and vertex colours.
 
 fn vertex_texcoords(primitive: u32) -> array<vec2f, 3> {
     return array<vec2f, 3>();

@@ -3,7 +3,7 @@
 
 var vertices: texture_2d<u32>;
 
-// Of the three corners.
+// Texture coordinates of the three corners.
 fn vertex_texcoords(primitive: u32) -> array<vec2f, 3> {
     if VERTEX_STRIDE_KNOWN && VERTEX_STRIDE < 6u {
         return array<vec2f, 3>();

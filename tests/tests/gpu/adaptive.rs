@@ -10,7 +10,7 @@ const SCENES: [&str; 4] = ["room", "cornell", "minray", "furnace"];
 const ODD_SIZES: [[u32; 2]; 9] =
     [[1, 1], [1, 7], [8, 1], [2, 1], [2, 2], [3, 5], [17, 31], [64, 33], [127, 65]];
 
-/// Every block that there is.
+/// All sides of base blocks.
 const BLOCKS: [u32; 3] = [2, 4, 8];
 
 fn strict() -> Settings {
@@ -66,7 +66,7 @@ fn built_in(name: &str) -> Scene {
     builtin(name).expect("a built-in scene")
 }
 
-/// Each scene lacks something else.
+/// Each of the shared scenes lacks another feature.
 #[test]
 fn leaving_out_changes_nothing_in_shared_scenes() {
     for file in ["vr_bunny.glb", "coffee_maker.glb", "wooden_staircase.glb", "contemporary_bathroom.glb"] {

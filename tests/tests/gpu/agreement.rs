@@ -16,12 +16,12 @@ use glimpse_tests::{Stage, gallery, note};
 const SHARES: [f64; 2] = [0.05, 0.005];
 /// A pixel of a quincunx hangs on a dozen samples and more, at corners where edges are drawn to lie.
 const QUINCUNX_SHARES: [f64; 2] = [0.05, 0.02];
-/// Random rays a scene.
+/// Number of random rays in each scene.
 const RAYS: usize = 100_000;
 /// Two units in the last place.
 const EPSILON: f64 = 1.0 / 4_194_304.0;
 
-/// A scene on the device and in f64.
+/// A scene on the device together with its f64 reference.
 struct Pair {
     stage: Stage,
     reference: Reference,
@@ -170,7 +170,7 @@ fn lenses() {
     agree("lenses", gallery::lenses(), [96, 64], Settings { depth: 5, ..Settings::default() });
 }
 
-/// The texture itself at one point.
+/// Textures are sampled at one point, without mip levels.
 #[test]
 fn textures_without_averages() {
     let settings = Settings { mip: Mip::Off, ..Settings::default() };

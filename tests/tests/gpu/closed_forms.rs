@@ -1,4 +1,4 @@
-//! Scenes whose radiance is known.
+//! Scenes whose radiance is known in closed form.
 
 use std::f64::consts::PI;
 
@@ -128,7 +128,7 @@ fn light_from_the_front_arrives() {
     });
 }
 
-/// Schlick's reflectance of a metal.
+/// Schlick's approximation of a metal's reflectance.
 fn schlick(color: DVec3, cos: f64) -> DVec3 {
     color + (1.0 - color) * (1.0 - cos).powi(5)
 }

@@ -14,7 +14,7 @@ use glimpse_tests::{
 
 use super::agreement::srgb;
 
-/// The right eye lacks a column.
+/// An odd width: the right eye has one column less.
 const SIZE: [u32; 2] = [121, 40];
 
 fn settings(crossing: Crossing) -> Settings {
@@ -31,7 +31,7 @@ fn frame(stage: &Stage, settings: &Settings, size: [u32; 2]) -> Vec<DVec3> {
     image.pixels().map(|pixel| DVec3::from(pixel.0.map(f64::from))).collect()
 }
 
-/// The same by the reference.
+/// The same frame by the f64 reference.
 fn expected(frame: &Frame<'_>) -> Vec<DVec3> {
     let [width, height] = frame.size;
     let index = |[x, y]: [u32; 2]| (y * width + x) as usize;

@@ -45,7 +45,7 @@ fn pixels() -> impl Iterator<Item = [u32; 2]> {
     (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| [x, y]))
 }
 
-/// The same view without perspective.
+/// The harness with an orthographic camera in the same place.
 fn orthographic(stage: Stage) -> Stage {
     let Camera { right, up, .. } = stage.camera;
     let camera = Camera { right: 2.0 * right, up: 2.0 * up, orthographic: true, ..stage.camera };

@@ -27,7 +27,7 @@ fn with(change: impl FnOnce(&mut glimpse::Paths)) -> Settings {
     settings
 }
 
-/// The mean of so many samples.
+/// The mean of this many samples of each pixel.
 fn mean(stage: &Stage, settings: &Settings, samples: u32) -> LinearImage {
     let mut renderer = Renderer::new(gpu(), &stage.scene, SIZE, settings).expect("a renderer");
     // A picture of nothing yet has one.

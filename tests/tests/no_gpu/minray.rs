@@ -1,4 +1,4 @@
-//! The f64 minray by itself.
+//! Tests of the f64 minray program itself.
 
 use glam::{DVec3, dvec3};
 use glimpse_tests::minray::{AMBIENT, LEVELS, SIZE, at_edge, picture, pixel};

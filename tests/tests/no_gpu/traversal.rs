@@ -1,4 +1,4 @@
-//! The f64 traversal by itself.
+//! Tests of the f64 traversal itself.
 
 use glam::{DVec3, Vec3};
 use glimpse::{

@@ -14,7 +14,7 @@ mod wires;
 
 use super::Scene;
 
-/// The names that [`builtin`] knows.
+/// The names of the built-in scenes, as [`builtin`] takes them.
 pub const BUILTIN_NAMES: [&str; 5] = ["room", "cornell", "minray", "furnace", "wires"];
 
 /// A built-in scene by name; `None` where there is no such name. The first camera is called `main`.

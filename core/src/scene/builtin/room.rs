@@ -9,16 +9,16 @@ use super::{furniture, textures};
 use crate::camera::Camera;
 use crate::scene::{Environment, Light, LightKind, Material, Scene};
 
-/// The room's corners.
+/// The corner of the room's box with the least coordinates, in metres.
 const LOW: Vec3 = vec3(-2.4, 0.0, -2.6);
 const HIGH: Vec3 = vec3(2.4, 2.7, 2.6);
 /// The window in the wall at x = -2.4: (z, y) of its corners.
 const WINDOW: [Vec2; 2] = [vec2(-1.45, 0.85), vec2(0.25, 2.25)];
 /// The middle of the table on the floor, and its height.
 const TABLE: Vec3 = vec3(-0.15, 0.75, -0.75);
-/// The pendant lamp's bulb.
+/// The centre of the pendant lamp's bulb, in metres.
 const PENDANT: Vec3 = vec3(-0.15, 1.72, -0.75);
-/// The floor lamp's foot.
+/// The centre of the floor lamp's foot, in metres.
 const FLOOR_LAMP: Vec3 = vec3(2.12, 0.0, -1.78);
 
 fn at(position: Vec3, turn: f32) -> Affine3A {

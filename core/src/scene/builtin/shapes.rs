@@ -16,7 +16,7 @@ pub(super) struct Builder {
 }
 
 impl Builder {
-    /// Begins an object; gives its OID.
+    /// Adds an object with this material and returns its OID; the triangles and spheres that follow belong to it.
     pub fn object(&mut self, name: impl Into<String>, material: u32) -> u32 {
         self.scene.objects.push(Object { name: name.into(), material });
         (self.scene.objects.len() - 1) as u32
@@ -27,7 +27,7 @@ impl Builder {
         (self.scene.materials.len() - 1) as u32
     }
 
-    /// A repeated, filtered texture.
+    /// Adds a texture that repeats in both directions and is filtered bilinearly; returns its index.
     pub fn texture(&mut self, image: Image8) -> Option<u32> {
         self.scene.images.push(image);
         let image = (self.scene.images.len() - 1) as u32;
@@ -195,7 +195,7 @@ fn frame(axis: Vec3) -> (Vec3, Vec3) {
     (x, axis.cross(x))
 }
 
-/// A rotation by so many radians.
+/// The rotation by `angle` radians around `axis`.
 pub(super) fn turned(axis: Vec3, angle: f32) -> Affine3A {
     let (sin, cos) = sincosf(0.5 * angle);
     Affine3A::from_quat(Quat::from_vec4((sin * axis).extend(cos)))

@@ -7,7 +7,7 @@ use libm::{atan2f, cosf, powf, sinf};
 
 use crate::scene::Image8;
 
-/// Texels a side.
+/// Side of the square images, in texels.
 const SIZE: u32 = 512;
 
 /// An image of `color(x, y)` with x to the right and y down in [0, 1).

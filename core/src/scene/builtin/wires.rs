@@ -21,7 +21,7 @@ const ASPECT: f32 = 16.0 / 9.0;
 const THINGS: i32 = 2000;
 const FIELD_OF_VIEW: f32 = 0.7;
 const EYE: Vec3 = vec3(0.0, 1.6, 6.0);
-/// The wall's distance from the eye.
+/// Distance of the wall from the camera, in metres.
 const WALL: f32 = 10.0;
 /// Widths in pixels of [`ROWS`]; half of the things are thinner than the geometric mean.
 const WIRE_WIDTHS: [f32; 2] = [1.0, 2.5];

@@ -19,9 +19,9 @@ const MAX_SPARSE: u64 = 1 << 26;
 
 /// An accessor whose every element lies inside the file's bytes.
 pub(super) struct Accessor<'b> {
-    /// Elements.
+    /// Number of elements.
     pub count: usize,
-    /// Components an element.
+    /// Number of components of an element, 1 to 16.
     pub components: usize,
     component: ComponentType,
     normalized: bool,
@@ -35,13 +35,13 @@ pub(super) struct Accessor<'b> {
 struct Sparse<'b> {
     /// Element numbers, strictly ascending.
     indices: &'b [u8],
-    /// Bytes of one of them.
+    /// Bytes of one index.
     index_size: usize,
-    /// One value for each, without gaps.
+    /// One value for each index, tightly packed.
     values: &'b [u8],
 }
 
-/// Where accessors are read from.
+/// The document and the buffers that accessors are read from.
 pub(super) struct Source<'b> {
     pub root: &'b json::Root,
     pub buffers: &'b [&'b [u8]],
@@ -158,7 +158,7 @@ impl Sparse<'_> {
     }
 }
 
-/// `count` elements from `offset` on.
+/// The bytes of `count` tightly packed elements from byte `offset` on.
 fn slice(
     bytes: &[u8],
     offset: u64,
@@ -181,7 +181,7 @@ fn slice(
     })
 }
 
-/// One to four little-endian bytes.
+/// Reads an unsigned integer of one to four little-endian bytes.
 fn unsigned(bytes: &[u8]) -> u32 {
     bytes.iter().rev().fold(0, |value, byte| value << 8 | u32::from(*byte))
 }
@@ -213,7 +213,7 @@ impl Accessor<'_> {
         values
     }
 
-    /// Whether elements may be indices.
+    /// Whether the components are unsigned integers, as indices must be.
     pub fn is_unsigned(&self) -> bool {
         matches!(self.component, ComponentType::U8 | ComponentType::U16 | ComponentType::U32)
     }

@@ -130,7 +130,7 @@ pub(super) fn buffers<'b>(
     root.buffers.iter().enumerate().map(bytes).collect()
 }
 
-/// The bytes of a buffer view.
+/// The bytes of a buffer view, checked against its buffer's length.
 pub(super) fn view<'b>(root: &json::Root, buffers: &[&'b [u8]], index: usize) -> Result<&'b [u8]> {
     let what = || format!("buffer view {index}");
     let view = root.buffer_views.get(index).ok_or_else(|| {

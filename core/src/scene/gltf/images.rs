@@ -32,11 +32,11 @@ enum Origin {
     Uri(String),
 }
 
-/// What is loaded already.
+/// The textures and images that were loaded so far, each of them once.
 pub(super) struct Textures {
     pub textures: Vec<Texture>,
     pub images: Vec<Image8>,
-    /// How many texels more may come.
+    /// Number of texels that may still be decoded before the scene is refused.
     room: u64,
     texture_of: HashMap<usize, Option<u32>>,
     image_of: HashMap<Origin, u32>,

@@ -28,9 +28,9 @@ struct Opened<'b> {
     triangles: usize,
 }
 
-/// A primitive that can be drawn.
+/// A mesh primitive that can be drawn, with the triangles that every instance of it repeats.
 struct Part<'b> {
-    /// `mesh[primitive]`.
+    /// `mesh[primitive]`, as objects are named.
     name: String,
     mesh: Mesh<'b>,
     material: Imported,

@@ -20,7 +20,7 @@ use crate::{Error, Result};
 /// Which texture coordinates a material reads, and how they are moved (KHR_texture_transform).
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Coordinates {
-    /// The n of TEXCOORD_n.
+    /// The n of the attribute TEXCOORD_n that the texture reads.
     pub set: u32,
     offset: [f32; 2],
     rotation: f32,
@@ -105,7 +105,7 @@ impl Materials {
     }
 }
 
-/// Everything but textures.
+/// Reads all factors of a material; textures are read apart.
 fn factors(json: &json::Material, what: &str, warnings: &mut Vec<String>) -> Result<Material> {
     let mut numbers = Numbers { what, warnings };
     let pbr = &json.pbr_metallic_roughness;

@@ -13,19 +13,19 @@ use super::vertices::Vertices;
 use crate::scene::{Object, Scene, octahedral_encode};
 use crate::{Error, Result};
 
-/// White, opaque.
+/// Opaque white as packed RGBA, 8 bits a channel: the colour of vertices without COLOR_0.
 const WHITE: u32 = u32::MAX;
 
 /// A primitive whose accessors lie inside the file's bytes.
 pub(super) struct Mesh<'b> {
-    /// `mesh 3 primitive 0`, for errors.
+    /// The primitive's place in the file for error messages: `mesh 3 primitive 0`.
     pub what: String,
     mode: Mode,
     pub indices: Option<Accessor<'b>>,
     pub positions: Accessor<'b>,
     pub normals: Option<Accessor<'b>>,
     pub colors: Option<Accessor<'b>>,
-    /// What its material's textures are read at.
+    /// Texture coordinates of the material's textures.
     pub texcoords: Option<(Coordinates, Accessor<'b>)>,
 }
 
@@ -101,7 +101,7 @@ impl<'b> Mesh<'b> {
         Ok(Some(Self { what, mode, indices, positions, normals, colors, texcoords }))
     }
 
-    /// How many triangles it has.
+    /// Number of triangles of the primitive.
     pub fn triangles(&self) -> usize {
         let corners = self.indices.as_ref().map_or(self.positions.count, |i| i.count);
         match self.mode {

@@ -1,17 +1,17 @@
-//! glTF 2.0 into [`Scene`].
+//! Reads glTF 2.0 files into a [`Scene`].
 //!
-//! What is not part of the model and therefore not read: normal and occlusion textures, `doubleSided` (every
+//! Not part of the shading model and therefore not read: normal and occlusion textures, `doubleSided` (every
 //! surface has two sides here), skins, morph targets and animations (nodes and meshes stand as they are stored),
 //! attenuation inside volumes; a camera's aspect ratio and depth range (the frame has its own, rays do not end).
 //! Lengths are in the file's unit, angles in radians, colours linear RGB.
 //!
-//! # What a file can do
+//! # Untrusted files
 //!
-//! A file is untrusted. It gives a scene that passes [`Scene::validate`] and has at least a triangle with an area, or
-//! an error of one short line that names the element; what is left out or read as something else is a warning.
+//! Files are untrusted. A file yields a scene that passes [`Scene::validate`] and has at least one triangle with an area,
+//! or an error of one short line that names the element; anything left out or read as something else is a warning.
 //! Coordinates and factors that f32 holds as subnormal numbers only are taken for zero, as GPUs may do.
 //!
-//! What an import allocates at its peak, the result included, is at most
+//! The peak memory of an import, the result included, is at most
 //!
 //! ```text
 //! 8 MiB + 1024 x bytes of JSON + 8 x bytes of all else + 256 x (triangles + objects) + 16 x texels

@@ -11,10 +11,10 @@ use crate::camera::Camera;
 use crate::scene::{Light, LightKind, MAX_COORDINATE, MAX_LIGHTS, MAX_RADIANCE, MIN_RANGE, Scene};
 use crate::{Error, Result};
 
-/// What exporters may round off in the last row of a matrix, which is not read.
+/// Tolerance for rounding errors of exporters in the last row of a matrix, which is not read.
 const AFFINE_TOLERANCE: f64 = 1.0e-4;
 
-/// A node of the scene that is shown.
+/// A node of the default scene with its world transform.
 pub(super) struct Placed<'a> {
     pub index: usize,
     pub json: &'a json::Node,
@@ -22,7 +22,7 @@ pub(super) struct Placed<'a> {
 }
 
 impl Placed<'_> {
-    /// Its name, or its number.
+    /// The node's name, or `nodeN` where it has none.
     pub fn name(&self) -> String {
         self.json
             .name

@@ -19,7 +19,7 @@ pub(super) fn flushed3(v: Vec3) -> Vec3 {
     Vec3::from(v.to_array().map(flushed))
 }
 
-/// The numbers of one element.
+/// Validates the numbers of one element of the file; errors name the element.
 pub(super) struct Numbers<'a> {
     /// The element, for errors and warnings.
     pub what: &'a str,
@@ -39,12 +39,12 @@ impl Numbers<'_> {
         Ok(flushed(nearest))
     }
 
-    /// A number from 0 to 1.
+    /// Accepts a finite number from 0 to 1.
     pub fn share(&mut self, name: &str, value: f32) -> Result<f32> {
         self.within(name, value, 0.0..=1.0)
     }
 
-    /// An error about the number.
+    /// Returns the error that names the property, what was expected and what was found.
     pub fn refused<T>(&self, name: &str, expected: &str, found: f32) -> Result<T> {
         Err(Error::scene(self.what, format!("{name}: expected {expected}, found {found}")))
     }

@@ -22,7 +22,7 @@ pub(super) fn sentence(text: &str) -> String {
     clipped(text, MAX_SENTENCE)
 }
 
-/// An error that may quote the file.
+/// Shortens an error that may quote text of the file.
 pub(super) fn error(error: Error) -> Error {
     match error {
         Error::Scene { what, reason } => Error::scene(sentence(&what), sentence(&reason)),

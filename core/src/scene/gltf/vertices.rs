@@ -14,9 +14,9 @@ use crate::{Error, Result};
 /// The vertices that triangles use. Files often share one large array among many primitives, so that the work must
 /// follow the triangles and not the array.
 enum Used {
-    /// All in a range.
+    /// All vertices of a contiguous range of indices.
     Range(Range<usize>),
-    /// A few, ascending.
+    /// Single vertices, by ascending index.
     Few(Vec<usize>),
 }
 
@@ -61,7 +61,7 @@ impl Used {
     }
 }
 
-/// What triangles use of a primitive, in world space.
+/// The vertices of a primitive that its triangles use, in world space.
 pub(super) struct Vertices {
     used: Used,
     pub positions: Vec<Vec3>,

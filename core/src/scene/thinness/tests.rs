@@ -1,4 +1,4 @@
-//! Things whose thickness is known.
+//! Tests with objects of known thickness.
 
 use glam::{Mat3, Quat, Vec3, vec3};
 

@@ -16,7 +16,7 @@ const TIES: f64 = 0.001;
 /// Ranks that a tenth of the pixels are.
 const RENEWED: u32 = 26;
 
-/// How far away the background is.
+/// Distance at which the background is taken to lie.
 const BEYOND: f64 = 1e30;
 
 /// Rays beyond the first hit, whose surfaces would not be shown again, are not followed.

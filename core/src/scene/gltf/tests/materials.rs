@@ -1,4 +1,4 @@
-//! Materials, textures and images.
+//! Tests of reading materials, textures and images.
 
 use glam::{Vec3, vec3};
 use serde_json::{Value, json};

@@ -97,7 +97,7 @@ impl File {
         self.with_buffer(json!({ "byteLength": self.bytes.len(), "uri": uri }))
     }
 
-    /// The `.glb`.
+    /// The document as the bytes of a binary .glb file.
     pub fn glb(&self) -> Vec<u8> {
         let mut text = self.with_buffer(json!({ "byteLength": self.bytes.len() }));
         text.resize(text.len().next_multiple_of(4), b' ');
@@ -132,7 +132,7 @@ pub(super) fn data_uri(kind: &str, bytes: &[u8]) -> String {
     format!("data:{kind};base64,{}", base64::engine::general_purpose::STANDARD.encode(bytes))
 }
 
-/// A PNG of one colour.
+/// Encodes a PNG of this size with one colour.
 pub(super) fn png(width: u32, height: u32, rgba: [u8; 4]) -> Vec<u8> {
     let mut bytes = std::io::Cursor::new(Vec::new());
     let image = image::RgbaImage::from_pixel(width, height, image::Rgba(rgba));
