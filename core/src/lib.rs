@@ -35,11 +35,13 @@
 mod atlas;
 mod bvh;
 mod camera;
+mod counters;
 mod error;
 mod frame;
 pub mod gpu;
 mod gpu_scene;
 mod image;
+mod inspection;
 pub mod metrics;
 mod mip;
 mod missing;
@@ -59,6 +61,7 @@ pub mod stress;
 mod targets;
 
 pub use camera::Camera;
+pub use counters::{Check, Cost, Counts, FailedChecks, Origin, Rays, Samples};
 pub use error::{Error, Result};
 pub use gpu::{Gpu, instance};
 pub use gpu_scene::GpuScene;
@@ -75,7 +78,4 @@ pub use settings::{
     Roulette, Sampler, Settings, Shining, Stopping, THRESHOLD_NAMES, Thresholds, Tolerances,
 };
 pub use show::Show;
-pub use stats::{
-    CHECK_NAMES, Cost, Counts, FailedChecks, FrameTime, Inspection, Memory, Origin, PassTime, PixelRecord,
-    Rays, Samples,
-};
+pub use stats::{FrameTime, Inspection, Memory, PassTime, PixelRecord};

@@ -2,19 +2,14 @@
 
 mod merging;
 
-use glam::Vec3;
-
 use crate::{
-    Camera, Cost, Counts, Denoise, DisplayImage, Error, FailedChecks, FrameTime, Gpu, GpuScene, Inspection,
-    LinearImage, Memory, Method, Origin, Paths, PixelRecord, Postcorrect, Rays, Result, Samples, Settings,
-    frame::{self, Frame, Passes},
+    Camera, Denoise, DisplayImage, Error, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Method,
+    Paths, Postcorrect, Result, Settings,
+    frame::{Frame, Passes},
     gpu::Kernels,
-    passes::{
-        COUNTER_CLAIMED, COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS,
-        COUNTER_RAYS, COUNTER_WORDS, Output, RAY_KINDS, Variant,
-    },
+    inspection,
+    passes::{Output, Variant},
     planes::MergePass,
-    scene::octahedral_decode,
     sequence::{Sequence, Step},
     targets::{Targets, inspection_buffer, inspection_fits, texture},
 };
@@ -215,7 +210,7 @@ impl<'a> Renderer<'a> {
         let step = self.sequence.again(camera);
         self.submit(passes, camera, &step, Some(buffer))?;
         let bytes = self.gpu.read_buffer(buffer)?;
-        let inspection = inspection(&bytes, self.targets.grid, self.records())?;
+        let inspection = inspection::decode(&bytes, self.targets.grid, self.records());
         if inspection.uncorrected > 0 {
             log::warn!("postcorrection found {} samples that it did not come to", inspection.uncorrected);
         }
@@ -349,74 +344,4 @@ fn resolved(settings: &Settings, scene: &GpuScene, [_, height]: [u32; 2]) -> Set
         _ => Postcorrect::Off,
     };
     Settings { postcorrect, ..*settings }
-}
-
-fn inspection(bytes: &[u8], grid: [u32; 2], recorded: u64) -> Result<Inspection> {
-    let (counters, records) = bytes.split_at(4 * COUNTER_WORDS);
-    let words: Vec<u32> = bytemuck::pod_collect_to_vec(counters);
-    let counter = |i: usize| u64::from(words[2 * i]) | u64::from(words[2 * i + 1]) << 32;
-    let rays: [u64; RAY_KINDS] = std::array::from_fn(|i| counter(COUNTER_RAYS + i));
-    let origins: [u64; 6] = std::array::from_fn(|i| counter(COUNTER_ORIGINS + i));
-    let failed: [u64; 7] = std::array::from_fn(|i| counter(COUNTER_FAILED + i));
-    let postcorrected = origins[Origin::Postcorrected as usize];
-    let records = records.chunks_exact(size_of::<frame::PixelRecord>()).map(bytemuck::pod_read_unaligned);
-    Ok(Inspection {
-        counts: Counts {
-            rays: Rays {
-                primary: rays[0],
-                shadow: rays[1],
-                reflection: rays[2],
-                refraction: rays[3],
-                diffuse: rays[4],
-                total: rays.iter().sum(),
-            },
-            samples: Samples {
-                total: u64::from(grid[0]) * u64::from(grid[1]),
-                base: origins[Origin::Base as usize],
-                traced_a1: origins[Origin::TracedA1 as usize],
-                traced_a2: origins[Origin::TracedA2 as usize],
-                postcorrected,
-                extra: origins[Origin::Extra as usize],
-                // What was traced again had been interpolated.
-                interpolated: origins[Origin::Interpolated as usize].saturating_sub(postcorrected),
-            },
-            cost: Cost {
-                node_visits: counter(COUNTER_NODE_VISITS),
-                primitive_tests: counter(COUNTER_PRIMITIVE_TESTS),
-                traced_share: None,
-            },
-            failed_checks: FailedChecks {
-                oid: failed[0],
-                pos: failed[1],
-                norm: failed[2],
-                convex: failed[3],
-                tex: failed[4],
-                shadow: failed[5],
-                gcol: failed[6],
-            },
-        },
-        uncorrected: counter(COUNTER_CLAIMED).saturating_sub(postcorrected),
-        pixels: records.take(recorded as usize).map(|record| pixel_record(&record)).collect(),
-    })
-}
-
-fn pixel_record(record: &frame::PixelRecord) -> PixelRecord {
-    let hit = record.object != 0;
-    PixelRecord {
-        origin: match record.origin {
-            0 => Origin::Base,
-            1 => Origin::TracedA1,
-            2 => Origin::TracedA2,
-            4 => Origin::Postcorrected,
-            _ => Origin::Interpolated,
-        },
-        failed: record.failed,
-        cost: record.cost,
-        active: record.edges & 15,
-        differing: record.edges >> 4,
-        cells: record.cells,
-        object: hit.then(|| record.object - 1),
-        depth: if hit { record.depth } else { f32::INFINITY },
-        normal: if hit { octahedral_decode(record.normal).into() } else { Vec3::ZERO.into() },
-    }
 }

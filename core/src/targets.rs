@@ -2,8 +2,9 @@
 
 use crate::{
     Denoise, Error, Gpu, GpuScene, Memory, Method, Result, Settings,
+    counters::COUNTER_WORDS,
     frame::{FRAME_STRIDE, Frame, PixelRecord},
-    passes::{COUNTER_WORDS, REFINE_MOST, REFINE_STEP, REFINE_WORDS, Variant},
+    passes::{REFINE_MOST, REFINE_STEP, REFINE_WORDS, Variant},
     plan::{self, Plan, Shape},
 };
 

@@ -5,11 +5,11 @@ use std::fmt::Write as _;
 use super::{PATH_TILE, Variant, postcorrect};
 use crate::{
     Crossing, Direct, Linking, MAX_RAYS, Postcorrect, Roulette, SAMPLES_PER_SUBMISSION, Stopping, atlas,
+    counters::{COUNTER_WORDS, GROUPS, Group},
     gpu::{self, shader::Source},
     gpu_scene,
     scene::OCTAHEDRAL_ERROR,
     sequence::{RANK_TILE, RANKS},
-    stats::{CHECK_NAMES, Origin},
 };
 
 /// Threads of a workgroup that works through a list.
@@ -72,17 +72,6 @@ pub const FOOTPRINT_MOST: f32 = 10.0;
 pub const CONE_LEAST_COSINE: f32 = 1.0e-4;
 pub const CONE_MOST: f32 = 16.0;
 pub const CONE_MOST_GROWTH: f32 = 8.0;
-
-/// Counters of an inspected frame: first index and how many.
-pub const COUNTER_RAYS: usize = 0;
-pub const RAY_KINDS: usize = 5;
-pub const COUNTER_NODE_VISITS: usize = 5;
-pub const COUNTER_PRIMITIVE_TESTS: usize = 6;
-pub const COUNTER_ORIGINS: usize = 7;
-pub const COUNTER_FAILED: usize = 13;
-pub const COUNTER_CLAIMED: usize = 20;
-/// Words of all counters, low and high.
-pub const COUNTER_WORDS: usize = 64;
 
 /// The planes that the attribute buffer may have.
 const PLANES: [&str; 11] = [
@@ -152,12 +141,6 @@ impl Variant {
             ("TRACE_ROW", TRACE_ROW),
             ("TEXEL_ROW", gpu::TEXEL_ROW),
             ("CHUNK_SAMPLES", SAMPLES_PER_SUBMISSION),
-            ("ORIGIN_BASE", Origin::Base as u32),
-            ("ORIGIN_TRACED_A1", Origin::TracedA1 as u32),
-            ("ORIGIN_TRACED_A2", Origin::TracedA2 as u32),
-            ("ORIGIN_INTERPOLATED", Origin::Interpolated as u32),
-            ("ORIGIN_POSTCORRECTED", Origin::Postcorrected as u32),
-            ("ORIGIN_EXTRA", Origin::Extra as u32),
             ("EDGES_FIRST", planes.len() as u32),
             ("EDGE_PLANES", self.edge_planes()),
             ("EDGE_SECONDARY", 2),
@@ -181,25 +164,13 @@ impl Variant {
             ("OBJECT_MATTE", gpu_scene::OBJECT_MATTE),
             ("LIGHT_DIRECTIONAL", gpu_scene::LIGHT_DIRECTIONAL),
             ("LIGHT_CONSTANT", gpu_scene::LIGHT_CONSTANT),
-            ("RAY_PRIMARY", 0),
-            ("RAY_SHADOW", 1),
-            ("RAY_REFLECTION", 2),
-            ("RAY_REFRACTION", 3),
             ("REFINE_STEP", REFINE_STEP),
             ("REFINE_MOST", REFINE_MOST),
             ("REFINE_WORDS", REFINE_WORDS),
             ("REFINE_FIRST", (1 << REFINE_STEP) - 1),
-            ("RAY_DIFFUSE", 4),
-            ("RAY_KINDS", RAY_KINDS as u32),
             ("PATH_TILE", PATH_TILE),
             ("LIGHT_SAMPLES", self.paths.light_samples),
             ("STOPPING_LEVEL", self.paths.stopping_level()),
-            ("COUNTER_RAYS", COUNTER_RAYS as u32),
-            ("COUNTER_NODE_VISITS", COUNTER_NODE_VISITS as u32),
-            ("COUNTER_PRIMITIVE_TESTS", COUNTER_PRIMITIVE_TESTS as u32),
-            ("COUNTER_ORIGINS", COUNTER_ORIGINS as u32),
-            ("COUNTER_FAILED", COUNTER_FAILED as u32),
-            ("COUNTER_CLAIMED", COUNTER_CLAIMED as u32),
         ];
         for (name, value) in numbers {
             let _ = writeln!(text, "const {name}: u32 = {value}u;");
@@ -226,8 +197,15 @@ impl Variant {
         for (name, value) in reals {
             let _ = writeln!(text, "const {name}: f32 = {value:e};");
         }
-        for (bit, name) in CHECK_NAMES.iter().enumerate() {
-            let _ = writeln!(text, "const CHECK_{}: u32 = {}u;", name.to_uppercase(), 1 << bit);
+        let _ = writeln!(text, "const COUNTER_WORDS: u32 = {COUNTER_WORDS}u;");
+        for group in GROUPS {
+            let Group { name, prefix, first, names, bits } = group;
+            let _ = writeln!(text, "const COUNTER_{name}: u32 = {first}u;");
+            let _ = writeln!(text, "const {prefix}_COUNT: u32 = {}u;", names.len());
+            for (index, name) in names.iter().enumerate() {
+                let value = if bits { 1 << index } else { index };
+                let _ = writeln!(text, "const {prefix}_{}: u32 = {value}u;", name.to_uppercase());
+            }
         }
         Source { file: "(constants)", text: text.into() }
     }

@@ -12,11 +12,7 @@ mod stage;
 mod tests;
 mod variant;
 
-pub use constants::{
-    CELL_CONTRAST, COUNTER_CLAIMED, COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS,
-    COUNTER_PRIMITIVE_TESTS, COUNTER_RAYS, COUNTER_WORDS, RAY_KINDS, REFINE_MOST, REFINE_STEP, REFINE_WORDS,
-    TRACE_GROUP, TRACE_ROW,
-};
+pub use constants::{CELL_CONTRAST, REFINE_MOST, REFINE_STEP, REFINE_WORDS, TRACE_GROUP, TRACE_ROW};
 pub use demand::{Demand, Demands};
 pub use linked::Linked;
 #[cfg(test)]
