@@ -3,7 +3,7 @@
 use crate::{
     Camera, Gpu, GpuScene, Paths, Result, Settings, Tolerances,
     gpu::{Bound, Kernels, Timer, mirror::gpu_struct},
-    passes::{Clears, Output, TRACE_GROUP, Variant, denoise},
+    passes::{Clears, FrameSpec, Output, TRACE_GROUP, denoise},
     plan::{Extent, Part, Rows},
     targets::{DISPATCH_BYTES, LIST_HEADER, Targets},
 };
@@ -111,7 +111,7 @@ fn farthest(gaze: [f32; 2], extent: [f32; 2]) -> f32 {
     x.hypot(y)
 }
 
-/// The compiled passes of a method in one variant.
+/// The compiled passes of a method in one spec.
 pub struct Passes {
     /// As many as the plan has parts, for each history that is written.
     bound: [Vec<Bound>; 2],
@@ -124,7 +124,7 @@ impl Passes {
         gpu: &Gpu,
         scene: &GpuScene,
         targets: &Targets,
-        variant: &Variant,
+        spec: &FrameSpec,
         kernels: &mut Kernels,
         color: &wgpu::Texture,
         inspection: Option<&wgpu::Buffer>,
@@ -132,7 +132,7 @@ impl Passes {
         let passes = targets.plan.passes();
         let kernels = passes
             .iter()
-            .map(|stage| kernels.get(gpu, stage.name, variant.sources(stage)))
+            .map(|stage| kernels.get(gpu, stage.name, spec.sources(stage)))
             .collect::<Result<Vec<_>>>()?;
         let color = color.create_view(&wgpu::TextureViewDescriptor::default());
         let mut resources = scene.resources();
@@ -143,7 +143,7 @@ impl Passes {
             ("samples", targets.samples.as_entire_binding()),
             ("guides", targets.guides.as_entire_binding()),
         ]);
-        let name = match variant.output {
+        let name = match spec.output {
             Output::Display => Some("display"),
             Output::Linear => Some("linear"),
             Output::Samples | Output::Nowhere => None,

@@ -8,7 +8,7 @@
 //!
 //! [`Scene`] is flat arrays in main memory. [`GpuScene::upload`] consumes it. A [`Renderer`] makes frames of one size by
 //! one [`Method`]; what its kernels are made of follows from the [`Features`] of the scene and the [`Settings`], in
-//! `passes/variant.rs` and nowhere else. `plan.rs` puts the passes in order, in parts of bounded work; `frame.rs` records
+//! `passes/spec.rs` and nowhere else. `plan.rs` puts the passes in order, in parts of bounded work; `frame.rs` records
 //! them.
 //!
 //! [`mod@reference`] does every step of the shaders again in f64: it is what right means. [`probe`] runs the shaders' own

@@ -5,10 +5,7 @@
 //! (`DRM_MSM_HANGCHECK_DEFAULT_PERIOD`, msm). A slow phone traces 10 million rays a second, a sample takes about 4 (itself,
 //! shadows, one or two bounces). [`SAMPLES_PER_SUBMISSION`] of them take 0.1 s there: a fifth of the strictest limit.
 
-use crate::{
-    Denoise, Filter, Method, Postcorrect,
-    passes::{Recipe, Stage, TRACE_GROUP, Tracing},
-};
+use crate::passes::{FrameSpec, Recipe, Stage, TRACE_GROUP, Tracing};
 
 mod bands;
 #[cfg(test)]
@@ -106,6 +103,8 @@ pub enum Extent {
 
 /// All dispatches of a frame, in order.
 pub struct Plan {
+    /// Samples of the frame.
+    pub grid: [u32; 2],
     /// One by one.
     pub parts: Vec<Part>,
     /// Rows of samples that are stored at once.
@@ -114,40 +113,13 @@ pub struct Plan {
     longest_list: u32,
 }
 
-/// What a frame is made of besides its method.
-#[derive(Clone, Copy, Debug)]
-pub struct Shape {
-    /// Samples of the frame.
-    pub grid: [u32; 2],
-    /// Samples along a side of a pixel.
-    pub sampling: u32,
-    /// Side of the base block.
-    pub block: u32,
-    /// Rows of samples of a band, see [`band_rows`].
-    pub band: u32,
-    /// What is traced again.
-    pub postcorrect: Postcorrect,
-    /// Extra samples are added.
-    pub supersamples: bool,
-    /// They go to whole pixels, step by step.
-    pub refines: bool,
-    /// How a pixel follows from several samples.
-    pub filter: Filter,
-    /// What is done about noise of paths.
-    pub denoise: Denoise,
-    /// Points of thin things.
-    pub landmarks: u32,
-    /// Samples of one eye count for the other.
-    pub crosses: bool,
-}
-
 impl Plan {
-    /// The plan of a frame.
-    pub fn new(method: Method, shape: &Shape) -> Self {
-        let mut plan = Self { parts: Vec::new(), stored_rows: 0, longest_list: 0 };
-        for band in bands(shape.grid[1], shape.band) {
+    /// The plan of a frame of that grid of samples, in bands of that many rows ([`band_rows`]).
+    pub fn new(spec: &FrameSpec, grid: [u32; 2], band: u32) -> Self {
+        let mut plan = Self { grid, parts: Vec::new(), stored_rows: 0, longest_list: 0 };
+        for band in bands(grid[1], band) {
             plan.stored_rows = plan.stored_rows.max(band.end - band.first);
-            (Recipe::of(method).plan)(&mut plan, shape, &band);
+            (Recipe::of(spec.settings.method).plan)(&mut plan, spec, &band);
         }
         plan
     }

@@ -8,7 +8,7 @@ use crate::{
     frame::{Frame, Passes},
     gpu::Kernels,
     inspection,
-    passes::{Output, Variant},
+    passes::{FrameSpec, Output},
     planes::MergePass,
     sequence::{Sequence, Step},
     targets::{Targets, inspection_buffer, inspection_fits, texture},
@@ -39,10 +39,10 @@ impl<'a> Renderer<'a> {
     pub fn new(gpu: &'a Gpu, scene: &'a GpuScene, size: [u32; 2], settings: &Settings) -> Result<Self> {
         settings.validate()?;
         let settings = resolved(settings, scene, size);
-        let variant = Variant::new(scene, &settings);
-        let targets = Targets::new(gpu, scene, &variant, &settings, size)?;
+        let spec = FrameSpec::new(scene, &settings);
+        let targets = Targets::new(gpu, &spec, size)?;
         let mut kernels = Kernels::default();
-        let passes = Passes::new(gpu, scene, &targets, &variant, &mut kernels, &targets.display, None)?;
+        let passes = Passes::new(gpu, scene, &targets, &spec, &mut kernels, &targets.display, None)?;
         let sequence = Sequence::new(&settings);
         Ok(Self {
             gpu,
@@ -77,11 +77,11 @@ impl<'a> Renderer<'a> {
                     ..self.settings
                 })
         {
-            let variant = Variant::new(self.scene, &settings);
-            let targets = Targets::new(self.gpu, self.scene, &variant, &settings, size)?;
+            let spec = FrameSpec::new(self.scene, &settings);
+            let targets = Targets::new(self.gpu, &spec, size)?;
             let kernels = &mut self.kernels;
             self.passes =
-                Passes::new(self.gpu, self.scene, &targets, &variant, kernels, &targets.display, None)?;
+                Passes::new(self.gpu, self.scene, &targets, &spec, kernels, &targets.display, None)?;
             self.targets = targets;
             (self.inspecting, self.linear, self.merging) = (None, None, None);
             self.sequence = Sequence::new(&settings);
@@ -202,8 +202,8 @@ impl<'a> Renderer<'a> {
     fn link_counting(&mut self, output: Output, target: &wgpu::Texture) -> Result<(Passes, wgpu::Buffer)> {
         let buffer = inspection_buffer(self.gpu, self.records())?;
         let records = self.records() > 0;
-        let variant = Variant { inspect: true, records, output, ..Variant::new(self.scene, &self.settings) };
-        Ok((self.link(&variant, target, Some(&buffer))?, buffer))
+        let spec = FrameSpec { inspect: true, records, output, ..FrameSpec::new(self.scene, &self.settings) };
+        Ok((self.link(&spec, target, Some(&buffer))?, buffer))
     }
 
     fn count(&self, camera: &Camera, passes: &Passes, buffer: &wgpu::Buffer) -> Result<Inspection> {
@@ -257,8 +257,8 @@ impl<'a> Renderer<'a> {
             return Ok(linked);
         }
         let target = self.linear_target()?;
-        let variant = Variant { output: Output::Linear, ..Variant::new(self.scene, &self.settings) };
-        Ok((self.link(&variant, &target, None)?, target))
+        let spec = FrameSpec { output: Output::Linear, ..FrameSpec::new(self.scene, &self.settings) };
+        Ok((self.link(&spec, &target, None)?, target))
     }
 
     fn linear_target(&self) -> Result<wgpu::Texture> {
@@ -299,12 +299,12 @@ impl<'a> Renderer<'a> {
 
     fn link(
         &mut self,
-        variant: &Variant,
+        spec: &FrameSpec,
         color: &wgpu::Texture,
         inspection: Option<&wgpu::Buffer>,
     ) -> Result<Passes> {
         let Self { gpu, scene, targets, kernels, .. } = self;
-        Passes::new(gpu, scene, targets, variant, kernels, color, inspection)
+        Passes::new(gpu, scene, targets, spec, kernels, color, inspection)
     }
 
     fn constants(&self, camera: &Camera, step: &Step) -> Result<Frame> {

@@ -68,7 +68,7 @@ pub struct Gpu {
     /// Pipelines that the driver compiled in earlier runs.
     compiled: Option<wgpu::PipelineCache>,
     /// Whether the device is a CPU, for which other kernels are linked.
-    pub(crate) on_cpu: bool,
+    pub(crate) tier: Tier,
 }
 
 impl Gpu {
@@ -148,14 +148,14 @@ impl Gpu {
         );
         let health = Health::watch(&device);
         let turn = Mutex::new(());
-        let on_cpu = facts.info.device_type == wgpu::DeviceType::Cpu;
-        Ok(Self { device, queue, adapter, facts, health, patience: PATIENCE, turn, compiled: None, on_cpu })
+        let tier = Tier::of(facts.info.device_type);
+        Ok(Self { device, queue, adapter, facts, health, patience: PATIENCE, turn, compiled: None, tier })
     }
 
     /// With the kernels that a GPU gets, even if it is none: for tests of them where there is no GPU.
     #[must_use]
     pub fn as_hardware(self) -> Self {
-        Self { on_cpu: false, ..self }
+        Self { tier: Tier::Gpu, ..self }
     }
 
     /// Waits at most that long for a frame or a readback ([`PATIENCE`]).

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::{PATH_TILE, Variant, postcorrect};
+use super::{FrameSpec, PATH_TILE, postcorrect, spec::PLANES};
 use crate::{
     Crossing, Direct, Linking, MAX_RAYS, Postcorrect, Roulette, SAMPLES_PER_SUBMISSION, Stopping, atlas,
     counters::{COUNTER_WORDS, GROUPS, Group},
@@ -73,29 +73,14 @@ pub const CONE_LEAST_COSINE: f32 = 1.0e-4;
 pub const CONE_MOST: f32 = 16.0;
 pub const CONE_MOST_GROWTH: f32 = 8.0;
 
-/// The planes that the attribute buffer may have.
-const PLANES: [&str; 11] = [
-    "DEPTH",
-    "OBJECT",
-    "NORMAL",
-    "SHADOW",
-    "FACE",
-    "GCOL",
-    "TEXCOORD",
-    "COLOR",
-    "FOOTPRINT",
-    "OBJECT_BETWEEN",
-    "SHADOW_BETWEEN",
-];
-
-impl Variant {
+impl FrameSpec {
     /// Numbers that both sides need, as WGSL constants.
     pub(super) fn constants(&self) -> Source {
         let f = &self.features;
         let mut text = String::new();
         let planes = self.planes();
-        for name in PLANES {
-            let index = planes.iter().position(|p| *p == name).unwrap_or(0);
+        for (name, _) in PLANES {
+            let index = planes.iter().position(|p| p == name).unwrap_or(0);
             let _ = writeln!(text, "const PLANE_{name}: u32 = {index}u;");
         }
         let flags = [
@@ -112,29 +97,29 @@ impl Variant {
             ("HAS_PANES", f.panes),
             ("HAS_REFLECTION", f.reflection),
             ("HAS_REFRACTION", f.refraction),
-            ("WEIGHS_EMITTERS", self.paths.direct == Direct::Mis),
-            ("CROSSING_COUNTS", self.paths.crossing == Crossing::Paper),
-            ("ROULETTE", self.paths.roulette == Roulette::On),
-            ("STOPPING_COMPENSATED", self.paths.stopping == Stopping::Compensated),
-            ("LIGHT_COUNT_KNOWN", self.linking == Linking::Auto),
-            ("VERTEX_STRIDE_KNOWN", self.linking == Linking::Auto),
+            ("WEIGHS_EMITTERS", self.settings.paths.direct == Direct::Mis),
+            ("CROSSING_COUNTS", self.settings.paths.crossing == Crossing::Paper),
+            ("ROULETTE", self.settings.paths.roulette == Roulette::On),
+            ("STOPPING_COMPENSATED", self.settings.paths.stopping == Stopping::Compensated),
+            ("LIGHT_COUNT_KNOWN", self.settings.features == Linking::Auto),
+            ("VERTEX_STRIDE_KNOWN", self.settings.features == Linking::Auto),
             ("COUNTS", self.inspect),
             ("HAS_RECORDS", self.records),
             ("HAS_POSTCORRECTION", self.postcorrects()),
-            ("COMPARES_SHADOWS", self.postcorrect != Postcorrect::Objects),
+            ("COMPARES_SHADOWS", self.settings.postcorrect != Postcorrect::Objects),
         ];
         for (name, value) in flags {
             let _ = writeln!(text, "const {name}: bool = {value};");
         }
         let numbers = [
             ("PLANES", self.stored_planes()),
-            ("SAMPLING", self.sampling),
-            ("BVH_STACK", self.bvh_stack),
+            ("SAMPLING", self.settings.sampling),
+            ("BVH_STACK", self.scene.bvh_stack),
             // Each level leaves at most one branch for later, the last one none; two are put down at a time.
-            ("BOUNCE_STACK", self.depth + 1),
+            ("BOUNCE_STACK", self.settings.depth + 1),
             ("MAX_RAYS", MAX_RAYS),
-            ("LIGHT_COUNT", self.lights),
-            ("VERTEX_STRIDE", 6 * u32::from(self.has_texcoords) + 3 * u32::from(self.has_colors)),
+            ("LIGHT_COUNT", self.scene.lights),
+            ("VERTEX_STRIDE", 6 * u32::from(self.scene.has_texcoords) + 3 * u32::from(self.scene.has_colors)),
             ("SHADOW_SHIFT", self.shadow_shift().unwrap_or(0)),
             ("OBJECT_MASK", self.shadow_shift().map_or(u32::MAX, |shift| (1 << shift) - 1)),
             ("TRACE_GROUP", TRACE_GROUP),
@@ -146,7 +131,7 @@ impl Variant {
             ("EDGE_SECONDARY", 2),
             ("EDGE_COLOR", self.edge_round() - 3),
             ("EDGE_ROUND", self.edge_round()),
-            ("EDGES_APRON", u32::from(!self.interpolates)),
+            ("EDGES_APRON", u32::from(!self.interpolates())),
             ("ROUND_SAMPLES", postcorrect::ROUND_SAMPLES),
             ("TEXTURE_PAGE", atlas::MAX_PAGES - 1),
             ("RANKS", RANKS),
@@ -169,8 +154,8 @@ impl Variant {
             ("REFINE_WORDS", REFINE_WORDS),
             ("REFINE_FIRST", (1 << REFINE_STEP) - 1),
             ("PATH_TILE", PATH_TILE),
-            ("LIGHT_SAMPLES", self.paths.light_samples),
-            ("STOPPING_LEVEL", self.paths.stopping_level()),
+            ("LIGHT_SAMPLES", self.settings.paths.light_samples),
+            ("STOPPING_LEVEL", self.settings.paths.stopping_level()),
         ];
         for (name, value) in numbers {
             let _ = writeln!(text, "const {name}: u32 = {value}u;");

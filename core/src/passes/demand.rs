@@ -4,10 +4,13 @@ use std::ops::{Add, AddAssign};
 
 use serde::{Deserialize, Serialize};
 
-use super::{Recipe, Variant, operations::count, recipe::Loops};
+use super::{FrameSpec, Recipe, operations::count, recipe::Loops};
 use crate::{
-    GpuScene, Method, Result, Settings,
-    gpu::shader::{Linked, link},
+    GpuScene, Result, Settings,
+    gpu::{
+        Tier,
+        shader::{Linked, link},
+    },
 };
 
 /// What some work asks of a device.
@@ -89,20 +92,20 @@ impl Demands {
     /// [`crate::Error::Shader`] where a kernel does not link.
     pub fn of(scene: &GpuScene, settings: &Settings) -> Result<Self> {
         // As a GPU has them.
-        let variant = Variant { on_cpu: false, ..Variant::new(scene, settings) };
-        Self::of_variant(&variant, settings.method)
+        let spec = FrameSpec { tier: Tier::Gpu, ..FrameSpec::new(scene, settings) };
+        Self::of_spec(&spec)
     }
 
-    fn of_variant(variant: &Variant, method: Method) -> Result<Self> {
-        let recipe = Recipe::of(method);
-        let kernel = link(&variant.sources(recipe.traced))?;
+    fn of_spec(spec: &FrameSpec) -> Result<Self> {
+        let recipe = Recipe::of(spec.settings.method);
+        let kernel = link(&spec.sources(recipe.traced))?;
         let of = |function, apart: &[&str]| count(&kernel, function, apart).unwrap_or_default();
         let tree = [RARE.as_slice(), &AVERAGES, &[TRAVERSAL]].concat();
         let [sample, followed, light] = of(None, &[tree.as_slice(), &[SHADOWS]].concat());
         // Its own loop is over lights.
         let [surface, shadow, _] = of(Some(SHADOWS), &tree);
         let [ray, node_visit, primitive_test] = of(Some(TRAVERSAL), &RARE);
-        let (interpolated, interpolated_light) = between(variant, recipe)?;
+        let (interpolated, interpolated_light) = between(spec, recipe)?;
         Ok(Self {
             sample,
             followed_ray: followed + surface + average(&kernel),
@@ -124,10 +127,10 @@ fn average(kernel: &Linked) -> Demand {
 }
 
 /// What is not traced: at each sample, and there for each light.
-fn between(variant: &Variant, recipe: &Recipe) -> Result<(Demand, Demand)> {
+fn between(spec: &FrameSpec, recipe: &Recipe) -> Result<(Demand, Demand)> {
     let (mut sample, mut light) = (Demand::default(), Demand::default());
     for (stage, loops) in recipe.interpolated {
-        let kernel = link(&variant.sources(stage))?;
+        let kernel = link(&spec.sources(stage))?;
         let [once, inner, deeper] = count(&kernel, None, &AVERAGES).unwrap_or_default();
         sample += once + average(&kernel);
         match loops {
@@ -141,12 +144,12 @@ fn between(variant: &Variant, recipe: &Recipe) -> Result<(Demand, Demand)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Linking, scene::builtin};
+    use crate::{Linking, Method, scene::builtin};
 
     fn demands(scene: &str, method: Method) -> Demands {
         let settings = Settings { method, features: Linking::Auto, ..Settings::default() };
-        let variant = Variant::of_scene(&builtin(scene).expect(scene), &settings);
-        Demands::of_variant(&variant, method).expect("links")
+        let spec = FrameSpec::of_scene(&builtin(scene).expect(scene), &settings);
+        Demands::of_spec(&spec).expect("links")
     }
 
     /// The node of Ylitie 2017 has 80 bytes, a triangle of this crate 36: what the code reads of them is the check that the
@@ -184,7 +187,7 @@ mod tests {
     }
 
     fn adaptive_planes() -> usize {
-        Variant::of_scene(&builtin("room").expect("room"), &Settings::default()).planes().len()
+        FrameSpec::of_scene(&builtin("room").expect("room"), &Settings::default()).planes().len()
     }
 
     #[test]
@@ -199,7 +202,8 @@ mod tests {
     fn rare_functions_are_there() {
         let settings = Settings { method: Method::Full, ..Settings::default() };
         let kernel = link(
-            &Variant::of_scene(&builtin("room").expect("room"), &settings).sources(&super::super::full::FULL),
+            &FrameSpec::of_scene(&builtin("room").expect("room"), &settings)
+                .sources(&super::super::full::FULL),
         )
         .expect("links");
         for name in RARE.into_iter().chain(AVERAGES).chain([TRAVERSAL, SHADOWS]) {

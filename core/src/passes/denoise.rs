@@ -1,6 +1,6 @@
 //! Removal of the noise of paths, after all samples of a frame: what is shown changes, the sums of the samples do not.
 
-use super::{Variant, stage::*, wgsl};
+use super::{FrameSpec, stage::*, wgsl};
 use crate::{
     Denoise,
     gpu::shader::Source,
@@ -12,25 +12,25 @@ stages! {
     MEDIAN = {
         name: "median", wgsl: "passes/median.wgsl", paper: "Kim & Sung 2021, \"Noise Removal for the Stopped Ray\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
-        sources: |variant, entry| variant.noise_sources([entry]),
+        sources: |spec, entry| spec.noise_sources([entry]),
     }
     /// Prepares the light of all pixels for the a-trous filter.
     ATROUS_BEGIN = {
         name: "atrous_begin", wgsl: "passes/atrous_begin.wgsl", paper: "ours",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
-        sources: |variant, entry| variant.noise_sources([wgsl!("wgsl/filtered.wgsl"), entry]),
+        sources: |spec, entry| spec.noise_sources([wgsl!("wgsl/filtered.wgsl"), entry]),
     }
     /// One level of the a-trous filter.
     ATROUS = {
         name: "atrous", wgsl: "passes/atrous.wgsl", paper: "Dammertz et al. 2010, section 2.2",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
-        sources: |variant, entry| variant.atrous_sources(wgsl!("wgsl/atrous_kept.wgsl"), entry),
+        sources: |spec, entry| spec.atrous_sources(wgsl!("wgsl/atrous_kept.wgsl"), entry),
     }
     /// The last level of the a-trous filter, which writes the pixels.
     ATROUS_END = {
         name: "atrous_end", wgsl: "passes/atrous.wgsl", paper: "Dammertz et al. 2010, section 2.2",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
-        sources: |variant, entry| variant.atrous_sources(wgsl!("wgsl/atrous_shown.wgsl"), entry),
+        sources: |spec, entry| spec.atrous_sources(wgsl!("wgsl/atrous_shown.wgsl"), entry),
     }
 }
 
@@ -53,7 +53,7 @@ pub fn plan(plan: &mut Plan, denoise: Denoise, width: u32, rows: Rows) {
     }
 }
 
-impl Variant {
+impl FrameSpec {
     fn atrous_sources(&self, end: Source, entry: Source) -> Vec<Source> {
         self.noise_sources([wgsl!("wgsl/filtered.wgsl"), wgsl!("wgsl/atrous.wgsl"), end, entry])
     }

@@ -1,8 +1,8 @@
 //! Frameless rendering: a share of the pixels is traced in each frame, the others show what they showed.
 
-use super::{Recipe, stage::*, wgsl};
+use super::{Recipe, recipe::Storage, stage::*, wgsl};
 use crate::{
-    plan::{Band, Extent, Part, Plan, SAMPLES_PER_SUBMISSION, Shape},
+    plan::{Band, Extent, Part, Plan, SAMPLES_PER_SUBMISSION},
     sequence::{RANK_TILE, RANKS},
 };
 
@@ -11,21 +11,21 @@ stages! {
     FRAMELESS = {
         name: "frameless", wgsl: "passes/frameless.wgsl", paper: "lecture, \"Low level optimizations\"",
         work: Work::Ranks, tracing: Tracing::Neighbours, clears: [],
-        sources: |variant, entry| {
-            variant.tracing_sources([wgsl!("wgsl/renewal.wgsl"), variant.order(), entry])
+        sources: |spec, entry| {
+            spec.tracing_sources([wgsl!("wgsl/renewal.wgsl"), spec.order(), entry])
         },
     }
 }
 
 /// The lecture's frameless rendering.
-pub const RECIPE: Recipe = Recipe { plan, traced: &FRAMELESS, interpolated: &[] };
+pub const RECIPE: Recipe = Recipe { plan, traced: &FRAMELESS, storage: Storage::WHOLE, interpolated: &[] };
 
 /// Tiles that are renewed at once: bounded for a frame that traces all of them. Whatever their share, groups of threads
 /// end with their last one.
 const TILES: u32 = SAMPLES_PER_SUBMISSION / RANKS;
 
-fn plan(plan: &mut Plan, shape: &Shape, band: &Band) {
-    let count = shape.grid.map(|side| side.div_ceil(RANK_TILE)).iter().product::<u32>();
+fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
+    let count = plan.grid.map(|side| side.div_ceil(RANK_TILE)).iter().product::<u32>();
     let part = |first: u32| {
         let tiles = TILES.min(count - first);
         Part {

@@ -7,10 +7,10 @@ mod linked;
 mod operations;
 mod recipe;
 mod sources;
+mod spec;
 mod stage;
 #[cfg(test)]
 mod tests;
-mod variant;
 
 pub use constants::{CELL_CONTRAST, REFINE_MOST, REFINE_STEP, REFINE_WORDS, TRACE_GROUP, TRACE_ROW};
 pub use demand::{Demand, Demands};
@@ -18,11 +18,11 @@ pub use linked::Linked;
 #[cfg(test)]
 pub(crate) use operations::count as count_operations;
 pub use recipe::Recipe;
+pub use spec::{FrameSpec, Output};
 pub use stage::{Clears, PATH_TILE, Stage, Tracing};
 #[cfg(test)]
 pub use stage::{TRACED_TILE, Work};
 pub(crate) use stage::{stages, wgsl};
-pub use variant::{Output, Variant};
 
 /// Declares the files with stages, and the list of all stages.
 macro_rules! files_with_stages {

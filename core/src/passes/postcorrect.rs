@@ -5,7 +5,7 @@ use crate::{
     Postcorrect,
     gpu::shader::Source,
     passes::TRACE_GROUP,
-    plan::{Band, Part, Plan, SAMPLES_PER_SUBMISSION, Shape, chunks, lines, once, one},
+    plan::{Band, Part, Plan, SAMPLES_PER_SUBMISSION, chunks, lines, once, one},
 };
 
 stages! {
@@ -13,14 +13,14 @@ stages! {
     COMPACT_SEED = {
         name: "compact_seed", wgsl: "passes/compact.wgsl", paper: "Kim 2016, 4; Step-IV",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |variant, entry| variant.compact_sources(wgsl!("wgsl/list_all.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_all.wgsl"), entry),
     }
     /// Claims interpolated neighbours of listed samples.
     POSTCORRECT_SEED = {
         name: "postcorrect_seed", wgsl: "passes/postcorrect_seed.wgsl", paper: "Kim 2016, 4; Step-IV",
         work: Work::List, tracing: Tracing::No, clears: [],
-        sources: |variant, entry| {
-            let mut sources = variant.pixel_sources(wgsl!("wgsl/attributes_claims.wgsl"));
+        sources: |spec, entry| {
+            let mut sources = spec.pixel_sources(wgsl!("wgsl/attributes_claims.wgsl"));
             sources.extend(step_sources(entry));
             sources
         },
@@ -29,8 +29,8 @@ stages! {
     POSTCORRECT_LANDMARKS = {
         name: "postcorrect_landmarks", wgsl: "passes/postcorrect_landmarks.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |variant, entry| {
-            let mut sources = variant.pixel_sources(wgsl!("wgsl/attributes_claims.wgsl"));
+        sources: |spec, entry| {
+            let mut sources = spec.pixel_sources(wgsl!("wgsl/attributes_claims.wgsl"));
             sources.extend(step_sources(entry));
             sources
         },
@@ -39,23 +39,23 @@ stages! {
     COMPACT_POSTCORRECT = {
         name: "compact_postcorrect", wgsl: "passes/compact.wgsl", paper: "Kim 2016, 4; Step-IV",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |variant, entry| variant.compact_sources(wgsl!("wgsl/list_round.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_round.wgsl"), entry),
     }
     /// Traces claimed samples and claims their neighbours.
     POSTCORRECT = {
         name: "postcorrect", wgsl: "passes/postcorrect.wgsl", paper: "Kim 2016, 4; Step-IV",
         work: Work::List, tracing: Tracing::Listed, clears: [],
-        sources: |variant, entry| {
+        sources: |spec, entry| {
             let claims = wgsl!("wgsl/attributes_claims.wgsl");
-            variant.tracing_sources_from(claims, variant.hit(), step_sources(entry))
+            spec.tracing_sources_from(claims, spec.hit(), step_sources(entry))
         },
     }
     /// Scans rows or columns in one direction, as the paper does.
     POSTCORRECT_SCAN = {
         name: "postcorrect_scan", wgsl: "passes/postcorrect_scan.wgsl", paper: "Kim 2016, 5; Step-IV",
         work: Work::Lines, tracing: Tracing::Listed, clears: [],
-        sources: |variant, entry| {
-            variant.tracing_sources_from(wgsl!("wgsl/attributes_claims.wgsl"), variant.hit(), [entry])
+        sources: |spec, entry| {
+            spec.tracing_sources_from(wgsl!("wgsl/attributes_claims.wgsl"), spec.hit(), [entry])
         },
     }
 }
@@ -69,25 +69,25 @@ const LONG_ROUNDS: u32 = 10;
 pub const ROUND_SAMPLES: u32 = SAMPLES_PER_SUBMISSION / 4;
 
 /// Kim 2016, section 4, inside the band.
-pub fn plan(plan: &mut Plan, shape: &Shape, band: &Band) {
+pub fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
     let rows = band.rows(1, [band.first, band.end]);
-    let samples = shape.grid[0] * rows.count();
-    match shape.postcorrect {
+    let samples = plan.grid[0] * rows.count();
+    match spec.settings.postcorrect {
         Postcorrect::Auto | Postcorrect::Off => {}
         Postcorrect::Scans => {
             for step in [[1, 0], [-1, 0], [0, 1], [0, -1]] {
-                plan.push(lines(&POSTCORRECT_SCAN, shape.grid[0], band.rows(1, band.own), step));
+                plan.push(lines(&POSTCORRECT_SCAN, plan.grid[0], band.rows(1, band.own), step));
             }
         }
         Postcorrect::Objects | Postcorrect::On => {
             plan.lists(samples);
             plan.push(once(&COMPACT_SEED, rows));
             plan.push(chunks(&POSTCORRECT_SEED, samples, rows));
-            if shape.landmarks > 0 {
-                let groups = [shape.landmarks.div_ceil(TRACE_GROUP), 1];
+            if spec.scene.landmarks > 0 {
+                let groups = [spec.scene.landmarks.div_ceil(TRACE_GROUP), 1];
                 plan.push(one(&POSTCORRECT_LANDMARKS, rows, groups));
             }
-            let far = 2 * (shape.grid[0] + rows.count()) / LONG_ROUNDS + 1;
+            let far = 2 * (plan.grid[0] + rows.count()) / LONG_ROUNDS + 1;
             for round in 0..SHORT_ROUNDS + LONG_ROUNDS {
                 let walk = if round < SHORT_ROUNDS { 1 } else { far };
                 plan.push(once(&COMPACT_POSTCORRECT, rows));

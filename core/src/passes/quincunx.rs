@@ -1,9 +1,9 @@
 //! The lecture's adaptive supersampling: centres and corners of pixels, whose quarters are divided where they differ.
 
-use super::{Output, Recipe, Variant, stage::*, wgsl};
+use super::{Output, Recipe, recipe::Storage, FrameSpec, stage::*, wgsl};
 use crate::{
     gpu::shader::Source,
-    plan::{Band, Part, Plan, Rows, Shape, chunks, once, tiles},
+    plan::{Band, Part, Plan, Rows, chunks, once, tiles},
 };
 
 stages! {
@@ -12,62 +12,66 @@ stages! {
         name: "quincunx_base", wgsl: "passes/quincunx_base.wgsl", paper: "lecture, \"Adaptive supersampling (1)\"",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours,
         clears: [Clears::ListHeader, Clears::Attributes],
-        sources: |variant, entry| variant.quincunx_tracing_sources([variant.order(), entry]),
+        sources: |spec, entry| spec.quincunx_tracing_sources([spec.order(), entry]),
     }
     /// Lists the samples that divide quarters of pixels.
     QUINCUNX_SPLIT_A = {
         name: "quincunx_split_a", wgsl: "passes/quincunx_split_a.wgsl", paper: "lecture, \"Adaptive supersampling (2)\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
-        sources: |variant, entry| variant.quincunx_split_sources(entry),
+        sources: |spec, entry| spec.quincunx_split_sources(entry),
     }
     /// Compacts the samples of the first division.
     COMPACT_QUINCUNX_A = {
         name: "compact_quincunx_a", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |variant, entry| variant.compact_sources(wgsl!("wgsl/list_step.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_step.wgsl"), entry),
     }
     /// Traces the samples of the first division.
     QUINCUNX_TRACE_A = {
         name: "quincunx_trace_a", wgsl: "passes/quincunx_trace.wgsl", paper: "lecture, \"Adaptive supersampling (2)\"",
         work: Work::List, tracing: Tracing::Listed, clears: [],
-        sources: |variant, entry| variant.quincunx_listed_sources(entry),
+        sources: |spec, entry| spec.quincunx_listed_sources(entry),
     }
     /// Lists the samples that divide quarters of quarters.
     QUINCUNX_SPLIT_B = {
         name: "quincunx_split_b", wgsl: "passes/quincunx_split_b.wgsl", paper: "lecture, \"Adaptive supersampling (2)\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
-        sources: |variant, entry| variant.quincunx_split_sources(entry),
+        sources: |spec, entry| spec.quincunx_split_sources(entry),
     }
     /// Compacts the samples of the second division.
     COMPACT_QUINCUNX_B = {
         name: "compact_quincunx_b", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |variant, entry| variant.compact_sources(wgsl!("wgsl/list_step.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_step.wgsl"), entry),
     }
     /// Traces the samples of the second division.
     QUINCUNX_TRACE_B = {
         name: "quincunx_trace_b", wgsl: "passes/quincunx_trace.wgsl", paper: "lecture, \"Adaptive supersampling (2)\"",
         work: Work::List, tracing: Tracing::Listed, clears: [],
-        sources: |variant, entry| variant.quincunx_listed_sources(entry),
+        sources: |spec, entry| spec.quincunx_listed_sources(entry),
     }
     /// Weighs the samples of each pixel by the areas that they stand for.
     QUINCUNX_RESOLVE = {
         name: "quincunx_resolve", wgsl: "passes/quincunx_resolve.wgsl", paper: "lecture, \"Adaptive supersampling (3)\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
-        sources: |variant, entry| {
-            let mut end = variant.output.sources();
+        sources: |spec, entry| {
+            let mut end = spec.output.sources();
             end.push(entry);
-            variant.quincunx_pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"), end)
+            spec.quincunx_pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"), end)
         },
     }
 }
 
 /// The lecture's recursion.
-pub const RECIPE: Recipe = Recipe { plan, traced: &QUINCUNX_BASE, interpolated: &[] };
+pub const RECIPE: Recipe = Recipe { plan, traced: &QUINCUNX_BASE, interpolated: &[], storage: STORAGE };
+
+/// Places for the samples of both levels in a pixel, each of which may be listed. A band has so many rows that the places of
+/// its samples, in eighths of a pixel, are told in 15 bits.
+const STORAGE: Storage = Storage { radiances: 32, listed: 32, band_rows: Some(4000) };
 
 /// Two levels of the recursion, each of which finds what to trace and traces it.
-fn plan(plan: &mut Plan, shape: &Shape, band: &Band) {
-    let ([width, _], [row, end]) = (shape.grid, band.own);
+fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
+    let ([width, _], [row, end]) = (plan.grid, band.own);
     let rows = Rows { stride: 1, row, end, turn: row };
     plan.stored_rows = plan.stored_rows.max(end - row);
     let with_corners = Rows { end: end + 1, ..rows };
@@ -87,7 +91,7 @@ fn plan(plan: &mut Plan, shape: &Shape, band: &Band) {
     plan.push(tiles(&QUINCUNX_RESOLVE, width, rows));
 }
 
-impl Variant {
+impl FrameSpec {
     fn quincunx_tracing_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
         let nowhere = Self { output: Output::Nowhere, ..*self };
         let shared =

@@ -1,9 +1,9 @@
 //! Refinement of whole pixels: lines are followed from where a centre hits them, then the cells that differ get samples.
 
-use super::{REFINE_MOST, REFINE_STEP, Variant, stage::*, wgsl};
+use super::{REFINE_MOST, REFINE_STEP, FrameSpec, stage::*, wgsl};
 use crate::{
     gpu::shader::Source,
-    plan::{Plan, Rows, Shape, chunks, once, tiles},
+    plan::{Plan, Rows, chunks, once, tiles},
 };
 
 stages! {
@@ -11,32 +11,32 @@ stages! {
     REFINE_TEST = {
         name: "refine_test", wgsl: "passes/refine_test.wgsl", paper: "ours, after Jin 2009, 4.3.2",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::No, clears: [Clears::ListHeader],
-        sources: |variant, entry| variant.test_sources([wgsl!("wgsl/refine_list.wgsl")], entry),
+        sources: |spec, entry| spec.test_sources([wgsl!("wgsl/refine_list.wgsl")], entry),
     }
     /// Compacts the pixels of the next round.
     COMPACT_REFINE = {
         name: "compact_refine", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |variant, entry| variant.compact_sources(wgsl!("wgsl/list_refine.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_refine.wgsl"), entry),
     }
     /// Traces the first four samples of each listed pixel and lists neighbours that they reveal.
     REFINE = {
         name: "refine", wgsl: "passes/refine.wgsl", paper: "ours, after Jin 2009, 4.3.3, and Kim 2016, 4",
         work: Work::List, tracing: Tracing::Listed, clears: [],
-        sources: |variant, entry| variant.refine_sources(entry),
+        sources: |spec, entry| spec.refine_sources(entry),
     }
     /// Compacts all refined pixels.
     COMPACT_CELL_TEST = {
         name: "compact_cell_test", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |variant, entry| variant.compact_sources(wgsl!("wgsl/list_all.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_all.wgsl"), entry),
     }
     /// Lists the cells of refined pixels that get samples.
     CELL_TEST = {
         name: "cell_test", wgsl: "passes/cell_test.wgsl", paper: "ours, after Jin 2009, 4.2.2",
         work: Work::List, tracing: Tracing::No, clears: [],
-        sources: |variant, entry| {
-            let mut sources = variant.pixel_sources(wgsl!("wgsl/attributes_claims.wgsl"));
+        sources: |spec, entry| {
+            let mut sources = spec.pixel_sources(wgsl!("wgsl/attributes_claims.wgsl"));
             sources.extend(refined_sources());
             sources.extend([wgsl!("wgsl/edges.wgsl"), entry]);
             sources
@@ -46,13 +46,13 @@ stages! {
     COMPACT_CELLS = {
         name: "compact_cells", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |variant, entry| variant.compact_sources(wgsl!("wgsl/list_refine.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_refine.wgsl"), entry),
     }
     /// Traces four samples in listed cells.
     CELLS = {
         name: "cells", wgsl: "passes/cells.wgsl", paper: "ours",
         work: Work::List, tracing: Tracing::Listed, clears: [],
-        sources: |variant, entry| variant.refine_sources(entry),
+        sources: |spec, entry| spec.refine_sources(entry),
     }
 }
 
@@ -63,11 +63,11 @@ pub const REFINE_ROUNDS: u32 = 16;
 const REFINE_LATER: u32 = 8;
 
 /// All pixels that the test finds and what they lead to; then the cells in them that differ.
-pub fn plan(plan: &mut Plan, shape: &Shape, rows: Rows) {
-    let pixels = shape.grid[0] * rows.count();
+pub fn plan(plan: &mut Plan, spec: &FrameSpec, rows: Rows) {
+    let pixels = plan.grid[0] * rows.count();
     let longest = REFINE_MOST / REFINE_STEP * pixels;
     plan.lists(longest);
-    plan.push(tiles(&REFINE_TEST, shape.grid[0], rows));
+    plan.push(tiles(&REFINE_TEST, plan.grid[0], rows));
     for round in 0..REFINE_ROUNDS {
         let most = if round == 0 { longest } else { longest.div_ceil(REFINE_LATER) };
         plan.push(once(&COMPACT_REFINE, rows));
@@ -81,7 +81,7 @@ pub fn plan(plan: &mut Plan, shape: &Shape, rows: Rows) {
     }
 }
 
-impl Variant {
+impl FrameSpec {
     fn refine_sources(&self, entry: Source) -> Vec<Source> {
         let of_tracing = [wgsl!("wgsl/edges_range.wgsl"), wgsl!("wgsl/refine_trace.wgsl"), entry];
         let entry = refined_sources().into_iter().chain(of_tracing);

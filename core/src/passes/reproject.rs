@@ -1,9 +1,9 @@
 //! Reprojection: points of the frame before are shown where they are seen now; what is lost or old is traced.
 
-use super::{Recipe, Variant, recipe::Loops, stage::*, wgsl};
+use super::{Recipe, FrameSpec, recipe::{Loops, Storage}, stage::*, wgsl};
 use crate::{
     gpu::shader::Source,
-    plan::{Band, Plan, Shape, tiles},
+    plan::{Band, Plan, tiles},
 };
 
 stages! {
@@ -12,21 +12,21 @@ stages! {
         name: "reproject_depth", wgsl: "passes/reproject_depth.wgsl", paper: "lecture, \"Reprojection\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No,
         clears: [Clears::ListHeader, Clears::Landed],
-        sources: |variant, entry| variant.reprojection_sources(entry),
+        sources: |spec, entry| spec.reprojection_sources(entry),
     }
     /// Finds the pixel that this point comes from.
     REPROJECT_SOURCE = {
         name: "reproject_source", wgsl: "passes/reproject_source.wgsl", paper: "lecture, \"Reprojection\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
-        sources: |variant, entry| variant.reprojection_sources(entry),
+        sources: |spec, entry| spec.reprojection_sources(entry),
     }
     /// Shows reprojected points again and lists the other pixels.
     REUSE = {
         name: "reuse", wgsl: "passes/reuse.wgsl", paper: "lecture, \"Reprojection\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
-        sources: |variant, entry| {
-            let mut sources = variant.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
-            sources.extend(variant.output.sources());
+        sources: |spec, entry| {
+            let mut sources = spec.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
+            sources.extend(spec.output.sources());
             sources.extend([
                 wgsl!("wgsl/list.wgsl"),
                 wgsl!("wgsl/list_append.wgsl"),
@@ -42,14 +42,14 @@ stages! {
     COMPACT_RENEW = {
         name: "compact_renew", wgsl: "passes/compact.wgsl", paper: "Kim 2016, 5",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |variant, entry| variant.compact_sources(wgsl!("wgsl/list_step.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_step.wgsl"), entry),
     }
     /// Traces the listed pixels.
     RENEW = {
         name: "renew", wgsl: "passes/renew.wgsl", paper: "lecture, \"Reprojection\"",
         work: Work::List, tracing: Tracing::Listed, clears: [],
-        sources: |variant, entry| {
-            variant.tracing_sources([wgsl!("wgsl/list.wgsl"), wgsl!("wgsl/history.wgsl"), entry])
+        sources: |spec, entry| {
+            spec.tracing_sources([wgsl!("wgsl/list.wgsl"), wgsl!("wgsl/history.wgsl"), entry])
         },
     }
 }
@@ -57,7 +57,7 @@ stages! {
 /// The lecture's reprojection.
 pub const RECIPE: Recipe = Recipe {
     plan,
-    traced: &RENEW,
+    traced: &RENEW, storage: Storage { listed: 1, ..Storage::WHOLE },
     interpolated: &[
         (&REUSE, Loops::Repeated(4.0)),
         (&REPROJECT_DEPTH, Loops::Repeated(0.0)),
@@ -66,15 +66,15 @@ pub const RECIPE: Recipe = Recipe {
 };
 
 /// The nearest point in each pixel, whose it is, what is lost, and rays for that.
-fn plan(plan: &mut Plan, shape: &Shape, band: &Band) {
-    let ([width, _], rows) = (shape.grid, band.rows(1, band.own));
+fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
+    let ([width, _], rows) = (plan.grid, band.rows(1, band.own));
     for stage in [&REPROJECT_DEPTH, &REPROJECT_SOURCE, &REUSE] {
         plan.push(tiles(stage, width, rows));
     }
     plan.traces([&COMPACT_RENEW, &RENEW], width, rows);
 }
 
-impl Variant {
+impl FrameSpec {
     fn reprojection_sources(&self, entry: Source) -> Vec<Source> {
         vec![
             self.constants(),

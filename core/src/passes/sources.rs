@@ -1,6 +1,6 @@
 //! The WGSL files that kernels of several methods have in common.
 
-use super::{Output, Variant, wgsl};
+use super::{FrameSpec, Output, wgsl};
 use crate::{Filter, Inactive, Jitter, Linking, Mip, gpu::shader::Source};
 
 impl Output {
@@ -14,7 +14,7 @@ impl Output {
     }
 }
 
-impl Variant {
+impl FrameSpec {
     /// What a kernel needs that compacts a list; `range` says which part of it.
     pub(super) fn compact_sources(&self, range: Source, entry: Source) -> Vec<Source> {
         vec![self.constants(), wgsl!("wgsl/list.wgsl"), range, entry]
@@ -39,7 +39,7 @@ impl Variant {
     pub(super) fn resolve_sources(&self, entry: Source) -> Vec<Source> {
         let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
         sources.extend([wgsl!("wgsl/samples.wgsl"), wgsl!("wgsl/order_net.wgsl")]);
-        sources.push(match self.filter {
+        sources.push(match self.settings.filter {
             Filter::Box => wgsl!("wgsl/filter_box.wgsl"),
             Filter::Tent => wgsl!("wgsl/filter_tent.wgsl"),
         });
@@ -50,11 +50,15 @@ impl Variant {
 
     /// Which workgroup treats which tile.
     pub(super) fn order(&self) -> Source {
-        if self.on_cpu { wgsl!("wgsl/order_dealt.wgsl") } else { wgsl!("wgsl/order_plain.wgsl") }
+        if self.tier.deals_workgroups() {
+            wgsl!("wgsl/order_dealt.wgsl")
+        } else {
+            wgsl!("wgsl/order_plain.wgsl")
+        }
     }
 
     pub(super) fn jitter(&self) -> Source {
-        if self.jitter == Jitter::On {
+        if self.settings.jitter == Jitter::On {
             wgsl!("wgsl/jitter_stratified.wgsl")
         } else {
             wgsl!("wgsl/jitter_none.wgsl")
@@ -62,7 +66,7 @@ impl Variant {
     }
 
     pub(super) fn inactive(&self) -> Source {
-        match self.inactive {
+        match self.settings.inactive {
             Inactive::Nearest => wgsl!("wgsl/inactive_nearest.wgsl"),
             Inactive::Bilinear => wgsl!("wgsl/inactive_bilinear.wgsl"),
         }
@@ -81,7 +85,7 @@ impl Variant {
         }
     }
 
-    /// As [`Variant::tracing_sources`], with another say in which hits count.
+    /// As [`FrameSpec::tracing_sources`], with another say in which hits count.
     pub(crate) fn tracing_sources_with(
         &self,
         hit: Source,
@@ -123,7 +127,11 @@ impl Variant {
                     wgsl!("wgsl/edge_rounded.wgsl"),
                 ),
                 wgsl!("wgsl/triangle.wgsl"),
-                pick(self.on_cpu, wgsl!("wgsl/tree_texels.wgsl"), wgsl!("wgsl/tree_buffers.wgsl")),
+                pick(
+                    self.tier.stores_images(),
+                    wgsl!("wgsl/tree_texels.wgsl"),
+                    wgsl!("wgsl/tree_buffers.wgsl"),
+                ),
                 wgsl!("wgsl/bvh.wgsl"),
                 pick(f.spheres, wgsl!("wgsl/sphere_analytic.wgsl"), wgsl!("wgsl/sphere_none.wgsl")),
                 hit,
@@ -137,11 +145,15 @@ impl Variant {
     }
 
     fn vertex_sources(&self) -> Vec<Source> {
-        if self.linking != Linking::All && !self.has_texcoords && !self.has_colors {
+        if self.settings.features != Linking::All && !self.scene.has_texcoords && !self.scene.has_colors {
             return vec![wgsl!("wgsl/vertex_none.wgsl")];
         }
         vec![
-            pick(self.on_cpu, wgsl!("wgsl/vertex_texels.wgsl"), wgsl!("wgsl/vertex_buffers.wgsl")),
+            pick(
+                self.tier.stores_images(),
+                wgsl!("wgsl/vertex_texels.wgsl"),
+                wgsl!("wgsl/vertex_buffers.wgsl"),
+            ),
             wgsl!("wgsl/vertex_attributes.wgsl"),
         ]
     }
@@ -164,12 +176,16 @@ impl Variant {
         let mut sources = self.pixel_sources(attributes);
         sources.extend([
             wgsl!("wgsl/object.wgsl"),
-            pick(self.on_cpu, wgsl!("wgsl/object_texels.wgsl"), wgsl!("wgsl/object_buffers.wgsl")),
+            pick(
+                self.tier.stores_images(),
+                wgsl!("wgsl/object_texels.wgsl"),
+                wgsl!("wgsl/object_buffers.wgsl"),
+            ),
         ]);
-        if self.on_cpu {
+        if self.tier.stores_images() {
             sources.push(wgsl!("wgsl/texels.wgsl"));
         }
-        sources.extend(match (f.textures, self.mip) {
+        sources.extend(match (f.textures, self.settings.mip) {
             (false, _) => vec![wgsl!("wgsl/texture_none.wgsl")],
             (true, Mip::Off) => vec![wgsl!("wgsl/texture_atlas.wgsl"), wgsl!("wgsl/texture_plain.wgsl")],
             (true, Mip::On) => vec![wgsl!("wgsl/texture_atlas.wgsl"), wgsl!("wgsl/texture_mip.wgsl")],
@@ -179,12 +195,12 @@ impl Variant {
             if f.glossy { wgsl!("wgsl/material.wgsl") } else { wgsl!("wgsl/material_matte.wgsl") },
             if f.lights { wgsl!("wgsl/lights_punctual.wgsl") } else { wgsl!("wgsl/lights_none.wgsl") },
         ]);
-        if self.supersamples {
+        if self.settings.supersamples() {
             sources.extend([wgsl!("wgsl/edges.wgsl"), wgsl!("wgsl/edges_keep.wgsl")]);
         } else {
             sources.push(wgsl!("wgsl/edges_none.wgsl"));
         }
-        let pixels = self.sampling == 1 || self.output == Output::Nowhere;
+        let pixels = self.settings.sampling == 1 || self.output == Output::Nowhere;
         sources.extend(if pixels { self.output } else { Output::Samples }.sources());
         sources.extend(rest);
         sources

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Variant;
+use super::FrameSpec;
 use crate::gpu::shader::Source;
 
 /// Sides of the square of samples that a workgroup of 64 and of 256 threads treats.
@@ -80,7 +80,7 @@ pub struct Stage {
     /// The WGSL file with its entry point.
     pub entry: Source,
     /// The sources of its kernel in a variant, in order; the last argument is `entry`.
-    pub sources: fn(&Variant, Source) -> Vec<Source>,
+    pub sources: fn(&FrameSpec, Source) -> Vec<Source>,
 }
 
 /// Stages are told apart by name.
@@ -98,7 +98,7 @@ impl std::fmt::Debug for Stage {
     }
 }
 
-impl Variant {
+impl FrameSpec {
     /// The sources of a stage's kernel, in order.
     #[must_use]
     pub fn sources(&self, stage: &Stage) -> Vec<Source> {

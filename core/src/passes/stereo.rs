@@ -1,6 +1,6 @@
 //! Samples of one eye that count for the other (Kim & Sung 2021).
 
-use super::{Variant, sources::pick, stage::*, wgsl};
+use super::{FrameSpec, sources::pick, stage::*, wgsl};
 use crate::{
     Crossing,
     gpu::shader::Source,
@@ -12,16 +12,16 @@ stages! {
     LOOK = {
         name: "look", wgsl: "passes/look.wgsl", paper: "Kim & Sung 2021, equations 1 to 6, Algorithm 1",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours, clears: [],
-        sources: |variant, entry| variant.look_sources(entry),
+        sources: |spec, entry| spec.look_sources(entry),
     }
     /// Adds the samples of the other eye to the pixels that they fall into.
     CROSS = {
         name: "cross", wgsl: "passes/cross.wgsl", paper: "Kim & Sung 2021, equations 1 to 6, Algorithm 1",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
-        sources: |variant, entry| {
-            let one = Variant { sampling: 1, ..*variant };
+        sources: |spec, entry| {
+            let one = spec.one_sample();
             let mut sources = one.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
-            sources.extend(variant.output_before_noise().sources());
+            sources.extend(spec.output_before_noise().sources());
             sources.extend([wgsl!("wgsl/samples_crossing.wgsl"), entry]);
             sources
         },
@@ -34,14 +34,14 @@ pub fn plan(plan: &mut Plan, width: u32, rows: Rows) {
     plan.push(tiles(&CROSS, width, rows));
 }
 
-impl Variant {
+impl FrameSpec {
     pub(super) fn eyes(&self) -> Source {
-        pick(self.two_eyes, wgsl!("wgsl/eyes_two.wgsl"), wgsl!("wgsl/eyes_one.wgsl"))
+        pick(self.two_eyes(), wgsl!("wgsl/eyes_two.wgsl"), wgsl!("wgsl/eyes_one.wgsl"))
     }
 
     /// Where samples of one eye count for the other.
     fn crossing(&self) -> Crossing {
-        if self.two_eyes { self.paths.crossing } else { Crossing::Off }
+        if self.two_eyes() { self.settings.paths.crossing } else { Crossing::Off }
     }
 
     /// What becomes of the samples of paths.
@@ -67,7 +67,7 @@ impl Variant {
     }
 
     fn look_sources(&self, entry: Source) -> Vec<Source> {
-        let one = Self { sampling: 1, ..*self };
+        let one = self.one_sample();
         let mut sources = one.scene_sources(wgsl!("wgsl/attributes_planes.wgsl"), self.hit());
         sources.extend(self.numbers());
         sources.extend([
@@ -76,7 +76,7 @@ impl Variant {
             wgsl!("wgsl/eyes_two.wgsl"),
             wgsl!("wgsl/look.wgsl"),
         ]);
-        if self.paths.crossing == Crossing::Paper {
+        if self.settings.paths.crossing == Crossing::Paper {
             sources.push(wgsl!("wgsl/crossing_paper.wgsl"));
         } else {
             sources.extend([
