@@ -9,24 +9,51 @@ use crate::{
 };
 
 gpu_struct! {
+    /// Where primary rays start and where they go.
+    pub struct FrameCamera {
+        origin: [f32; 3], orthographic: f32,
+        right: [f32; 3], inverse_height: f32,
+        up: [f32; 3], padding_x: u32,
+        forward: [f32; 3], padding_y: u32,
+        eyes: [f32; 2], padding_z: [u32; 2],
+    }
+}
+
+gpu_struct! {
+    /// What a dispatch treats.
+    pub struct FramePart {
+        first: u32, stride: u32, row: u32, end: u32,
+        turn: u32, walk: u32, step: [i32; 2],
+    }
+}
+
+gpu_struct! {
+    /// How much may differ between samples that count as similar.
+    pub struct FrameTolerances {
+        pos: f32, norm: f32, tex: f32, gcol: f32,
+        tau_primary: [f32; 4], tau_secondary: [f32; 4],
+        tau_col: f32, tau_least: f32, focus_first: u32, focus_last: u32,
+        similar: f32, padding_x: u32, padding_y: u32, padding_z: u32,
+    }
+}
+
+gpu_struct! {
+    /// The constants of path tracing.
+    pub struct FramePaths {
+        gaze: [f32; 2], stop: f32, emitter_scale: f32,
+        emitters: u32, sample: u32, merged: u32, padding_x: u32,
+    }
+}
+
+gpu_struct! {
     /// The constants of a frame.
     pub struct Frame {
-        origin: [f32; 3], orthographic: f32,
-        right: [f32; 3], min_weight: f32,
-        up: [f32; 3], pos_tolerance: f32,
-        forward: [f32; 3], norm_tolerance: f32,
-        background: [f32; 3], tex_tolerance: f32,
-        ambient: [f32; 3], gcol_tolerance: f32,
-        truncated: [f32; 3], depth: u32,
-        size: [u32; 2], inverse_height: f32, first: u32,
-        stride: u32, row: u32, end: u32, turn: u32,
-        step: [i32; 2], walk: u32, seed: u32,
-        tau_primary: [f32; 4], tau_secondary: [f32; 4],
-        tau_col: f32, focus_first: u32, focus_last: u32, similar: f32,
-        renewed_from: u32, renewed: u32, still: u32, tau_least: f32,
-        gaze: [f32; 2], stop: f32, emitter_scale: f32,
-        sample: u32, emitters: u32, eyes: [f32; 2],
-        merged: u32, padding_x: u32, padding_y: u32, padding_z: u32,
+        camera: FrameCamera, part: FramePart, tolerances: FrameTolerances, paths: FramePaths,
+        background: [f32; 3], min_weight: f32,
+        ambient: [f32; 3], depth: u32,
+        truncated: [f32; 3], seed: u32,
+        size: [u32; 2], renewed_from: u32, renewed: u32,
+        still: u32, padding_x: u32, padding_y: u32, padding_z: u32,
     }
 }
 
@@ -48,51 +75,47 @@ impl Frame {
         let extent = settings.method.eye(size).map(|side| side as f32);
         let gaze = [0, 1].map(|axis| settings.paths.gaze[axis] * extent[axis]);
         Self {
-            origin: camera.origin.into(),
-            orthographic: if camera.orthographic { 1.0 } else { 0.0 },
-            right: camera.right.into(),
-            min_weight: settings.min_weight,
-            up: camera.up.into(),
-            pos_tolerance: settings.tolerances.pos * scene.longest_side(),
-            forward: camera.forward.into(),
-            norm_tolerance: settings.tolerances.norm,
+            camera: FrameCamera {
+                origin: camera.origin.into(),
+                orthographic: if camera.orthographic { 1.0 } else { 0.0 },
+                right: camera.right.into(),
+                inverse_height: 1.0 / size[1] as f32,
+                up: camera.up.into(),
+                forward: camera.forward.into(),
+                eyes: eyes(&settings.paths, camera),
+                ..Default::default()
+            },
+            part: FramePart::default(),
+            tolerances: FrameTolerances {
+                pos: settings.tolerances.pos * scene.longest_side(),
+                norm: settings.tolerances.norm,
+                tex: settings.tolerances.tex,
+                gcol: settings.tolerances.gcol,
+                tau_primary: [t.poid, t.psn, t.psc, t.pte],
+                tau_secondary: [t.soid, t.ssn, t.ssc, t.ste],
+                tau_col: t.col,
+                tau_least: t.values().into_iter().fold(1.0, f32::min),
+                // As objects are stored: 0 is no hit, which is in no focus but everything's.
+                focus_first: settings.focus.map_or(0, |focus| focus.first.saturating_add(1)),
+                focus_last: settings.focus.map_or(u32::MAX, |focus| focus.last.saturating_add(1)),
+                similar: settings.similar,
+                ..Default::default()
+            },
+            paths: FramePaths {
+                gaze,
+                stop: settings.paths.p_max / farthest(gaze, extent),
+                emitter_scale: scene.emitter_scale,
+                emitters: scene.emitter_count,
+                ..Default::default()
+            },
             background: environment.background.into(),
-            tex_tolerance: settings.tolerances.tex,
+            min_weight: settings.min_weight,
             ambient: environment.ambient.into(),
-            gcol_tolerance: settings.tolerances.gcol,
-            truncated: environment.truncated.into(),
             depth: settings.depth,
-            size,
-            inverse_height: 1.0 / size[1] as f32,
-            first: 0,
-            stride: 0,
-            row: 0,
-            end: 0,
-            turn: 0,
-            step: [0; 2],
-            walk: 0,
+            truncated: environment.truncated.into(),
             seed: settings.seed,
-            tau_primary: [t.poid, t.psn, t.psc, t.pte],
-            tau_secondary: [t.soid, t.ssn, t.ssc, t.ste],
-            tau_col: t.col,
-            // As objects are stored: 0 is no hit, which is in no focus but everything's.
-            focus_first: settings.focus.map_or(0, |focus| focus.first.saturating_add(1)),
-            focus_last: settings.focus.map_or(u32::MAX, |focus| focus.last.saturating_add(1)),
-            similar: settings.similar,
-            renewed_from: 0,
-            renewed: 0,
-            still: 0,
-            tau_least: t.values().into_iter().fold(1.0, f32::min),
-            gaze,
-            stop: settings.paths.p_max / farthest(gaze, extent),
-            emitter_scale: scene.emitter_scale,
-            sample: 0,
-            emitters: scene.emitter_count,
-            eyes: eyes(&settings.paths, camera),
-            merged: 0,
-            padding_x: 0,
-            padding_y: 0,
-            padding_z: 0,
+            size,
+            ..Default::default()
         }
     }
 }
@@ -296,17 +319,10 @@ fn in_strides(parts: &[Part], constants: &Frame, tolerances: &Tolerances) -> Vec
     let mut bytes = Vec::with_capacity(parts.len() * FRAME_STRIDE as usize);
     for part in parts {
         let Rows { stride, row, end, turn } = part.rows;
-        let Tolerances { norm: norm_tolerance, gcol: gcol_tolerance, .. } = tolerances.at(stride.max(2));
+        let Tolerances { norm, gcol, .. } = tolerances.at(stride.max(2));
         let of_part = Frame {
-            norm_tolerance,
-            gcol_tolerance,
-            first: part.first,
-            stride,
-            row,
-            end,
-            turn,
-            step: part.step,
-            walk: part.walk,
+            part: FramePart { first: part.first, stride, row, end, turn, walk: part.walk, step: part.step },
+            tolerances: FrameTolerances { norm, gcol, ..constants.tolerances },
             ..*constants
         };
         bytes.extend_from_slice(bytemuck::bytes_of(&of_part));

@@ -5,7 +5,7 @@ mod merging;
 use crate::{
     Camera, Denoise, DisplayImage, Error, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Method,
     Paths, Postcorrect, Result, Settings,
-    frame::{Frame, Passes},
+    frame::{Frame, FramePaths, Passes},
     gpu::Kernels,
     inspection,
     passes::{FrameSpec, Output},
@@ -312,13 +312,13 @@ impl<'a> Renderer<'a> {
             let expected = "expected a perspective camera, found an orthographic one, which has no eyes";
             return Err(Error::setting("--method vr", expected));
         }
+        let frame = Frame::new(self.scene, &self.settings, self.targets.grid, camera);
         Ok(Frame {
             renewed_from: step.first,
             renewed: step.count,
             still: u32::from(step.still),
-            sample: step.sample,
-            merged: step.merged,
-            ..Frame::new(self.scene, &self.settings, self.targets.grid, camera)
+            paths: FramePaths { sample: step.sample, merged: step.merged, ..frame.paths },
+            ..frame
         })
     }
 

@@ -113,6 +113,10 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
             assert!(workgroup_bytes(&linked.module) <= 16_384, "{stage:?}: workgroup memory");
             for mirror in [
                 frame::Frame::MIRROR,
+                frame::FrameCamera::MIRROR,
+                frame::FramePart::MIRROR,
+                frame::FrameTolerances::MIRROR,
+                frame::FramePaths::MIRROR,
                 frame::PixelRecord::MIRROR,
                 gpu_scene::Object::MIRROR,
                 gpu_scene::Light::MIRROR,
@@ -130,7 +134,7 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
     let refining = variants().filter(|variant| variant.settings.refines()).count();
     assert_eq!(kernels, all * (stages().count() - 6) + 2 * supersampling + 4 * refining);
     assert!(supersampling > 100 && refining > 50);
-    assert_eq!(mirrored.len(), 4, "every mirrored struct was compared: {mirrored:?}");
+    assert_eq!(mirrored.len(), 8, "every mirrored struct was compared: {mirrored:?}");
 }
 
 /// Stages of paths are linked by a method of paths, of one eye or of two.
@@ -234,8 +238,8 @@ fn the_fresnel_probe_is_declared_alike_on_both_sides() {
 #[test]
 fn a_swapped_field_is_noticed() {
     let mirror = gpu::mirror::Mirror {
-        name: "Frame",
-        size: size_of::<frame::Frame>(),
+        name: "FrameCamera",
+        size: size_of::<frame::FrameCamera>(),
         fields: &[gpu::mirror::Field { name: "orthographic", offset: 0 }],
     };
     let variant = variants().next().expect("one");
