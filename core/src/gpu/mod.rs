@@ -30,6 +30,32 @@ use crate::{Error, Result};
 /// slowest frame that is still useful (a software driver, 16384x16384) takes a few minutes.
 pub const PATIENCE: Duration = Duration::from_secs(600);
 
+/// What kernels are made for and how scene data is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Tier {
+    /// A software device: scene data in images, which it reads a vector at a time, and workgroups dealt out so that the
+    /// ranges which its cores take cost alike.
+    Cpu,
+    /// Any other device: scene data in storage buffers, workgroups in order.
+    Gpu,
+}
+
+impl Tier {
+    fn of(device: wgpu::DeviceType) -> Self {
+        if device == wgpu::DeviceType::Cpu { Self::Cpu } else { Self::Gpu }
+    }
+
+    /// Scene data is stored in images, not in buffers.
+    pub(crate) fn stores_images(self) -> bool {
+        self == Self::Cpu
+    }
+
+    /// Workgroups are dealt out in strides, not in order.
+    pub(crate) fn deals_workgroups(self) -> bool {
+        self == Self::Cpu
+    }
+}
+
 /// What an adapter reports of itself.
 #[derive(Clone, Debug)]
 pub struct AdapterFacts {

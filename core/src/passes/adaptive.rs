@@ -1,6 +1,6 @@
 //! Adaptive undersampling (Kim 2016): base samples, then similarity checks that interpolate or list, then the listed rays.
 
-use super::{Recipe, full, postcorrect, recipe::{Loops, Storage}, stage::*, supersample};
+use super::{FrameSpec, Recipe, full, postcorrect, recipe::{Loops, Storage}, stage::*, supersample};
 use crate::plan::{Band, Plan, tiles};
 
 stages! {

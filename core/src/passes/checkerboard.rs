@@ -25,7 +25,7 @@ stages! {
 pub const RECIPE: Recipe =
     Recipe { plan, traced: &CHECKERBOARD, storage: Storage { radiances: 1, ..Storage::WHOLE }, interpolated: &[(&FILL, Loops::Repeated(4.0))] };
 
-fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
+fn plan(plan: &mut Plan, _: &FrameSpec, band: &Band) {
     let (width, rows) = (plan.grid[0], band.rows(1, band.own));
     plan.push(tiles(&CHECKERBOARD, width.div_ceil(2), rows));
     plan.push(tiles(&FILL, width, rows));

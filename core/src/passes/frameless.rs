@@ -1,6 +1,6 @@
 //! Frameless rendering: a share of the pixels is traced in each frame, the others show what they showed.
 
-use super::{Recipe, recipe::Storage, stage::*, wgsl};
+use super::{FrameSpec, Recipe, recipe::Storage, stage::*, wgsl};
 use crate::{
     plan::{Band, Extent, Part, Plan, SAMPLES_PER_SUBMISSION},
     sequence::{RANK_TILE, RANKS},
@@ -24,7 +24,7 @@ pub const RECIPE: Recipe = Recipe { plan, traced: &FRAMELESS, storage: Storage::
 /// end with their last one.
 const TILES: u32 = SAMPLES_PER_SUBMISSION / RANKS;
 
-fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
+fn plan(plan: &mut Plan, _: &FrameSpec, band: &Band) {
     let count = plan.grid.map(|side| side.div_ceil(RANK_TILE)).iter().product::<u32>();
     let part = |first: u32| {
         let tiles = TILES.min(count - first);

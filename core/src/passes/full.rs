@@ -1,6 +1,6 @@
 //! Full ray tracing: a sample in every cell of an even grid, and pixels from several samples.
 
-use super::{Recipe, recipe::Storage, stage::*};
+use super::{FrameSpec, Recipe, recipe::Storage, stage::*};
 use crate::{
     Filter,
     plan::{Band, Plan, Rows, tiles},

@@ -1,6 +1,6 @@
 //! Postcorrection (Kim 2016, section 4): interpolated samples beside traced ones of another object are traced too.
 
-use super::{stage::*, wgsl};
+use super::{FrameSpec, stage::*, wgsl};
 use crate::{
     Postcorrect,
     gpu::shader::Source,

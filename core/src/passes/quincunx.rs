@@ -70,7 +70,7 @@ pub const RECIPE: Recipe = Recipe { plan, traced: &QUINCUNX_BASE, interpolated: 
 const STORAGE: Storage = Storage { radiances: 32, listed: 32, band_rows: Some(4000) };
 
 /// Two levels of the recursion, each of which finds what to trace and traces it.
-fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
+fn plan(plan: &mut Plan, _: &FrameSpec, band: &Band) {
     let ([width, _], [row, end]) = (plan.grid, band.own);
     let rows = Rows { stride: 1, row, end, turn: row };
     plan.stored_rows = plan.stored_rows.max(end - row);

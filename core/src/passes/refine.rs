@@ -63,7 +63,7 @@ pub const REFINE_ROUNDS: u32 = 16;
 const REFINE_LATER: u32 = 8;
 
 /// All pixels that the test finds and what they lead to; then the cells in them that differ.
-pub fn plan(plan: &mut Plan, spec: &FrameSpec, rows: Rows) {
+pub fn plan(plan: &mut Plan, rows: Rows) {
     let pixels = plan.grid[0] * rows.count();
     let longest = REFINE_MOST / REFINE_STEP * pixels;
     plan.lists(longest);

@@ -66,7 +66,7 @@ pub const RECIPE: Recipe = Recipe {
 };
 
 /// The nearest point in each pixel, whose it is, what is lost, and rays for that.
-fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
+fn plan(plan: &mut Plan, _: &FrameSpec, band: &Band) {
     let ([width, _], rows) = (plan.grid, band.rows(1, band.own));
     for stage in [&REPROJECT_DEPTH, &REPROJECT_SOURCE, &REUSE] {
         plan.push(tiles(stage, width, rows));

@@ -59,7 +59,7 @@ fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
 /// Jin 2009, 4.1.3 and 4.1.4, for pixels that have a sample.
 pub fn extra(plan: &mut Plan, spec: &FrameSpec, rows: Rows) {
     if spec.settings.refines() {
-        return refine::plan(plan, spec, rows);
+        return refine::plan(plan, rows);
     }
     let longest = EXTRA_SAMPLES_MOST * plan.grid[0] * rows.count();
     plan.lists(longest);
