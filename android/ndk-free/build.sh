@@ -3,6 +3,8 @@
 #
 #   build.sh ARCH...        target/android/ARCH-linux-android/android/libglimpse_android.so; ARCH: aarch64, x86_64
 #
+# NDK_FREE_SYSROOT=DIR keeps what it links against there (below target/android): cargo compiles everything again for another.
+#
 # rustup's cargo drives Debian's rustc, which brings the sources of std; nothing of rustup changes. The linker is rustup's
 # rust-lld. What it links against are shared objects that hold the names of Android's symbols up to the oldest API level
 # (symbols.txt: library, symbol, level) and nothing else, so that a symbol which Android lacks is an error here.
@@ -15,6 +17,7 @@ export CARGO_TARGET_DIR=$project/target/android
 rustup_root=$(rustc --print sysroot)
 # A nightly feature of cargo's: std is built from source. Fixed here, for this target alone.
 export RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1
+sysroots=${NDK_FREE_SYSROOT:-$CARGO_TARGET_DIR/sysroot-$min_api}
 RUST_LLD=$(find "$rustup_root/lib/rustlib" -name rust-lld -path '*/bin/*' | head -n 1)
 export RUST_LLD
 
@@ -30,6 +33,7 @@ sysroot() {
         ;;
     esac
     mkdir -p "$folder"
+    cp "$here/lld-cc" "$folder/"
     : >"$folder/nothing.ld"
     for library in libc libm libdl liblog libandroid; do
         awk -v library="$library" -v api="$min_api" \
@@ -45,11 +49,11 @@ sysroot() {
 }
 
 for arch; do
-    folder=$CARGO_TARGET_DIR/sysroot-$min_api/$arch
+    folder=$sysroots/$arch
     sysroot "$arch" "$folder"
-    # The same flags in every call: others rebuild std.
+    # The same flags and linker in every call: others rebuild std.
     flags="-Lnative=$folder -Clink-arg=-Wl,-z,max-page-size=16384 -Clink-arg=-Wl,-z,defs -Clink-arg=-Wl,--build-id=sha1"
     name=CARGO_TARGET_${arch^^}_LINUX_ANDROID
-    (cd "$project" && env "${name}_LINKER=$here/lld-cc" "${name}_RUSTFLAGS=$flags" \
+    (cd "$project" && env "${name}_LINKER=$folder/lld-cc" "${name}_RUSTFLAGS=$flags" \
         cargo build --profile android -Zbuild-std=std,panic_abort --target "$arch-linux-android" -p glimpse-android)
 done
