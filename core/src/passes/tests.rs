@@ -7,7 +7,9 @@ use super::{
 };
 use crate::{
     Crossing, Denoise, Direct, Features, Filter, Inactive, Jitter, Linking, Method, Mip, Paths, Postcorrect,
-    Refine, Robustness, Roulette, Sampler, Settings, Shining, Stopping, frame, gpu,
+    Refine, Robustness, Roulette, Sampler, Settings, Shining, Stopping,
+    counters::GROUPS,
+    frame, gpu,
     gpu::{Tier, mirror::differences, shader::link},
     gpu_scene::{self, SceneFacts},
     probe,
@@ -172,6 +174,27 @@ fn stages_trace_where_their_kernels_call_the_traversal() {
                 stage.tracing == Tracing::No || (stage.tracing == Tracing::Listed) == listed,
                 "{stage:?}"
             );
+        }
+    }
+}
+
+/// A counter that no kernel counts, or a check that none makes, would be 0 for ever.
+#[test]
+fn every_counter_is_counted_by_some_kernel() {
+    let counting: Vec<_> = variants().filter(|variant| variant.inspect).collect();
+    let linked = |stage: &'static Stage| {
+        let of = |variant: &FrameSpec| of_stage(*variant, stage).sources(stage);
+        counting.iter().filter(move |variant| is_linked(variant, stage)).flat_map(of).collect::<Vec<_>>()
+    };
+    let sources: std::collections::HashMap<_, _> = stages()
+        .flat_map(linked)
+        .filter(|source| source.file != "(constants)")
+        .map(|source| (source.file, source.text))
+        .collect();
+    for group in GROUPS {
+        for name in group.names {
+            let constant = format!("{}_{}", group.prefix, name.to_uppercase());
+            assert!(sources.values().any(|text| text.contains(&constant)), "no kernel counts {constant}");
         }
     }
 }
