@@ -78,8 +78,8 @@ pub struct Counted {
 pub(crate) struct Studio<'a> {
     gpu: &'a Gpu,
     scene: &'a GpuScene,
-    shown: Option<Renderer<'a>>,
-    full: Option<Renderer<'a>>,
+    shown: Option<Renderer>,
+    full: Option<Renderer>,
     /// Textures that were given to the app. One that the app has dropped is used again.
     pictures: Vec<Arc<wgpu::Texture>>,
 }
@@ -255,13 +255,13 @@ impl<'a> Studio<'a> {
 }
 
 /// The renderer with that size and those settings; created where there is none yet.
-fn changed<'r, 'a>(
-    renderer: &'r mut Option<Renderer<'a>>,
-    gpu: &'a Gpu,
-    scene: &'a GpuScene,
+fn changed<'r>(
+    renderer: &'r mut Option<Renderer>,
+    gpu: &Gpu,
+    scene: &GpuScene,
     size: [u32; 2],
     settings: &Settings,
-) -> Result<&'r mut Renderer<'a>> {
+) -> Result<&'r mut Renderer> {
     if let Some(renderer) = renderer {
         renderer.change(size, settings)?;
         return Ok(renderer);

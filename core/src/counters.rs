@@ -122,6 +122,7 @@ macro_rules! origins {
         /// How a sample, and with it a pixel, came to be.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[repr(u32)]
+        #[non_exhaustive]
         pub enum Origin { $($(#[$doc])* $variant),* }
 
         impl Origin {

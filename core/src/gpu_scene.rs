@@ -1,5 +1,7 @@
 //! A scene on the device.
 
+use std::sync::Arc;
+
 use glam::Vec3;
 
 use crate::{
@@ -76,7 +78,9 @@ pub struct SceneFacts {
     pub landmarks: u32,
 }
 
-/// A scene on the device: geometry, acceleration structure, materials, lights, textures.
+/// A scene on the device: geometry, acceleration structure, materials, lights, textures. A clone is another handle to the
+/// same memory on the device, which is freed with the last of them.
+#[derive(Clone)]
 pub struct GpuScene {
     nodes: Words,
     primitives: Words,
@@ -86,7 +90,7 @@ pub struct GpuScene {
     lights: wgpu::Buffer,
     landmarks: wgpu::Buffer,
     emitters: wgpu::Buffer,
-    atlas: Atlas,
+    atlas: Arc<Atlas>,
     facts: SceneFacts,
     pub(crate) emitter_count: u32,
     /// 1 over the sum of strength times area of all emitters; 0 where there are none.
@@ -95,7 +99,7 @@ pub struct GpuScene {
     /// What the device's kernels read it as.
     pub(crate) tier: Tier,
     features: Features,
-    thinness: Thinness,
+    thinness: Arc<Thinness>,
     bounds: (Vec3, Vec3),
 }
 
@@ -154,7 +158,7 @@ impl GpuScene {
             objects: gpu.words("objects", &objects)?,
             landmarks: gpu.storage("landmarks", &landmarks)?,
             lights: gpu.filled("lights", &lights, wgpu::BufferUsages::UNIFORM)?,
-            atlas,
+            atlas: Arc::new(atlas),
             emitters,
             emitter_count: emitting.primitives.len() as u32,
             emitter_scale: if emitting.total > 0.0 { (1.0 / emitting.total) as f32 } else { 0.0 },
@@ -170,7 +174,7 @@ impl GpuScene {
             environment: scene.environment,
             tier: gpu.tier,
             features,
-            thinness,
+            thinness: Arc::new(thinness),
             bounds,
         })
     }

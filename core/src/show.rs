@@ -4,6 +4,7 @@ use crate::{Check, DisplayImage, Error, Origin, PixelRecord, Result, THRESHOLD_N
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Show {
     /// The frame.
     Final,
