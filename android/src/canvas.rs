@@ -1,4 +1,4 @@
-//! The painter of last resort: the overlay on a picture in main memory, where there is no device that could paint it.
+//! Software rasteriser of the overlay, for devices whose graphics cannot run the ray tracer.
 
 use std::collections::HashMap;
 
@@ -7,14 +7,14 @@ use egui::{
     epaint::{ImageDelta, Mesh, Primitive, Vertex},
 };
 
-/// The overlay's own textures, in main memory.
+/// The overlay's textures, in main memory.
 #[derive(Default)]
 pub struct Canvas {
     textures: HashMap<TextureId, ColorImage>,
 }
 
 impl Canvas {
-    /// Takes over new textures, as a painter on a device does.
+    /// Applies changes of textures, as a painter on a device does.
     pub fn update(&mut self, mut delta: TexturesDelta) {
         for (id, deltas) in delta.set.drain() {
             for ImageDelta { image: ImageData::Color(image), pos, .. } in deltas {
@@ -29,12 +29,12 @@ impl Canvas {
         }
     }
 
-    /// Takes over the texture of the overlay's fonts as a whole.
+    /// Replaces the whole texture of the overlay's fonts.
     pub fn load_fonts(&mut self, image: ColorImage) {
         self.textures.insert(TextureId::default(), image);
     }
 
-    /// Draws on black; premultiplied colours are blended as they are encoded.
+    /// Draws on black into a picture of `size` pixels; premultiplied colours are blended in their sRGB encoding.
     pub fn paint(&self, jobs: &[ClippedPrimitive], pixels_per_point: f32, size: [usize; 2]) -> ColorImage {
         let mut picture = ColorImage::filled(size, Color32::BLACK);
         for ClippedPrimitive { clip_rect, primitive } in jobs {
@@ -60,7 +60,7 @@ fn patch(known: &mut ColorImage, [left, top]: [usize; 2], image: &ColorImage) {
     }
 }
 
-/// Corners in pixels.
+/// The triangles of a mesh, with corners in pixels.
 fn triangles(mesh: &Mesh, scale: f32) -> impl Iterator<Item = [Vertex; 3]> {
     mesh.indices.chunks_exact(3).filter_map(move |indices| {
         let corner = |index: u32| {
@@ -71,7 +71,7 @@ fn triangles(mesh: &Mesh, scale: f32) -> impl Iterator<Item = [Vertex; 3]> {
     })
 }
 
-/// Twice the area that is to the left of the edge from `a` to `b`, seen from `p`.
+/// Twice the signed area of the triangle `a`, `b`, `p`.
 fn edge(a: Pos2, b: Pos2, p: Pos2) -> f32 {
     (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)
 }
@@ -96,7 +96,7 @@ fn fill(picture: &mut ColorImage, texture: &ColorImage, clip: Rect, corners: [Ve
     }
 }
 
-/// The colour inside a triangle, premultiplied, times its texel.
+/// The interpolated colour of a triangle times its texel, premultiplied.
 fn colour(texture: &ColorImage, corners: &[Vertex; 3], weights: [f32; 3]) -> [f32; 4] {
     let mut at = egui::Vec2::ZERO;
     let mut colour = [0.0; 4];
@@ -146,7 +146,7 @@ mod tests {
             let middle = pos2((index % 64) as f32 + 0.5, (index / 64) as f32 + 0.5);
             let expected =
                 if rect.contains(middle) { Color32::from_rgb(10, 200, 30) } else { Color32::BLACK };
-            // The rim is anti-aliased.
+            // The border is anti-aliased.
             let rim = rect.expand(1.0).contains(middle) && !rect.shrink(1.0).contains(middle);
             assert!(rim || *pixel == expected, "{middle}: {pixel:?}");
         }

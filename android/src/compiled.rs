@@ -1,4 +1,4 @@
-//! What the driver has compiled, kept in the app's own folder from one start to the next.
+//! The driver's pipeline cache, stored in the app's folder between starts.
 
 use std::{
     hash::{DefaultHasher, Hasher},
@@ -8,28 +8,28 @@ use std::{
 
 use glimpse::Gpu;
 
-/// Bytes of the checksum before the driver's own.
+/// Size of the checksum in front of the driver's data, in bytes.
 const CHECKSUM: usize = 8;
 
-/// The device, with what was compiled before.
+/// Loads the stored pipeline cache into a device.
 pub fn with_compiled(gpu: Gpu, folder: Option<&Path>) -> Gpu {
     let before = folder.and_then(|folder| std::fs::read(file(folder)).ok());
     let before = before.as_deref().and_then(checked);
     log::info!("kernels compiled before: {} bytes", before.map_or(0, <[u8]>::len));
     #[allow(unsafe_code, reason = "the checksum vouches for the bytes")]
-    // SAFETY: they were written by `keep`, and the checksum says that they are what it wrote.
+    // SAFETY: the data was written by `keep`, as the checksum confirms.
     unsafe {
         gpu.with_compiled(before)
     }
 }
 
-/// Keeps what the driver has compiled.
+/// Stores the device's pipeline cache.
 pub fn keep(gpu: &Gpu, folder: &Path) -> io::Result<()> {
     let Some(compiled) = gpu.compiled() else { return Ok(()) };
     let mut bytes = checksum(&compiled).to_vec();
     bytes.extend(compiled);
     let file = file(folder);
-    // A process that ends in the middle leaves what was there.
+    // Written beside the file and renamed, so that a process that is killed leaves the file before.
     let next = file.with_extension("next");
     std::fs::write(&next, bytes)?;
     std::fs::rename(&next, &file)

@@ -1,4 +1,4 @@
-//! Scenes by their names: built-in ones, those of the package, files of other apps.
+//! Reads scenes by name: built-in ones, assets of the package, and files of other apps.
 
 use std::{
     collections::HashMap,
@@ -15,10 +15,10 @@ use glimpse_app::Files;
 
 use crate::java;
 
-/// The content URIs of this process by what people call their files.
+/// Content URIs that this process was given, by the display names of their files.
 pub type Names = Arc<Mutex<HashMap<String, String>>>;
 
-/// The name under which the file of a content URI is opened from now on.
+/// Registers a content URI; returns the name by which its file can be opened.
 pub fn name(app: &AndroidApp, names: &Names, uri: &str) -> String {
     let told = java::display_name(app, uri).unwrap_or_else(|error| {
         log::info!("{uri} has no name: {error}");
@@ -30,7 +30,7 @@ pub fn name(app: &AndroidApp, names: &Names, uri: &str) -> String {
     name
 }
 
-/// The package's scenes, as `asset:NAME`.
+/// Names of the scenes in the package, as `asset:NAME`.
 pub fn assets(app: &AndroidApp) -> Vec<String> {
     let mut names = Vec::new();
     if let Some(mut folder) = app.asset_manager().open_dir(c"scenes") {
@@ -42,7 +42,7 @@ pub fn assets(app: &AndroidApp) -> Vec<String> {
     names
 }
 
-/// Reads scenes, from whatever thread.
+/// The reader of scenes for the session; it may be called on any thread.
 pub fn reader(app: &AndroidApp, names: &Names) -> Files {
     let (app, names) = (app.clone(), names.clone());
     Arc::new(move |name| load(&app, &names, name).map_err(|reason| format!("{name}: {reason}")))
@@ -81,7 +81,7 @@ fn read_content(app: &AndroidApp, uri: &str) -> Result<Vec<u8>, String> {
         return Err("cannot be read: its owner gives no file".to_owned());
     }
     #[allow(unsafe_code, reason = "Java gave the descriptor away")]
-    // SAFETY: it is open, and nobody else closes it.
+    // SAFETY: the descriptor is open, and owned by this file alone.
     let mut file = unsafe { File::from_raw_fd(descriptor) };
     let mut bytes = Vec::new();
     file.read_to_end(&mut bytes).map_err(|error| format!("cannot be read: {error}"))?;

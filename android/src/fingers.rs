@@ -1,15 +1,15 @@
-//! Fingers on the screen as the overlay's events.
+//! Converts touches into the overlay's events.
 
 use egui::{Event, Modifiers, PointerButton, Pos2, TouchDeviceId, TouchId, TouchPhase};
 
-/// Which finger is the overlay's pointer: the first one, until it leaves.
+/// The finger that is reported as the pointer: the first that came down, until it is lifted.
 #[derive(Debug, Default)]
 pub struct Fingers {
     pointer: Option<u64>,
 }
 
 impl Fingers {
-    /// What a finger does, at a place in points, with the pressure that the screen feels.
+    /// Appends the events of a finger at a position in points; `force` is the pressure that the screen reports.
     pub fn touch(&mut self, events: &mut Vec<Event>, id: u64, phase: TouchPhase, pos: Pos2, force: f32) {
         events.push(Event::Touch {
             device_id: TouchDeviceId(0),

@@ -1,17 +1,17 @@
-//! How hot the device is, as the time that a frame may take.
+//! Converts thermal headroom into a share of the frame time.
 
-/// Below this headroom nothing is spared. 1 is where the system begins to throttle severely
+/// Headroom below which all of the frame time may be used. At 1 the system begins severe throttling
 /// (`AThermal_getThermalHeadroom`).
 const COOL: f32 = 0.75;
 
-/// At the system's own limit a frame may take so much of its time.
+/// The share at a headroom of 1.
 const AT_LIMIT: f32 = 0.5;
 
-/// What a device beyond its limit is left with.
+/// The least share, beyond a headroom of 1.
 const LEAST: f32 = 0.25;
 
-/// The share of a frame's time that may be used at a forecast headroom: all while the device is cool, then less by a
-/// straight line, so that the system never has to take it away in a step. Nothing is known where the headroom is NaN.
+/// The share of the frame time that may be used at a forecast headroom: 1 while the device is cool, then linearly less,
+/// so that the system does not have to throttle suddenly. 1 where the headroom is NaN, which means unknown.
 pub fn share(headroom: f32) -> f32 {
     if headroom.is_nan() {
         return 1.0;

@@ -1,4 +1,4 @@
-//! What the system says of fingers and keys, in the overlay's words.
+//! Converts the system's input events into the overlay's events.
 
 use android_activity::{
     AndroidApp, InputStatus,
@@ -8,17 +8,17 @@ use egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, Pos2, TouchP
 
 use crate::fingers::Fingers;
 
-/// Input that has not been shown to the app.
+/// Input events that the session has not been given yet.
 #[derive(Default)]
 pub struct Input {
     fingers: Fingers,
     events: Vec<Event>,
-    /// The back key was released so often.
+    /// How often the back key was released.
     backs: u32,
 }
 
 impl Input {
-    /// Hears what has come.
+    /// Reads all events that are waiting; the overlay has one point for `pixels_per_point` pixels.
     pub fn read(&mut self, app: &AndroidApp, pixels_per_point: f32) {
         match app.input_events_iter() {
             Ok(mut events) => while events.next(|event| self.hear(event, pixels_per_point)) {},
@@ -26,12 +26,12 @@ impl Input {
         }
     }
 
-    /// Takes the events out.
+    /// Takes the events.
     pub fn take(&mut self) -> Vec<Event> {
         std::mem::take(&mut self.events)
     }
 
-    /// Takes out how often the back key was pressed.
+    /// Takes the number of times that the back key was released.
     pub fn take_backs(&mut self) -> u32 {
         std::mem::take(&mut self.backs)
     }
@@ -101,7 +101,7 @@ impl Input {
     }
 }
 
-/// Keys of a keyboard that is plugged in. Letters and function keys have the same names in both worlds.
+/// The key of a hardware keyboard. Letters and function keys have the same names in egui and Android.
 fn key(code: Keycode) -> Option<Key> {
     Some(match code {
         Keycode::DpadLeft => Key::ArrowLeft,

@@ -1,5 +1,5 @@
-//! What only Java has: the intent, content URIs, the window's bars and cutouts, the clipboard. By JNI, without a class of
-//! our own.
+//! Calls into Java through JNI, without Java classes of the app: intent, content URIs, system bars, cutouts and
+//! clipboard.
 
 use android_activity::AndroidApp;
 use jni::{
@@ -93,24 +93,25 @@ mod bound {
 
 use bound::{Activity, ClipData, ClipboardManager, ParcelFileDescriptor, Uri};
 
-/// `View.SYSTEM_UI_FLAG_`: `FULLSCREEN`, `HIDE_NAVIGATION`, `IMMERSIVE_STICKY`, and the three `LAYOUT_` flags that keep
-/// the window's size as it is while the bars come and go. Deprecated since API 30, and the one way that API 28 has too.
+/// The flags `View.SYSTEM_UI_FLAG_`: `FULLSCREEN`, `HIDE_NAVIGATION`, `IMMERSIVE_STICKY`, and the three `LAYOUT_` flags
+/// that keep the window's size while the bars appear and disappear. Deprecated since API 30, but the only way on API
+/// 28.
 const IMMERSIVE: i32 = 0x4 | 0x2 | 0x1000 | 0x100 | 0x200 | 0x400;
 
-/// Why the activity was started.
+/// The intent that started the activity.
 #[derive(Debug, Default)]
 pub struct Intent {
-    /// The file to open, of `VIEW` and `SEND`.
+    /// Content URI of the file to open, of the actions `VIEW` and `SEND`.
     pub uri: Option<String>,
-    /// Extra `scene`: a scene to open.
+    /// The extra `scene`: name of the scene to open.
     pub scene: Option<String>,
-    /// Extra `view`: pixels of the frame of a view that rests, as `2560x1440`.
+    /// The extra `view`: size of frames at full resolution, as `2560x1440`.
     pub view: Option<String>,
-    /// Extra `set`: choices in the words of scripts, separated by semicolons.
+    /// The extra `set`: changes of choices as in scripts, separated by semicolons.
     pub set: Option<String>,
 }
 
-/// The intent that started the activity.
+/// Reads the intent that started the activity.
 pub fn intent(app: &AndroidApp) -> Result<Intent, String> {
     call(app, |env, activity| {
         let intent = activity.get_intent(env)?;
@@ -139,7 +140,8 @@ pub fn intent(app: &AndroidApp) -> Result<Intent, String> {
     })
 }
 
-/// A file descriptor to read a content URI by, which is the caller's to close.
+/// Opens a content URI for reading; returns a file descriptor that the caller has to close, -1 where the
+/// provider returned none.
 pub fn open(app: &AndroidApp, uri: &str) -> Result<i32, String> {
     call(app, |env, activity| {
         let resolver = activity.get_content_resolver(env)?;
@@ -153,7 +155,7 @@ pub fn open(app: &AndroidApp, uri: &str) -> Result<i32, String> {
     })
 }
 
-/// What people call the file of a content URI, if its owner tells.
+/// The display name of a content URI's file, where its provider has one.
 pub fn display_name(app: &AndroidApp, uri: &str) -> Result<Option<String>, String> {
     call(app, |env, activity| {
         let resolver = activity.get_content_resolver(env)?;
@@ -177,8 +179,8 @@ pub fn display_name(app: &AndroidApp, uri: &str) -> Result<Option<String>, Strin
     })
 }
 
-/// Hides the system's bars, and tells how many pixels at the left, top, right and bottom the screen's shape takes. To be
-/// called on Java's main thread.
+/// Hides the system bars; returns the cutout's insets at the left, top, right and bottom in pixels. Must be called on
+/// Java's main thread.
 pub fn immerse(app: &AndroidApp) -> Result<[i32; 4], String> {
     call(app, |env, activity| {
         let window = activity.get_window(env)?;
@@ -201,7 +203,7 @@ pub fn immerse(app: &AndroidApp) -> Result<[i32; 4], String> {
     })
 }
 
-/// Puts a text into the clipboard. To be called on Java's main thread.
+/// Copies a text to the clipboard. Must be called on Java's main thread.
 pub fn copy(app: &AndroidApp, words: &str) -> Result<(), String> {
     call(app, |env, activity| {
         let (service, label, words) =
@@ -213,30 +215,30 @@ pub fn copy(app: &AndroidApp, words: &str) -> Result<(), String> {
     })
 }
 
-/// Asks the system to end the activity, which is then destroyed. To be called on Java's main thread.
+/// Finishes the activity, which is then destroyed. Must be called on Java's main thread.
 pub fn finish(app: &AndroidApp) -> Result<(), String> {
     call(app, |env, activity| activity.finish(env))
 }
 
-/// Runs on Java's main thread what must run there.
+/// Runs work on Java's main thread, without waiting for it.
 pub fn on_main_thread(app: &AndroidApp, work: impl FnOnce(&AndroidApp) + Send + 'static) {
     let own = app.clone();
     app.run_on_java_main_thread(Box::new(move || work(&own)));
 }
 
-/// Calls Java in the activity's name from any thread. An exception is an error, and is over.
+/// Calls Java with the activity object, on any thread. A Java exception is cleared and returned as an error.
 fn call<T>(
     app: &AndroidApp,
     work: impl FnOnce(&mut Env<'_>, &Activity<'_>) -> jni::errors::Result<T>,
 ) -> Result<T, String> {
     #[allow(unsafe_code, reason = "android_activity gives its virtual machine as a pointer")]
-    // SAFETY: the pointer is of the process's virtual machine, which ends with it.
+    // SAFETY: the pointer is to the process's virtual machine, which lives as long as the process.
     let machine = unsafe { JavaVM::from_raw(app.vm_as_ptr().cast()) };
     let called = machine.attach_current_thread(|env| {
         env.with_local_frame(16, |env| {
             let raw: jni::sys::jobject = app.activity_as_ptr().cast();
             #[allow(unsafe_code, reason = "android_activity gives its activity as a pointer")]
-            // SAFETY: a global reference that lives as long as `app`, and is not freed here.
+            // SAFETY: a global reference that lives as long as `app` and is not freed here.
             let activity = unsafe { env.as_cast_raw::<Global<Activity<'_>>>(&raw)? };
             let done = work(env, &activity);
             match done {

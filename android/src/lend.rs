@@ -1,4 +1,4 @@
-//! What the activity lends to the session.
+//! The setup of the session on Android.
 
 use android_activity::AndroidApp;
 use glimpse_shell::{Setup, free_name};
@@ -8,7 +8,7 @@ use crate::{
     java::Intent,
 };
 
-/// For the scene that the intent names, and frames of that many pixels.
+/// For the scene that the intent names, and frames of `view` pixels at full resolution.
 pub fn setup(android: &AndroidApp, names: &Names, intent: &Intent, view: [u32; 2]) -> Setup {
     let scene = match (&intent.uri, &intent.scene) {
         (Some(uri), _) => files::name(android, names, uri),
@@ -34,7 +34,7 @@ pub fn setup(android: &AndroidApp, names: &Names, intent: &Intent, view: [u32; 2
             std::fs::write(&file, png).map_err(|error| format!("{}: {error}", file.display()))?;
             Ok(format!("Saved {}", file.display()))
         }),
-        // Other apps lend their files for this process alone, the package's are always there.
+        // Permissions for other apps' files end with this process, and the package's scenes are always listed.
         remember: Box::new(|_| ()),
     }
 }

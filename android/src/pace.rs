@@ -1,5 +1,5 @@
-//! What the system and the app tell each other about heat and frame times (Android's dynamic performance framework), where
-//! the system has it: thermal headroom from API 31 on, performance hints from API 33 on.
+//! Android's dynamic performance framework, where the system has it: thermal headroom (API 31) and performance hints
+//! (API 33).
 
 use std::{
     ffi::c_void,
@@ -8,13 +8,14 @@ use std::{
 
 use crate::{heat, ndk_late::function};
 
-/// The system answers once a second at most, and forecasts that far.
+/// Time between two queries of the headroom, and how far ahead it is forecast. The system answers at most once a
+/// second.
 const ASK: Duration = Duration::from_secs(10);
 
 type Manager = *mut c_void;
 type Session = *mut c_void;
 
-/// The system's thermal manager (API 30, headroom from 31 on).
+/// The system's thermal manager (API 30; headroom from API 31).
 pub struct Thermometer {
     manager: Manager,
     headroom: unsafe extern "C" fn(Manager, i32) -> f32,
@@ -24,9 +25,9 @@ pub struct Thermometer {
 
 #[allow(unsafe_code, reason = "the NDK's C interface: types as in android/thermal.h")]
 impl Thermometer {
-    /// `None` where the system has none.
+    /// Acquires the manager; `None` where the system has none.
     pub fn new() -> Option<Self> {
-        // SAFETY: the types of android/thermal.h.
+        // SAFETY: the types are those of android/thermal.h.
         let (acquire, headroom, release) = unsafe {
             (
                 function::<unsafe extern "C" fn() -> Manager>(c"AThermal_acquireManager")?,
@@ -34,18 +35,18 @@ impl Thermometer {
                 function(c"AThermal_releaseManager")?,
             )
         };
-        // SAFETY: no conditions.
+        // SAFETY: the function has no preconditions.
         let manager = unsafe { acquire() };
         (!manager.is_null()).then_some(Self { manager, headroom, release, asked: None })
     }
 
-    /// The share of a frame's time that may be used from now on, where it is time to ask.
+    /// The share of the frame time that may be used; `None` until the next query is due.
     pub fn share(&mut self, now: Instant) -> Option<f32> {
         if self.asked.is_some_and(|asked| now - asked < ASK) {
             return None;
         }
         self.asked = Some(now);
-        // SAFETY: the manager is acquired, and released when this is dropped.
+        // SAFETY: the manager is acquired until `self` is dropped.
         let headroom = unsafe { (self.headroom)(self.manager, ASK.as_secs() as i32) };
         let share = heat::share(headroom);
         log::info!("thermal: headroom {headroom}, frames may take {share} of their time");
@@ -56,12 +57,12 @@ impl Thermometer {
 #[allow(unsafe_code, reason = "the NDK's C interface")]
 impl Drop for Thermometer {
     fn drop(&mut self) {
-        // SAFETY: acquired once, released once.
+        // SAFETY: the manager is released once, and not used afterwards.
         unsafe { (self.release)(self.manager) };
     }
 }
 
-/// The system's performance hints for the threads that make frames (API 33).
+/// A session of performance hints for the threads that render and present frames (API 33).
 pub struct Hints {
     session: Session,
     report: unsafe extern "C" fn(Session, i64) -> i32,
@@ -73,10 +74,10 @@ pub struct Hints {
 
 #[allow(unsafe_code, reason = "the NDK's C interface: types as in android/performance_hint.h")]
 impl Hints {
-    /// For these threads, whose frames may take that long. `None` where the system has none.
+    /// Creates a session for threads with that target frame time. `None` where the system has none.
     pub fn new(threads: &[i32], goal: Duration) -> Option<Self> {
         type Create = unsafe extern "C" fn(Manager, *const i32, usize, i64) -> Session;
-        // SAFETY: the types of android/performance_hint.h.
+        // SAFETY: the types are those of android/performance_hint.h.
         let (manager, create, report, target, close) = unsafe {
             (
                 function::<unsafe extern "C" fn() -> Manager>(c"APerformanceHint_getManager")?,
@@ -86,7 +87,7 @@ impl Hints {
                 function(c"APerformanceHint_closeSession")?,
             )
         };
-        // SAFETY: the manager is the system's own; the list is read during the call.
+        // SAFETY: the manager belongs to the system; the list is read during the call only.
         let session = unsafe {
             let manager = manager();
             if manager.is_null() {
@@ -97,17 +98,18 @@ impl Hints {
         (!session.is_null()).then_some(Self { session, report, target, close, goal, frames: 0 })
     }
 
-    /// Tells what the last frame took, if it is new, and what the next may take.
+    /// Reports the number of timed frames and the time of the last one in milliseconds, where it is new, and the target
+    /// time.
     pub fn tell(&mut self, (frames, ms): (u64, Option<f32>), goal: Duration) {
         if goal != self.goal {
             self.goal = goal;
-            // SAFETY: the session is open until this is dropped.
+            // SAFETY: the session is open until `self` is dropped.
             unsafe { (self.target)(self.session, goal.as_nanos() as i64) };
         }
         let took = ms.map_or(0, |ms| (ms * 1e6) as i64);
         if frames != self.frames && took > 0 {
             self.frames = frames;
-            // SAFETY: as above.
+            // SAFETY: the session is open until `self` is dropped.
             unsafe { (self.report)(self.session, took) };
         }
     }
@@ -116,12 +118,12 @@ impl Hints {
 #[allow(unsafe_code, reason = "the NDK's C interface")]
 impl Drop for Hints {
     fn drop(&mut self) {
-        // SAFETY: created once, closed once.
+        // SAFETY: the session is closed once, and not used afterwards.
         unsafe { (self.close)(self.session) };
     }
 }
 
-/// The threads of this process that make frames and show them, by their names.
+/// Ids of the threads of this process that render and present frames, found by their names.
 pub fn frame_threads() -> Vec<i32> {
     let Ok(threads) = std::fs::read_dir("/proc/self/task") else { return Vec::new() };
     let makes_frames = |id: &str| {

@@ -1,9 +1,9 @@
-//! The window as what pictures are shown on, with a device and without.
+//! The activity's window: its surface, and direct access to its buffers.
 
 use glimpse::Gpu;
 use ndk::{hardware_buffer_format::HardwareBufferFormat, native_window::NativeWindow};
 
-/// A surface of the window.
+/// Creates a surface for the window.
 pub fn surface(instance: &wgpu::Instance, window: NativeWindow) -> Result<wgpu::Surface<'static>, String> {
     instance.create_surface(Handle(window)).map_err(|error| match Gpu::adapters().is_empty() {
         true => NEEDS_VULKAN.to_owned(),
@@ -11,7 +11,7 @@ pub fn surface(instance: &wgpu::Instance, window: NativeWindow) -> Result<wgpu::
     })
 }
 
-/// What wgpu makes a surface of.
+/// Implements the handles from which wgpu creates a surface.
 struct Handle(NativeWindow);
 
 impl wgpu::rwh::HasWindowHandle for Handle {
@@ -30,7 +30,7 @@ const NEEDS_VULKAN: &str = "Glimpse needs a graphics driver for Vulkan, and this
                             OpenGL ES is not used: it promises four storage buffers to a compute shader, the ray \
                             tracer binds eight.";
 
-/// Why there is no device, for people who have one phone and no command line.
+/// Why there is no device, in words for users of a phone.
 pub fn refusal(error: glimpse::Error) -> String {
     match error {
         glimpse::Error::NoAdapter(reason) => {
@@ -44,12 +44,12 @@ pub fn refusal(error: glimpse::Error) -> String {
     }
 }
 
-/// The window's pixels; a window without any gets one.
+/// Width and height of the window in pixels, at least one each.
 pub fn pixels(window: &NativeWindow) -> [u32; 2] {
     [window.width(), window.height()].map(|side| u32::try_from(side).unwrap_or(0).max(1))
 }
 
-/// Puts a picture on the window without a device.
+/// Writes a picture into the window's buffer, without a graphics device.
 pub fn post(window: &NativeWindow, picture: &egui::ColorImage) -> std::io::Result<()> {
     let [width, height] = picture.size;
     window.set_buffers_geometry(width as i32, height as i32, Some(HardwareBufferFormat::R8G8B8X8_UNORM))?;

@@ -1,15 +1,11 @@
-//! The activity: what the system tells to the session, and the session's pictures to the window.
+//! The activity's shell: passes the system's events to the session, and presents its frames in the window.
 
 use std::{
-    sync::{
-        Arc, Mutex, PoisonError,
-        atomic::{AtomicBool, Ordering},
-    },
+    sync::Arc,
     time::{Duration, Instant},
 };
 
-use android_activity::{AndroidApp, AndroidAppWaker, MainEvent, PollEvent, WindowManagerFlags, input::Axis};
-use egui::epaint::MarginF32;
+use android_activity::{AndroidApp, MainEvent, PollEvent};
 use glimpse::Gpu;
 use glimpse_app::Painting;
 use glimpse_shell::{Leftover, RETRY, Session, Shown, Surface};
@@ -18,99 +14,48 @@ use ndk::native_window::NativeWindow;
 use crate::{
     canvas::Canvas,
     compiled,
+    feedback::Feedback,
     files::Names,
     input::Input,
+    insets::Insets,
     java::{self, Intent},
-    lend,
-    pace::{self, Hints, Thermometer},
-    screen, wishes,
+    lend, screen, wishes,
 };
 
-/// Pixels of the frame of a view that rests, in landscape, on whatever display.
+/// Size of frames at full resolution in pixels, in landscape, on any display.
 const QHD: [u32; 2] = [2560, 1440];
 
-/// The activity that shows pictures now: an older one of the same process leaves when a new one begins.
-static CURRENT: Mutex<Option<Arc<Leave>>> = Mutex::new(None);
-
-/// Asks an activity to leave, from any thread.
-struct Leave {
-    asked: AtomicBool,
-    waker: AndroidAppWaker,
-}
-
-/// Runs until the activity is destroyed or a person has enough of it.
-pub fn run(android: &AndroidApp) {
-    let leave = Arc::new(Leave { asked: AtomicBool::new(false), waker: android.create_waker() });
-    if let Some(older) = current().replace(leave.clone()) {
-        older.asked.store(true, Ordering::Release);
-        older.waker.wake();
-    }
-    android.enable_motion_axis(Axis::Vscroll);
-    android.enable_motion_axis(Axis::Hscroll);
-    let mut shell = Shell::new(android.clone());
-    while shell.stage == Stage::Runs && !leave.asked.load(Ordering::Acquire) {
-        android.poll_events(shell.patience(), |event| shell.hear(event));
-        // Whatever came may have changed the picture.
-        if shell.stage == Stage::Runs {
-            shell.frame();
-        }
-    }
-    current().take_if(|newest| Arc::ptr_eq(newest, &leave));
-    let mut destroyed = shell.stage == Stage::Destroyed;
-    drop(shell);
-    if !destroyed {
-        java::on_main_thread(android, |android| {
-            java::finish(android).unwrap_or_else(|reason| log::warn!("the activity stays: {reason}"));
-        });
-    }
-    // What returns before is never told, and android_activity keeps its files open then.
-    while !destroyed {
-        android.poll_events(None, |event| {
-            destroyed |= matches!(event, PollEvent::Main(MainEvent::Destroy));
-        });
-    }
-}
-
-/// Where the life of an activity is.
+/// State of the activity.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Stage {
+pub enum Stage {
     Runs,
-    /// A person has enough of it.
+    /// Its user has left it.
     Enough,
     Destroyed,
 }
 
-fn current() -> std::sync::MutexGuard<'static, Option<Arc<Leave>>> {
-    CURRENT.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-struct Shell {
+/// The session of an activity, its window and its device.
+pub struct Shell {
     android: AndroidApp,
     session: Session,
     instance: wgpu::Instance,
     gpu: Option<Arc<Gpu>>,
     surface: Option<Surface>,
-    /// What the overlay is painted on where there is no device.
+    /// Draws the overlay where there is no device.
     canvas: Option<Canvas>,
     input: Input,
-    /// Pixels at the left, top, right and bottom that the screen's shape takes; told by Java's main thread.
-    insets: Arc<Mutex<[i32; 4]>>,
-    thermometer: Option<Thermometer>,
-    /// As the system gave them when it was asked: once, when there are threads that make frames.
-    hints: Option<Option<Hints>>,
-    /// When the next frame is due.
+    insets: Insets,
+    feedback: Feedback,
+    /// When the next frame is due, without an event; `None` for never.
     due: Option<Instant>,
-    /// The screen does not go dark.
-    kept_on: bool,
-    /// The problem that was logged last.
-    logged: Option<String>,
-    /// It has not been resumed yet.
+    /// The activity has not been resumed yet.
     fresh: bool,
     stage: Stage,
 }
 
 impl Shell {
-    fn new(android: AndroidApp) -> Self {
+    /// Reads the intent and creates the session. There is no window yet.
+    pub fn new(android: AndroidApp) -> Self {
         let names = Names::default();
         let intent = java::intent(&android);
         let (intent, mut problem) = match intent {
@@ -139,33 +84,36 @@ impl Shell {
             surface: None,
             canvas: None,
             input: Input::default(),
-            insets: Arc::default(),
-            thermometer: Thermometer::new(),
-            hints: None,
+            insets: Insets::default(),
+            feedback: Feedback::new(),
             due: None,
-            kept_on: false,
-            logged: None,
             fresh: true,
             stage: Stage::Runs,
         }
     }
 
-    /// How long there is nothing to do unless something comes; `None` is for ever.
-    fn patience(&self) -> Option<Duration> {
+    /// State of the activity; the main loop ends when it is not [`Stage::Runs`].
+    pub fn stage(&self) -> Stage {
+        self.stage
+    }
+
+    /// How long to wait for an event; `None` for any time.
+    pub fn patience(&self) -> Option<Duration> {
         self.android.native_window()?;
         self.due.map(|due| due.saturating_duration_since(Instant::now()))
     }
 
-    fn hear(&mut self, event: PollEvent<'_>) {
+    /// Handles an event of the activity.
+    pub fn hear(&mut self, event: PollEvent<'_>) {
         let PollEvent::Main(event) = event else { return };
         match event {
             MainEvent::InitWindow { .. } => {
-                self.immerse();
+                self.insets.request(&self.android);
                 self.session.app.set_hidden(false);
                 self.make_surface();
             }
             MainEvent::TerminateWindow { .. } => {
-                // Before the surface, which waits for what the device is doing.
+                // First, because dropping the surface waits for the device, and hidden frames are cancelled.
                 self.session.app.set_hidden(true);
                 self.surface = None;
             }
@@ -173,9 +121,10 @@ impl Shell {
             | MainEvent::ContentRectChanged { .. }
             | MainEvent::ConfigChanged { .. }
             | MainEvent::InsetsChanged { .. }
-            | MainEvent::GainedFocus => self.immerse(),
+            | MainEvent::GainedFocus => self.insets.request(&self.android),
             MainEvent::Resume { loader, .. } => {
-                // Of an activity before this one; what this one saves itself comes back too, and may be old by then.
+                // The state was saved by an activity before this one. Android also delivers what this one saved itself,
+                // which may be outdated when it resumes again.
                 let saved = if self.fresh { loader.load() } else { None };
                 self.fresh = false;
                 if let Some(scene) = saved.and_then(|state| String::from_utf8(state).ok())
@@ -192,20 +141,8 @@ impl Shell {
         }
     }
 
-    /// Hides the bars and asks for the insets, on the thread that may.
-    fn immerse(&self) {
-        let (insets, waker) = (self.insets.clone(), self.android.create_waker());
-        java::on_main_thread(&self.android, move |android| match java::immerse(android) {
-            Ok(told) => {
-                *insets.lock().unwrap_or_else(PoisonError::into_inner) = told;
-                waker.wake();
-            }
-            Err(reason) => log::warn!("the system's bars stay: {reason}"),
-        });
-    }
-
-    /// A surface of the window, and a device that can show pictures on it if there is none. Where that fails the overlay
-    /// says why.
+    /// Creates a surface for the window, and a device that supports it where there is none. Where that fails, the
+    /// overlay shows the reason, drawn in software.
     fn make_surface(&mut self) {
         self.surface = None;
         let Some(window) = self.android.native_window() else { return };
@@ -245,7 +182,8 @@ impl Shell {
         Ok(surface)
     }
 
-    fn frame(&mut self) {
+    /// Updates the session with the events that have arrived, and presents its frame.
+    pub fn frame(&mut self) {
         let scale = self.pixels_per_point();
         self.input.read(&self.android, scale);
         for _ in 0..self.input.take_backs() {
@@ -254,7 +192,7 @@ impl Shell {
             }
         }
         let Some(window) = self.android.native_window() else { return };
-        if let Some(share) = self.thermometer.as_mut().and_then(|meter| meter.share(Instant::now())) {
+        if let Some(share) = self.feedback.thermal_share(Instant::now()) {
             self.session.app.set_thermal(share);
         }
         let size = screen::pixels(&window);
@@ -263,10 +201,10 @@ impl Shell {
         }
         let input = egui::RawInput {
             events: self.input.take(),
-            safe_area_insets: Some(self.safe_area(scale)),
+            safe_area_insets: Some(self.insets.safe_area(scale)),
             ..egui::RawInput::default()
         };
-        // A script could fail here: there is none.
+        // Only a script makes this fail, and none is played here.
         let Ok((mut update, leftover)) = self.session.frame(input, size, scale) else { return };
         for command in &update.platform.commands {
             if let egui::OutputCommand::CopyText(text) = command {
@@ -277,12 +215,12 @@ impl Shell {
         let rest = if shown == Shown::NotNow { RETRY } else { update.repaint_after };
         self.due = Instant::now().checked_add(rest);
         self.follow(leftover);
-        self.tell();
+        self.feedback.tell(&self.android, &self.session.app, self.surface.is_some());
     }
 
     fn show(&mut self, painting: &mut Painting, window: &NativeWindow) -> Shown {
         let Some(canvas) = &mut self.canvas else {
-            // Only a picture of the window that is to be saved could fail: there is none.
+            // Only saving the window's content makes this fail, which only scripts request.
             let shown = self.session.show(painting, self.surface.as_mut()).unwrap_or(Shown::NotNow);
             if shown == Shown::Lost {
                 self.make_surface();
@@ -313,30 +251,6 @@ impl Shell {
         }
     }
 
-    /// Tells the system how frames go, and the log what went wrong.
-    fn tell(&mut self) {
-        let app = &self.session.app;
-        let problem = app.problem();
-        if problem != self.logged.as_deref() {
-            problem.iter().for_each(|line| log::warn!("problem: {line}"));
-            self.logged = problem.map(str::to_owned);
-        }
-        let kept_on = self.surface.is_some() && !app.rests();
-        if kept_on != self.kept_on {
-            self.kept_on = kept_on;
-            let (on, none) = (WindowManagerFlags::KEEP_SCREEN_ON, WindowManagerFlags::empty());
-            let (add, remove) = if kept_on { (on, none) } else { (none, on) };
-            self.android.set_window_flags(add, remove);
-        }
-        let Some(rate) = app.choices().governor else { return };
-        let goal = Duration::from_secs_f64(rate.budget_ms() * 1e-3);
-        let frames = app.last_frame();
-        if frames.0 > 0 {
-            let hints = self.hints.get_or_insert_with(|| Hints::new(&pace::frame_threads(), goal));
-            hints.iter_mut().for_each(|hints| hints.tell(frames, goal));
-        }
-    }
-
     fn copy(&self, text: String) {
         java::on_main_thread(&self.android, move |android| {
             if let Err(reason) = java::copy(android, &text) {
@@ -354,11 +268,5 @@ impl Shell {
 
     fn pixels_per_point(&self) -> f32 {
         self.android.config().density().unwrap_or(160) as f32 / 160.0
-    }
-
-    fn safe_area(&self, scale: f32) -> egui::SafeAreaInsets {
-        let insets = *self.insets.lock().unwrap_or_else(PoisonError::into_inner);
-        let [left, top, right, bottom] = insets.map(|inset| inset as f32 / scale);
-        egui::SafeAreaInsets(MarginF32 { left, right, top, bottom })
     }
 }

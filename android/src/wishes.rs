@@ -1,10 +1,10 @@
-//! What an intent wishes beyond a file, in words.
+//! Parses the extras of an intent.
 
 use std::str::FromStr;
 
 use glimpse_app::{App, Change};
 
-/// `2560x1440`: pixels of the frame of a view that rests.
+/// Parses a size as `2560x1440`, of 1 to 16384 pixels a side.
 pub fn pixels(text: &str) -> Result<[u32; 2], String> {
     let sides =
         text.split_once('x').and_then(|(width, height)| Some([width.parse().ok()?, height.parse().ok()?]));
@@ -13,7 +13,8 @@ pub fn pixels(text: &str) -> Result<[u32; 2], String> {
         .ok_or_else(|| format!("view: expected WIDTHxHEIGHT of 1 to 16384 pixels, found {text}"))
 }
 
-/// `method full; overlay off`: choices, in the words of scripts.
+/// Applies changes of choices as in scripts, separated by semicolons, up to the first that is invalid: `method full;
+/// overlay hidden`.
 pub fn choose(app: &mut App, text: &str) -> Result<(), String> {
     for words in text.split(';').map(str::trim).filter(|words| !words.is_empty()) {
         let change = Change::from_str(words).map_err(|reason| format!("set: {words}: {reason}"))?;

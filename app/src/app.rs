@@ -1,193 +1,62 @@
-//! The program that a person sees: everything but the window.
+//! The application without its window.
 
-use std::{
-    panic::{AssertUnwindSafe, catch_unwind, resume_unwind},
-    path::PathBuf,
-    sync::Arc,
-    time::Duration,
-};
+mod clock;
+mod delivery;
+mod device;
+mod pacing;
+mod scene_list;
+mod update;
 
-use glimpse::{DisplayImage, Gpu};
+use std::{path::PathBuf, sync::Arc, time::Duration};
 
+use glimpse::Gpu;
+
+pub(crate) use self::device::MAX_LOSSES;
+pub use self::update::{Request, Update};
+use self::{clock::Clock, delivery::Delivery, device::DeviceState, pacing::Pacing, scene_list::SceneList};
 use crate::{
-    CameraControl, Change, Choices, Files, Frame, FrameRate, FrameReport, Gestures, Governor, Job, Overlay,
-    Painter, Painting, Quality, Readings, SceneFacts, Wake, Worker,
+    CameraControl, Change, Choices, Files, FrameRate, Gestures, Job, Overlay, Painting, Quality, Readings,
+    Wake, Worker, view::View,
 };
 
-/// Scenes from files that are remembered.
-pub const MOST_RECENT: usize = 8;
-
-/// A notice is told for so long.
-const NOTICE: Duration = Duration::from_secs(4);
-
-/// A device that is lost so often without a frame between is not made again.
-pub(crate) const LOSSES: u32 = 3;
-
-/// What the shell is asked for.
-#[derive(Debug)]
-pub enum Request {
-    /// To let a person choose a file, for [`App::open`].
-    OpenDialog,
-    /// To save a picture, under that name or under one of its own.
-    Save(Option<PathBuf>, DisplayImage),
-    /// To remember the scenes that were opened last.
-    Remember(Vec<String>),
-    /// The window as large as the screen, or not.
-    FullScreen,
-    /// The device is lost: to [`App::attach`] a new one.
-    NewDevice,
-    /// The end.
-    Quit,
-}
-
-/// What comes of an update.
-pub struct Update {
-    /// What is to be shown.
-    pub painting: Painting,
-    /// Clipboard, pointer, text input.
-    pub platform: egui::PlatformOutput,
-    /// What else is to be done.
-    pub requests: Vec<Request>,
-    /// When the next update is due at the latest; news and input may come before.
-    pub repaint_after: Duration,
-}
-
-/// The program.
+/// The application: a shell calls [`App::update`] with input and time, and draws what that returns.
 pub struct App {
     pub(crate) context: egui::Context,
-    files: Files,
-    wake: Wake,
     pub(crate) choices: Choices,
     pub(crate) readings: Readings,
-    pub(crate) scenes: Vec<String>,
-    recent: Vec<String>,
-    pub(crate) device: Option<Device>,
-    /// The scene that is shown.
-    pub(crate) scene: Option<SceneFacts>,
-    /// The one that was asked for last.
-    pub(crate) wanted: String,
+    pub(crate) scenes: SceneList,
+    pub(crate) device: DeviceState,
+    pub(crate) delivery: Delivery,
+    pub(crate) pacing: Pacing,
+    pub(crate) view: View,
     pub(crate) control: Option<CameraControl>,
     pub(crate) gestures: Gestures,
-    pub(crate) governor: Governor,
-    /// Of the frame that was ordered last.
-    pub(crate) quality: Quality,
-    /// What the governor has not been told.
-    pub(crate) report: Option<FrameReport>,
-    /// Pixels of the view, where they are not the window's.
-    pub(crate) view: Option<[u32; 2]>,
-    /// Pixels of the screen that the picture takes.
-    pub(crate) picture: [u32; 2],
-    pub(crate) shown: Option<Shown>,
-    pub(crate) pending: Pending,
     pub(crate) requests: Vec<Request>,
-    pub(crate) now: Duration,
-    pub(crate) notice_until: Duration,
-    pub(crate) busy_since: Duration,
-    pub(crate) touch: bool,
-    /// The overlay is not done with what it fades or moves.
-    animated: bool,
-    /// Nanoseconds a pixel that frames are taken to need.
-    pub(crate) cost: Option<f64>,
-    pub(crate) losses: u32,
-    pub(crate) tally: Tally,
-    /// Frames that were timed.
-    pub(crate) frames: u64,
-}
-
-/// Frames since the governor was chosen last.
-#[derive(Default)]
-pub(crate) struct Tally {
-    /// Those of a view that moves.
-    pub frames: u32,
-    /// Those of them that took longer than they may.
-    pub late: u32,
-}
-
-/// A device and what was made with it.
-pub(crate) struct Device {
-    pub gpu: Arc<Gpu>,
-    pub painter: Painter,
-    pub worker: Option<Worker>,
-    /// The worker has a scene: what it is asked for will be answered.
-    pub ready: bool,
-}
-
-impl Device {
-    /// The worker, where it has a scene.
-    pub fn ready_worker(&mut self) -> Option<&mut Worker> {
-        self.worker.as_mut().filter(|_| self.ready)
-    }
-}
-
-/// The frame that is shown, as textures of the overlay.
-pub(crate) struct Shown {
-    pub frame: Box<Frame>,
-    pub picture: egui::TextureId,
-    pub full: Option<egui::TextureId>,
-    /// Pixels are repeated, not interpolated.
-    pub exact: bool,
-}
-
-/// A frame that was ordered.
-pub(crate) struct Ordered {
-    pub number: u64,
-    pub job: Job,
-}
-
-/// What the worker has not answered.
-#[derive(Default)]
-pub(crate) struct Pending {
-    pub load: bool,
-    pub frame: Option<Ordered>,
-    /// The one that could not be made: it is not tried again.
-    pub vain: Option<Job>,
-    pub count: Option<u64>,
-    /// Where the picture goes.
-    pub capture: Option<Option<PathBuf>>,
-    pub pick: bool,
+    pub(crate) clock: Clock,
 }
 
 impl App {
-    /// Without a device: nothing is shown before [`App::attach`]. `recent` are files that were opened before; the `scene` is
-    /// opened as soon as there is a device.
+    /// Creates the app without a device: it renders nothing before [`App::attach`]. `recent` are names of files that
+    /// were opened before; `scene` is opened as soon as there is a device.
     #[must_use]
     pub fn new(files: Files, wake: Wake, scene: &str, recent: Vec<String>, choices: Choices) -> Self {
         let context = egui::Context::default();
-        // Gestures are read once a frame.
+        // Gestures are read once an update, so egui may not run a second pass in one.
         context.options_mut(|options| options.max_passes = 1.try_into().unwrap_or(options.max_passes));
-        let mut app = Self {
+        Self {
             context,
-            files,
-            wake,
-            governor: Governor::new(choices.governor.unwrap_or(FrameRate::Thirty).budget_ms()),
+            pacing: Pacing::new(&choices),
             choices,
             readings: Readings::default(),
-            scenes: Vec::new(),
-            recent,
-            device: None,
-            scene: None,
-            wanted: scene.to_owned(),
+            scenes: SceneList::new(scene, recent),
+            device: DeviceState::new(files, wake),
+            delivery: Delivery::default(),
+            view: View::default(),
             control: None,
             gestures: Gestures::default(),
-            quality: Quality::FULL,
-            report: None,
-            view: None,
-            picture: [0, 0],
-            shown: None,
-            pending: Pending::default(),
             requests: Vec::new(),
-            now: Duration::ZERO,
-            notice_until: Duration::ZERO,
-            busy_since: Duration::ZERO,
-            touch: false,
-            animated: false,
-            cost: None,
-            losses: 0,
-            tally: Tally::default(),
-            frames: 0,
-        };
-        app.list_scenes();
-        app
+            clock: Clock::default(),
+        }
     }
 
     /// The overlay's context, for shells that translate input.
@@ -196,15 +65,15 @@ impl App {
         &self.context
     }
 
-    /// The texture of the overlay's fonts as a whole, for a painter that begins late: the overlay sends what is new of it
-    /// only. `None` before the first update, which sends it.
+    /// The whole texture of the overlay's fonts, for a painter that is created late: an update holds changes of the
+    /// texture only. `None` before the first update, which holds the whole texture.
     #[must_use]
     pub fn fonts(&self) -> Option<egui::ColorImage> {
         (self.context.cumulative_pass_nr() > 0).then(|| self.context.fonts(|fonts| fonts.image()))
     }
 
-    /// Takes a device, the first one or one in place of a lost one, to paint on targets of that format. What was shown comes
-    /// back by itself.
+    /// Takes a device, the first one or a replacement of a lost one, and the format of the targets to draw on. Loads
+    /// the scene onto it and requests its frame.
     pub fn attach(&mut self, gpu: Arc<Gpu>, format: wgpu::TextureFormat) {
         let facts = gpu.facts();
         let on_cpu = facts.info.device_type == wgpu::DeviceType::Cpu;
@@ -213,47 +82,38 @@ impl App {
             self.choices.governor = Some(FrameRate::Fifteen);
         }
         self.readings.adapter = format!("{} ({})", facts.info.name, facts.info.driver_info);
-        self.shown = None;
-        self.pending = Pending::default();
-        let mut painter = Painter::new(&gpu, format);
-        self.fonts().into_iter().for_each(|image| painter.load_fonts(&gpu, image));
-        let worker = if self.losses < LOSSES {
-            Worker::start(gpu.clone(), self.files.clone(), self.wake.clone())
-                .map_err(|error| self.readings.problem = Some(format!("no thread to render with: {error}")))
-                .ok()
-        } else {
-            None
-        };
-        self.device = Some(Device { gpu, painter, worker, ready: false });
-        let wanted = self.wanted.clone();
+        self.delivery = Delivery::default();
+        if let Err(error) = self.device.attach(gpu, format, self.fonts()) {
+            self.readings.problem = Some(format!("no thread to render with: {error}"));
+        }
+        let wanted = self.scenes.wanted().to_owned();
         self.load(&wanted);
     }
 
-    /// Opens a scene; the one that is shown stays until it is there.
+    /// Opens a scene. The present one is shown until it is loaded.
     pub fn open(&mut self, name: &str) {
-        self.wanted = name.to_owned();
+        self.scenes.want(name);
         self.readings.problem = None;
         self.load(name);
     }
 
     pub(crate) fn load(&mut self, name: &str) {
-        let Some(worker) = self.device.as_mut().and_then(|device| device.worker.as_mut()) else { return };
+        let Some(worker) = self.device.worker() else { return };
         worker.open(name);
-        self.pending.load = true;
-        self.busy_since = self.now;
+        self.delivery.load_requested();
+        self.clock.loading_began();
     }
 
-    /// Lets time pass until `now`, hears what a person does and what the worker has done, orders what is to be made, and says
-    /// what is to be shown.
+    /// Advances the app to the time `now`: handles messages of the worker and input, moves the camera, requests the
+    /// next frame, and returns what to show. `now` counts from any fixed moment and never decreases.
     pub fn update(&mut self, input: egui::RawInput, now: Duration) -> Update {
-        let passed = now.saturating_sub(self.now);
-        self.now = now;
+        let passed = self.clock.advance(now);
         self.hear();
-        // A view that rests orders nothing that would tell.
-        if let Some(reason) = self.device.as_ref().and_then(|device| device.gpu.lost()).map(str::to_owned) {
+        // The device is asked here because a view at rest requests nothing, so the worker would not notice a loss.
+        if let Some(reason) = self.device.lost().map(str::to_owned) {
             self.lost(&reason);
         }
-        self.touch |= input.events.iter().any(|event| matches!(event, egui::Event::Touch { .. }));
+        self.view.touch |= input.events.iter().any(|event| matches!(event, egui::Event::Touch { .. }));
         if let Some(file) = input.dropped_files.first() {
             self.open(&file.path().to_string_lossy());
         }
@@ -267,7 +127,7 @@ impl App {
         let pixels_per_point = output.pixels_per_point;
         let delay = output.viewport_output.values().map(|viewport| viewport.repaint_delay).min();
         let delay = delay.unwrap_or(Duration::MAX);
-        self.animated = delay.is_zero();
+        self.view.animated = delay.is_zero();
         Update {
             painting: Painting {
                 jobs: context.tessellate(output.shapes, pixels_per_point),
@@ -280,73 +140,56 @@ impl App {
         }
     }
 
-    /// Puts a painting on a target of the device. The painting's textures are taken over even where there is no target.
+    /// Draws a painting on a target of `size` pixels. Without a target, only the painting's changes of textures are
+    /// applied.
     pub fn paint(&mut self, painting: &mut Painting, target: Option<&wgpu::TextureView>, size: [u32; 2]) {
-        let Some(Device { gpu, painter, .. }) = &mut self.device else {
-            painting.textures.clear();
-            return;
-        };
-        if gpu.lost().is_some() {
-            painting.textures.clear();
-            return;
-        }
-        let painted = catch_unwind(AssertUnwindSafe(|| {
-            painter.update(gpu, painting);
-            if let Some(target) = target {
-                painter.paint(gpu, painting, target, size);
-            }
-        }));
-        // A device that is lost at this moment lends no memory to write to, which the overlay's renderer takes for a bug.
-        if let Err(panic) = painted
-            && gpu.lost().is_none()
-        {
-            resume_unwind(panic);
-        }
+        self.device.paint(painting, target, size);
     }
 
-    /// Frames of a resting view have that many pixels, whatever the window has.
+    /// Sets the size of frames at full resolution in pixels; `None` for the window's size.
     pub fn set_view(&mut self, pixels: Option<[u32; 2]>) {
-        self.view = pixels;
+        self.view.frame_size = pixels;
     }
 
-    /// Nobody sees the view from now on, or somebody does again: the frame of a resting view is not made meanwhile.
+    /// Sets whether the view is hidden: no frame at rest is rendered while it is.
     pub fn set_hidden(&mut self, hidden: bool) {
-        self.worker().into_iter().for_each(|worker| worker.set_hidden(hidden));
+        self.device.worker().into_iter().for_each(|worker| worker.set_hidden(hidden));
     }
 
-    /// What is chosen.
+    /// The present choices.
     #[must_use]
     pub fn choices(&self) -> &Choices {
         &self.choices
     }
 
-    /// What has been asked for since the last update.
+    /// Takes the requests to the shell that were made since the last update.
     pub fn take_requests(&mut self) -> Vec<Request> {
         std::mem::take(&mut self.requests)
     }
 
-    /// Makes a choice in words, as scripts do.
+    /// Applies one change of the choices.
     ///
     /// # Errors
-    /// What does not go with the other choices.
+    /// A value that is invalid together with the other choices.
     pub fn change(&mut self, change: &Change) -> Result<(), String> {
         if matches!(change, Change::Governor(_)) {
-            self.tally = Tally::default();
+            self.pacing.reset_tally();
         }
         change.apply(&mut self.choices)
     }
 
-    /// Takes frames to need that many nanoseconds a pixel, whatever they took: what the governor does can be repeated then.
+    /// Replaces the measured frame time by that many nanoseconds a pixel, so that what the governor does is
+    /// reproducible.
     pub fn set_cost(&mut self, nanoseconds: f64) {
-        self.cost = Some(nanoseconds);
+        self.pacing.set_fixed_cost(nanoseconds);
     }
 
-    /// The system is hot: a factor on the time that a frame may take, 1 when it is cool.
+    /// Sets a factor on the governor's frame time, 1 while the device is cool.
     pub fn set_thermal(&mut self, factor: f32) {
-        self.governor.set_thermal(factor);
+        self.pacing.set_thermal(factor);
     }
 
-    /// A step back: closes what lies open above the picture; tells whether there was anything.
+    /// Closes the error message and the help, or else reduces the full overlay; false where none was open.
     pub fn back(&mut self) -> bool {
         let closed = self.readings.problem.take().is_some() || self.choices.help;
         self.choices.help = false;
@@ -357,100 +200,80 @@ impl App {
         closed
     }
 
-    /// Frames that were timed so far, and milliseconds of the last one.
+    /// The number of timed frames so far, and the time of the last one in milliseconds.
     #[must_use]
     pub fn last_frame(&self) -> (u64, Option<f32>) {
-        (self.frames, self.readings.frame_ms.back().copied())
+        (self.pacing.frames(), self.readings.frame_ms.back().copied())
     }
 
-    /// The scene that is shown, or that was asked for since.
+    /// The name of the scene that was requested last; the present one where that failed.
     #[must_use]
     pub fn scene_wanted(&self) -> &str {
-        &self.wanted
+        self.scenes.wanted()
     }
 
-    /// What went wrong and is being told.
+    /// The error message that is shown.
     #[must_use]
     pub fn problem(&self) -> Option<&str> {
         self.readings.problem.as_deref()
     }
 
-    /// The system wants memory back.
+    /// Reduces the use of memory: ends the split view and lowers the governor's resolution.
     pub fn trim(&mut self) {
         self.choices.split = None;
-        self.governor.trim();
+        self.pacing.trim();
     }
 
-    /// Saves the frame, under that name or under one that the shell chooses.
+    /// Saves the present frame under that name; the shell chooses one where it is `None`.
     pub fn screenshot(&mut self, file: Option<PathBuf>) {
-        if let (Some(job), Some(worker)) = (self.still_job(), self.ready_worker()) {
+        if let (Some(job), Some(worker)) = (self.still_job(), self.device.ready_worker()) {
             worker.capture(job);
-            self.pending.capture = Some(file);
+            self.delivery.capture_requested(file);
         } else {
             self.complain("There is no frame to save yet.".to_owned());
         }
     }
 
-    /// Tells something that went well.
+    /// Shows a confirmation for a few seconds.
     pub fn notify(&mut self, text: String) {
         self.readings.notice = Some(text);
-        self.notice_until = self.now + NOTICE;
+        self.clock.notice_began();
     }
 
-    /// Tells something that went wrong.
+    /// Shows an error message until it is closed.
     pub fn complain(&mut self, text: String) {
         self.readings.problem = Some(text);
     }
 
-    /// Whether the view rests and its frame is complete.
+    /// The camera does not move, the overlay is not animated, all requests are answered, and the frame at rest is shown
+    /// or failed.
     #[must_use]
     pub fn rests(&self) -> bool {
-        let idle = !self.is_waiting() && !self.is_moving() && !self.animated;
-        idle && self.device.as_ref().is_some_and(|device| !device.ready || self.is_complete())
+        let idle = !self.delivery.is_waiting() && !self.is_moving() && !self.view.animated;
+        let complete = || self.delivery.is_complete(self.still_job().as_ref());
+        idle && self.device.is_attached() && (!self.device.has_scene() || complete())
     }
 
-    /// The frame of a view that rests is shown, or cannot be made.
-    fn is_complete(&self) -> bool {
-        let job = self.still_job();
-        job.as_ref().is_some_and(|job| self.is_shown(job)) || job == self.pending.vain
-    }
-
-    /// The job's frame is shown, and another would be the same.
-    pub(crate) fn is_shown(&self, job: &Job) -> bool {
-        self.shown.as_ref().is_some_and(|shown| shown.frame.job == *job && shown.frame.settled)
-    }
-
-    /// Waits until the worker has done what it was asked for.
+    /// Waits until the worker has answered all requests.
     pub fn wait(&mut self) {
-        while self.is_waiting() {
-            let Some(news) = self.worker().and_then(Worker::wait) else { return };
+        while self.delivery.is_waiting() {
+            let Some(news) = self.device.worker().and_then(Worker::wait) else { return };
             self.take(news);
         }
     }
 
-    fn is_waiting(&self) -> bool {
-        let Pending { load, frame, count, capture, pick, vain: _ } = &self.pending;
-        *load || frame.is_some() || count.is_some() || capture.is_some() || *pick
-    }
-
-    /// Something changes by itself.
+    /// The picture changes without input: updates must follow each other without a pause.
     fn is_live(&self) -> bool {
-        self.is_moving() || self.quality.level.is_some() && self.pending.frame.is_none()
+        self.is_moving() || self.pacing.is_moving() && !self.delivery.is_frame_requested()
     }
 
     pub(crate) fn is_moving(&self) -> bool {
         self.control.as_ref().is_some_and(CameraControl::is_moving)
     }
 
-    /// The frame of a view that rests: with everything as it was chosen.
+    /// The job of the frame at rest, at the quality that was chosen.
     pub(crate) fn still_job(&self) -> Option<Job> {
-        self.job(&self.still_quality())
-    }
-
-    pub(crate) fn still_quality(&self) -> Quality {
-        let scale =
-            if self.choices.governed().is_some() { self.governor.largest() } else { self.choices.scale };
-        Quality { scale, ..Quality::FULL }
+        self.job(&self.pacing.quality_at_rest(&self.choices))
     }
 
     pub(crate) fn job(&self, quality: &Quality) -> Option<Job> {
@@ -465,30 +288,5 @@ impl App {
             split: self.choices.split.is_some(),
             level: quality.level,
         })
-    }
-
-    pub(crate) fn worker(&mut self) -> Option<&mut Worker> {
-        self.device.as_mut()?.worker.as_mut()
-    }
-
-    /// The worker, where it has a scene.
-    pub(crate) fn ready_worker(&mut self) -> Option<&mut Worker> {
-        self.device.as_mut()?.ready_worker()
-    }
-
-    /// The scene is shown: it is offered again.
-    pub(crate) fn remember(&mut self, name: &str) {
-        if name.starts_with("builtin:") {
-            return;
-        }
-        self.recent.retain(|known| known != name);
-        self.recent.insert(0, name.to_owned());
-        self.recent.truncate(MOST_RECENT);
-        self.requests.push(Request::Remember(self.recent.clone()));
-        self.list_scenes();
-    }
-
-    fn list_scenes(&mut self) {
-        self.scenes = crate::scenes().chain(self.recent.iter().cloned()).collect();
     }
 }

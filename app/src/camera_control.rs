@@ -1,4 +1,4 @@
-//! The camera in a person's hand: orbit, pan, dolly, fly, with smooth damping that knows no frame rate.
+//! Interactive camera: orbit, pan, dolly and flight, with damping that is independent of the frame rate.
 
 mod damping;
 mod stance;
@@ -16,61 +16,61 @@ use self::{
 };
 use crate::{Motion, Navigation};
 
-/// A camera that is moved.
+/// A camera that motions move.
 ///
-/// Motions are asked for with [`CameraControl::apply`] and done by [`CameraControl::advance`], with a lag of about 60 ms.
-/// While nothing was moved the camera is the scene's own, bit for bit, which may hold what no [`Pose`] says (a shifted
-/// lens, a mirrored picture); from the first motion on it is that of a pose.
+/// [`CameraControl::apply`] takes motions; [`CameraControl::advance`] carries them out, with a lag of about 60 ms.
+/// Until the first motion the camera is the scene's own, bit for bit, which may have properties that no [`Pose`] has (a
+/// shifted lens, a mirrored picture); from then on it is that of a pose.
 #[derive(Clone, Debug)]
 pub struct CameraControl {
     extent: Extent,
-    /// The scene's camera that was gone to last.
+    /// The scene's camera that was chosen last.
     base: Camera,
     stance: Stance,
-    /// The stance is not that of the base.
+    /// The camera differs from `base`.
     moved: bool,
-    /// The way back to the base: where it began and how much of it is left.
+    /// The animation back to `base`: the stance where it began, and the share that is left.
     glide: Option<(Stance, f64)>,
-    /// Yaw and pitch in radians.
+    /// Rotation: yaw and pitch in radians.
     turn: Damped,
-    /// Picture heights, right and up.
+    /// Translation parallel to the picture, in picture heights right and up.
     pan: Damped,
-    /// World units.
+    /// Translation in world units.
     slide: Damped,
-    /// Exponent of the distance.
+    /// Change of the logarithm of the distance to the target.
     dolly: Damped,
-    /// What a dolly holds in place.
+    /// The position that a dolly keeps fixed, in picture heights from the centre.
     held: DVec2,
-    /// Longest sides of the scene per second, right, up and forward.
+    /// Flight velocity right, up and forward, in longest sides of the scene a second.
     flight: Flight,
-    /// Exponent of the flying speed.
+    /// Natural logarithm of the factor on the flying speed.
     haste: f64,
     navigation: Navigation,
 }
 
-/// Flying speed in longest sides of the scene per second, while nobody changed it.
+/// Flying speed before it is changed, in longest sides of the scene a second.
 const FLIGHT: f64 = 0.25;
 
-/// The largest exponent by which people change the flying speed: 400 times faster or slower.
+/// The limit of the exponent of the flying speed: 400 times faster or slower.
 const HASTE: f64 = 6.0;
 
-/// A drag over the height of the picture turns the orbit by as much.
+/// Rotation of the orbit for a drag over the height of the picture.
 const ORBIT_RADIANS: f64 = std::f64::consts::PI;
 
-/// No motion between two frames is larger, in picture heights or exponents: a faulty device reports such.
+/// Limit of a motion between two frames, in picture heights or exponents, as faulty devices report larger ones.
 const LARGEST: f32 = 100.0;
 
-/// Movements that depend on each other take turns this often, in seconds.
+/// Step in seconds in which motions that depend on each other are integrated alternately.
 const TURN_TAKING: f64 = 1.0 / 240.0;
 
-/// A frame that took longer counts as having taken so many seconds: the program was asleep.
+/// Limit of the time between two frames in seconds: after a longer one, the program was suspended.
 const LONGEST: f64 = 1.0;
 
-/// The part of the way to a scene's camera that is done at once.
+/// The share of the animation to a scene's camera at which it jumps to the end.
 const ARRIVED: f64 = 1e-6;
 
 impl CameraControl {
-    /// With the scene's camera and the box around the scene.
+    /// Creates the control for the scene's first camera; `bounds` are the lowest and highest corner of the scene.
     #[must_use]
     pub fn new(home: Camera, bounds: (Vec3, Vec3)) -> Self {
         let extent = Extent::of(bounds);
@@ -91,8 +91,8 @@ impl CameraControl {
         }
     }
 
-    /// Asks for a motion. Numbers that are not finite ask for nothing. [`Motion::Focus`] is for
-    /// [`CameraControl::focus`], which needs the surface.
+    /// Takes a motion. Values that are not finite are ignored. For [`Motion::Focus`] call [`CameraControl::focus`]
+    /// instead, which takes the surface point.
     pub fn apply(&mut self, motion: Motion, navigation: Navigation) {
         self.navigation = navigation;
         match motion {
@@ -114,8 +114,8 @@ impl CameraControl {
         }
     }
 
-    /// Brings the orbit's centre to a point of the world: the camera slides until it is in the middle of the picture,
-    /// without turning and without coming nearer to it.
+    /// Moves the orbit's centre to a point in world space: the camera is translated parallel to its picture until the
+    /// point is at the centre, and keeps its distance and direction.
     pub fn focus(&mut self, point: Vec3) {
         if !point.is_finite() {
             return;
@@ -127,12 +127,13 @@ impl CameraControl {
         self.slide.ask(way);
     }
 
-    /// Back to the camera that was gone to last, at first the one of [`CameraControl::new`].
+    /// Returns to the camera that was chosen last, initially the one of [`CameraControl::new`].
     pub fn reset(&mut self) {
         self.go_to(self.base);
     }
 
-    /// To one of the scene's cameras, smoothly; [`CameraControl::camera`] is it, bit for bit, once it is reached.
+    /// Moves smoothly to one of the scene's cameras; once it is reached, [`CameraControl::camera`] returns it bit for
+    /// bit.
     pub fn go_to(&mut self, camera: Camera) {
         for movement in [&mut self.turn, &mut self.pan, &mut self.slide, &mut self.dolly] {
             movement.stop();
@@ -144,7 +145,7 @@ impl CameraControl {
         self.glide = (!is_there).then_some((self.stance, 1.0));
     }
 
-    /// Lets time pass.
+    /// Advances the motions by a time.
     pub fn advance(&mut self, time: Duration) {
         let seconds = time.as_secs_f64().min(LONGEST);
         if seconds == 0.0 || !self.is_moving() {
@@ -157,21 +158,21 @@ impl CameraControl {
         }
     }
 
-    /// Whether the next frame differs: false for good after a finite time without motions.
+    /// Whether the next frame will differ. False for good after a finite time without motions.
     #[must_use]
     pub fn is_moving(&self) -> bool {
         self.glide.is_some() || self.is_steered()
     }
 
-    /// The camera of this moment.
+    /// The present camera.
     #[must_use]
     pub fn camera(&self) -> Camera {
-        // A stance always makes a camera: its numbers are bounded.
+        // A stance can always be converted, as its values are bounded.
         if self.moved { self.stance.pose().camera().unwrap_or(self.base) } else { self.base }
     }
 
-    /// Options of the command line that make this very camera, `--eye=X,Y,Z --target=X,Y,Z --up=X,Y,Z` with `--fov=DEGREES`
-    /// or `--ortho=HEIGHT`; `None` while it is the scene's camera that was gone to last.
+    /// Options of the command line for exactly this camera: `--eye=X,Y,Z --target=X,Y,Z --up=X,Y,Z` with
+    /// `--fov=DEGREES` or `--ortho=HEIGHT`; `None` while it is the scene's camera that was chosen last.
     #[must_use]
     pub fn command_line(&self) -> Option<String> {
         let triple = |v: Vec3| format!("{},{},{}", v.x, v.y, v.z);
@@ -185,19 +186,19 @@ impl CameraControl {
         })
     }
 
-    /// Something but the way to the base moves.
+    /// A motion other than the animation to `base` is in progress.
     fn is_steered(&self) -> bool {
         let damped = [&self.turn, &self.pan, &self.slide, &self.dolly];
         damped.into_iter().any(Damped::is_moving) || self.flight.is_moving()
     }
 
-    /// Flying speed in longest sides of the scene per second.
+    /// Flying speed in longest sides of the scene a second.
     fn speed(&self) -> f64 {
         FLIGHT * self.haste.exp()
     }
 
-    /// Radians of yaw and pitch for a drag by picture heights: what is near of the orbit follows the hand, and what a flying
-    /// eye looks at.
+    /// Converts a drag in picture heights into radians of yaw and pitch. In orbit, the near side follows the hand; in
+    /// flight, the centre of the picture does.
     fn turned(&self, by: DVec2) -> DVec2 {
         match (self.navigation, self.stance.lens) {
             (Navigation::Orbit, _) | (Navigation::Fly, Lens::Orthographic { .. }) => {
@@ -258,7 +259,7 @@ impl CameraControl {
     }
 }
 
-/// What a device may report, in `f64`.
+/// Converts to `f64` and clamps what a faulty device may report.
 fn sound(by: Vec2) -> DVec2 {
     if by.is_finite() {
         by.clamp(Vec2::splat(-LARGEST), Vec2::splat(LARGEST)).as_dvec2()

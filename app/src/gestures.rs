@@ -1,4 +1,4 @@
-//! Touch, mouse, trackpad and keys as one set of motions.
+//! Converts touch, mouse, trackpad and keys into camera motions.
 //!
 //! | hand | motion |
 //! | --- | --- |
@@ -22,67 +22,68 @@ use glam::{Vec2, Vec3};
 
 use crate::Navigation;
 
-/// What a person wants the camera to do.
+/// A motion of the camera that input asks for.
 ///
-/// Lengths are in heights of the view, right and up, so that they mean the same on every screen.
+/// Lengths are in heights of the view, x to the right and y up, so that they are independent of the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Motion {
-    /// Around the orbit's centre, or around the eye while flying: what is seen follows the hand by so much.
+    /// Rotates about the orbit's centre, or about the eye while flying, so that the picture follows the hand.
     Turn {
-        /// View heights.
+        /// Distance of the drag in view heights.
         by: Vec2,
     },
-    /// Aside: what is seen in the plane of the target follows the hand by so much.
+    /// Translates parallel to the picture, so that the plane through the target follows the hand.
     Pan {
-        /// View heights.
+        /// Distance of the drag in view heights.
         by: Vec2,
     },
-    /// Nearer: what is at the target looks larger by e to the power of that.
+    /// Moves towards the target, which is magnified by e^by.
     Dolly {
-        /// Exponent: negative goes away.
+        /// Exponent; negative moves away.
         by: f32,
-        /// What stays in place, in view heights from the middle of the view, which it is where nothing is known.
+        /// The position that stays fixed, in view heights from the centre of the view; `None` for the centre.
         at: Option<Vec2>,
     },
-    /// With the speed of flight, until the next frame.
+    /// Flies, until the next frame.
     Fly {
-        /// Right, up and forward; 1 is full speed.
+        /// Velocity right, up and forward; 1 is full speed.
         along: Vec3,
     },
-    /// Flying faster by e to the power of that.
+    /// Multiplies the flying speed by e^by.
     Haste {
-        /// Exponent: negative is slower.
+        /// Exponent; negative is slower.
         by: f32,
     },
-    /// The orbit's centre to the surface that is seen there.
+    /// Moves the orbit's centre to the surface that is seen at a position.
     Focus {
-        /// View heights from the middle of the view.
+        /// Position in view heights from the centre of the view.
         at: Vec2,
     },
 }
 
-/// A whole second of an arrow key turns or pans by so many view heights.
+/// An arrow key rotates or pans by this many view heights a second.
 const KEY_DRAG: f32 = 0.5;
 
-/// A whole second of a key goes nearer, or flies faster, by e to the power of that.
+/// Exponent a second of a key that moves nearer or changes the flying speed.
 const KEY_DOLLY: f32 = 1.5;
 
-/// One point of the wheel goes nearer by e to the power of that; a notch is 40 points.
+/// Exponent of a point of scrolling; a notch of a mouse wheel has 40 points.
 const WHEEL: f32 = 1.0 / 200.0;
 
-/// Flying with shift is so much faster; at full speed it is one.
+/// Flying speed without shift, as a share of full speed.
 const STROLL: f32 = 0.25;
 
-/// Reads motions out of what happens to a view.
+/// Recognises motions in the input of a view.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Gestures {
-    /// Two fingers were down since a finger came first: what one of them does alone is how it leaves.
+    /// Two fingers have been down since the first touched: a single finger that is left does not rotate.
     pinched: bool,
 }
 
 impl Gestures {
-    /// The motions of this frame over the picture, wherever in the view they happen whose response that is (which senses
-    /// clicks and drags); `time` has passed since the last one. Keys count while nothing else has the focus.
+    /// The motions of this frame. `response` is that of the whole view and must sense clicks and drags; `picture` is
+    /// the part in which positions are measured; `time` has passed since the last call. Keys are ignored while a widget
+    /// has the focus.
     pub fn read(
         &mut self,
         response: &Response,
@@ -116,14 +117,14 @@ impl Gestures {
     }
 }
 
-/// Where the picture is, in points.
+/// The rectangle of the picture, in points.
 struct View {
     center: Pos2,
     height: f32,
 }
 
 impl View {
-    /// View heights, right and up.
+    /// Converts points to view heights, right and up.
     fn heights(&self, by: egui::Vec2) -> Vec2 {
         Vec2::new(by.x, -by.y) / self.height
     }
@@ -174,7 +175,7 @@ fn keyboard(input: &InputState, navigation: Navigation, seconds: f32) -> Vec<Mot
         let down = |keys: &[Key]| f32::from(u8::from(keys.iter().any(|key| input.key_down(*key))));
         down(more) - down(less)
     };
-    // An arrow says where the camera goes: the picture goes the other way.
+    // An arrow key moves the camera, so the picture moves the opposite way.
     let arrows =
         -Vec2::new(axis(&[Key::ArrowRight], &[Key::ArrowLeft]), axis(&[Key::ArrowUp], &[Key::ArrowDown]));
     let by = arrows * KEY_DRAG * seconds;
@@ -190,7 +191,7 @@ fn keyboard(input: &InputState, navigation: Navigation, seconds: f32) -> Vec<Mot
     some([dragged, Motion::Haste { by: nearer }, Motion::Fly { along }])
 }
 
-/// Those that move something.
+/// Drops motions of length zero.
 fn some<const N: usize>(motions: [Motion; N]) -> Vec<Motion> {
     let moves = |motion: &Motion| match *motion {
         Motion::Turn { by } | Motion::Pan { by } => by.is_finite() && by != Vec2::ZERO,

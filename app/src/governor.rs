@@ -1,9 +1,11 @@
-//! The governor: holds a frame time by resolution, block size and tolerances, without visible pumping.
+//! The governor holds a frame time by lowering resolution, raising the block size and relaxing tolerances, without
+//! visible oscillation.
 //!
-//! It knows what frames cost from the frames themselves. Every report becomes an estimate of what a frame of the best level
-//! would take; a level's frame takes its share of it. Down it goes at once and as far as it must; up one level at a time,
-//! when even the worst of the last frames would have fitted there for a while. A level that was tried in vain is left
-//! alone until frames get cheaper or a while has passed, longer every time: so that a load which does not change settles.
+//! It estimates the cost of the scene from finished frames: each report is converted into the time a pixel of a frame
+//! at the best level, and a level's frame takes a known share of that. It lowers the level at once, as far as needed,
+//! and raises it by one at a time, once even the slowest of the last frames would have fitted at the better level for a
+//! while. A level that was tried and left again is not tried until frames become cheaper or a waiting time is over,
+//! which doubles with each failure; so a constant load settles.
 
 mod ladder;
 #[cfg(test)]
@@ -14,52 +16,53 @@ use std::{collections::VecDeque, time::Duration};
 use self::ladder::LADDER;
 pub use self::ladder::Quality;
 
-/// What a frame took.
+/// The time of a finished frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameReport {
-    /// [`Quality::level`] of the frame. Frames at rest are not judged: nothing waits for them.
+    /// [`Quality::level`] of the frame. Reports of frames at rest are ignored, as they have no time limit.
     pub level: Option<usize>,
-    /// Its pixels.
+    /// Number of pixels of the frame.
     pub pixels: u64,
-    /// Milliseconds of work, without waiting for the display: what the device says where it has a clock.
+    /// Time of the work in milliseconds, without waiting for the display; measured on the device where it has
+    /// timestamps.
     pub ms: f64,
 }
 
-/// The level of the first frame, before anything is known: a quarter of the pixels.
+/// The level before any frame was timed: a quarter of the pixels.
 const FIRST: usize = 5;
 
-/// A level is gone up to if the worst of the last frames would have taken this share of the time there.
+/// The level is raised if the slowest of the last frames would have taken at most this share of the limit there.
 const ROOM: f64 = 0.93;
 
-/// A level is gone down to if the frame that was too slow would have taken this share of the time there.
+/// The level is lowered to one where the frame that was too slow would have taken at most this share of the limit.
 const SAFE: f64 = 0.88;
 
-/// A frame that took so many times what was expected is taken for a hiccup of something else, if it is alone.
+/// A frame slower than expected by this factor is an outlier, caused by something else, unless the next is slow too.
 const HICCUP: f64 = 1.7;
 
-/// There must have been room for so long.
+/// How long frames must have fitted at the better level before the level is raised.
 const PATIENCE: Duration = Duration::from_millis(1000);
 
-/// There must have been room for so long where frames could take twice as long, as after a heavy scene.
+/// The same where frames would take less than half of the limit there, as after a demanding scene.
 const HURRY: Duration = Duration::from_millis(250);
 
-/// A level that was left within this time was tried in vain.
+/// Raising the level has failed if it is lowered again within this time.
 const TRIAL: Duration = Duration::from_secs(5);
 
-/// It is not tried again for so long; twice as long after every vain trial, up to the second.
+/// How long a failed level is not tried again: at first, and at most, as the time doubles with each failure.
 const PENANCE: [Duration; 2] = [Duration::from_secs(20), Duration::from_secs(160)];
 
-/// Frames that became so much cheaper are another load: everything may be tried.
+/// Frames whose cost fell below this share are a new load: failed levels may be tried again.
 const CHEAPER: f64 = 0.85;
 
-/// The camera must have rested for so long before a frame in full quality is made.
+/// How long the camera must have been at rest before a frame at full quality is rendered.
 const REST: Duration = Duration::from_millis(200);
 
-/// A level that was tried in vain.
+/// A level that failed.
 #[derive(Clone, Copy, Debug)]
 struct Vain {
     level: usize,
-    /// What frames of the best level seemed to take when it was tried, in ms a pixel.
+    /// Cost of a pixel at the best level when the level was tried, in ms.
     cost: f64,
     until: Duration,
     penance: Duration,
@@ -67,33 +70,32 @@ struct Vain {
 
 /// Chooses the quality of every frame.
 ///
-/// A change of level costs the caller new targets, as the size of the frame changes, and other kernels where the block
-/// changes (between levels 4 and 5): keep those that are ready, and make others before the frame that needs them where that
-/// takes long.
+/// A new level changes the frame's size, and thus its targets; between levels 4 and 5 also the block size, and thus its
+/// kernels. Callers should keep both, and create them ahead of the frame where that is slow.
 #[derive(Clone, Debug)]
 pub struct Governor {
     budget_ms: f64,
     thermal: f64,
-    /// No frame has a larger scale.
+    /// The largest scale of any frame.
     largest: f32,
     level: usize,
     /// When the level was chosen.
     since: Duration,
-    /// What frames of the best level took when this one was gone up to, in ms a pixel.
+    /// Cost of a pixel at the best level when this level was raised to, in ms; `None` where it was lowered to.
     climbed: Option<f64>,
     vain: Option<Vain>,
-    /// Pixels of the view, as reports say.
+    /// Pixels of the view, derived from reports.
     view: f64,
-    /// When frames were made, and what those of the best level take, in ms a pixel.
+    /// Times of the last frames and their costs of a pixel at the best level, in ms.
     costs: VecDeque<(Duration, f64)>,
-    /// The last frame may have been a hiccup.
+    /// The last frame may have been an outlier.
     doubtful: bool,
     /// When the camera moved last.
     moved: Option<Duration>,
 }
 
 impl Governor {
-    /// With the time for a frame in milliseconds.
+    /// Creates a governor for that frame time in milliseconds.
     #[must_use]
     pub fn new(budget_ms: f64) -> Self {
         Self {
@@ -111,7 +113,7 @@ impl Governor {
         }
     }
 
-    /// Another time for a frame, in milliseconds.
+    /// Sets the frame time in milliseconds.
     pub fn set_budget(&mut self, budget_ms: f64) {
         if budget_ms != self.budget_ms {
             self.budget_ms = budget_ms;
@@ -119,24 +121,24 @@ impl Governor {
         }
     }
 
-    /// How much of the time may be used, 1 while the device is cool: a hot one is spared before its clocks fall. Clamped to
-    /// 0.1 to 1.
+    /// Sets the share of the frame time that may be used: 1 while the device is cool, less so that a hot device does
+    /// not lower its clocks. Clamped to 0.1 to 1; values that are not finite are ignored.
     pub fn set_thermal(&mut self, factor: f32) {
         if factor.is_finite() {
             self.thermal = f64::from(factor).clamp(0.1, 1.0);
         }
     }
 
-    /// Memory is scarce: halves the largest scale, of moving and of resting frames, as often as it is called, down to the
-    /// scale of the last level. Lasts until another governor is made.
+    /// Halves the largest scale of moving frames and of frames at rest, down to the scale of the last level, to use
+    /// less memory. The effect adds up over calls, and stays for the life of the governor.
     pub fn trim(&mut self) {
         self.largest = (0.5 * self.largest).max(LADDER[LADDER.len() - 1].scale);
         self.level = self.level.max(self.best());
     }
 
-    /// The quality of the frame that is to be made `now`, on any clock that goes forward. `last` is what a frame took, if
-    /// one was finished since the last call; `moving` says whether the camera or anything else changes. Before the first
-    /// motion the camera rests: a first picture comes sooner as a moving one.
+    /// The quality of the frame that is rendered at `now`, on any monotonic clock. `last` is the report of a frame that
+    /// was finished since the last call; `moving` tells whether the camera or anything else changes. Until the first
+    /// motion, the camera counts as at rest.
     pub fn next(&mut self, now: Duration, last: Option<FrameReport>, moving: bool) -> Quality {
         if moving {
             self.moved = Some(now);
@@ -145,7 +147,7 @@ impl Governor {
             self.learn(now, cost);
         }
         if self.moved.is_none_or(|moved| now.saturating_sub(moved) >= REST) {
-            // Room is looked for from the next motion on.
+            // Waiting to raise the level starts with the next motion.
             self.since = now;
             Quality { level: None, scale: self.largest, block: 2, relax: 1.0 }
         } else {
@@ -154,19 +156,19 @@ impl Governor {
         }
     }
 
-    /// No frame has a larger scale: 1 unless memory is scarce.
+    /// The largest scale of any frame: 1 unless memory was scarce.
     #[must_use]
     pub fn largest(&self) -> f32 {
         self.largest
     }
 
-    /// Milliseconds that a frame may take.
+    /// The time limit of a frame in milliseconds.
     #[must_use]
     pub fn limit_ms(&self) -> f64 {
         self.budget_ms * self.thermal
     }
 
-    /// What a pixel of the best level would have taken, in ms.
+    /// Cost of a pixel at the best level, in ms, derived from a report; `None` for a frame at rest or without a time.
     fn cost(&mut self, report: &FrameReport) -> Option<f64> {
         let level = LADDER.get(report.level?)?;
         let cost = report.ms / (report.pixels as f64 * level.work);
@@ -177,7 +179,7 @@ impl Governor {
         Some(cost)
     }
 
-    /// What a frame of a level takes with that cost of a pixel, in ms.
+    /// Time in ms of a frame of a level, given the cost of a pixel at the best level.
     fn time(&self, level: usize, cost: f64) -> f64 {
         cost * self.view * LADDER[level].share()
     }
@@ -187,7 +189,7 @@ impl Governor {
         self.costs.iter().map(|&(_, cost)| cost).fold(0.0, f64::max)
     }
 
-    /// The best level that memory has room for.
+    /// The best level whose scale is allowed.
     fn best(&self) -> usize {
         LADDER.iter().position(|level| level.scale <= self.largest).unwrap_or(LADDER.len() - 1)
     }
@@ -219,7 +221,8 @@ impl Governor {
             };
             self.vain = Some(Vain { level: self.level, cost, until: now + penance, penance });
         }
-        // Frames fitted where it came from: it is this level that is dearer than it seemed.
+        // The level before held its limit, so the estimate is right there: it is this level that is more expensive than
+        // estimated.
         let cost = tried.unwrap_or(cost);
         let fits = |&level: &usize| self.time(level, cost) <= SAFE * self.limit_ms();
         let level = (self.level + 1..LADDER.len()).find(fits).unwrap_or(LADDER.len() - 1);

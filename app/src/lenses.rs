@@ -1,25 +1,25 @@
-//! The lenses of a headset, which bend pictures outwards: so they are bent inwards before.
+//! Distorts the picture against the distortion of a headset's lenses.
 
 use egui::{Color32, Mesh, Pos2, Rect, TextureId, Vec2, epaint::Vertex, pos2, vec2};
 use glimpse::Camera;
 
-/// The lenses in front of two eyes' pictures, each before the middle of its own.
+/// The lenses of a headset, one centred in front of each eye's picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lenses {
-    /// The pictures are looked at as they are.
+    /// No lenses: the pictures are not distorted.
     None,
-    /// Google's Cardboard of 2014.
+    /// The lenses of Google's Cardboard of 2014.
     Cardboard,
 }
 
-/// Squares along a side of an eye's picture, which are bent as wholes.
+/// The mesh of an eye's picture has this many squares along each side.
 const SQUARES: u16 = 32;
 
 impl Lenses {
-    /// Every one.
+    /// All kinds of lenses.
     pub const ALL: [Self; 2] = [Self::None, Self::Cardboard];
 
-    /// As people and scripts name them.
+    /// The name in the overlay and in scripts.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -28,11 +28,12 @@ impl Lenses {
         }
     }
 
-    /// What lies at r on the screen is seen 1 + a r^2 + b r^4 times as far out, both tangents of angles from the lens's axis.
+    /// Coefficients a and b of the radial distortion: a point at r on the screen is seen at r (1 + a r^2 + b r^4), both
+    /// as tangents of angles from the lens's axis.
     fn coefficients(self) -> [f32; 2] {
         match self {
             Self::None => [0.0, 0.0],
-            // googlevr/cardboard, sdk/qrcode/cardboard_v1/cardboard_v1.h.
+            // Source: googlevr/cardboard, sdk/qrcode/cardboard_v1/cardboard_v1.h.
             Self::Cardboard => [0.441, 0.156],
         }
     }
@@ -46,39 +47,40 @@ impl Lenses {
         r * self.magnified(r)
     }
 
-    /// Where on the screen that lies which is seen at a tangent.
+    /// Inverts the distortion: the tangent on the screen of a point that is seen at the tangent `seen`.
     fn placed(self, seen: f32) -> f32 {
         let [a, b] = self.coefficients();
-        // Newton's method from above, where the slope grows: it comes down to the root and does not pass it.
+        // Newton's method starting above the root, where the function is convex: it decreases to the root and does not
+        // pass it.
         let above = seen.min((seen / b).powf(0.2));
         (0..8).fold(above, |r, _| r - (self.seen(r) - seen) / (1.0 + r * r * (3.0 * a + r * r * 5.0 * b)))
     }
 }
 
-/// The pictures of two eyes side by side behind lenses, in the middle of each half of where they are without, and as large
-/// as fits there.
+/// The distorted pictures of two eyes, side by side. Each is centred in its half of the undistorted picture and as
+/// large as fits there.
 pub struct Bent {
     lenses: Lenses,
     picture: Rect,
-    /// Points of the overlay for a tangent in the picture without lenses, and in the middle of a lens.
+    /// Points of the overlay for a unit tangent: in the undistorted picture, and at the centre of a lens.
     flat: f32,
     bent: f32,
 }
 
 impl Bent {
-    /// What a camera sees in a picture of both eyes.
+    /// Computes the scales for `camera`, whose frame fills `picture` (in points) with both eyes side by side.
     pub fn new(lenses: Lenses, picture: Rect, camera: &Camera) -> Self {
         let half = 0.5 * vec2(0.5 * picture.width(), picture.height());
         let flat = half.y * camera.forward.length() / camera.up.length();
-        // The side that is nearer to the middle stays where it is.
+        // The side that is nearer to the centre keeps its place.
         let nearer = half.min_elem();
         Self { lenses, picture, flat, bent: nearer / lenses.placed(nearer / flat) }
     }
 
-    /// The texture of both pictures, of so many texels, on the screen.
+    /// A mesh that shows the texture of both eyes, of `texels` width and height, distorted.
     pub fn mesh(&self, texture: TextureId, texels: [u32; 2]) -> Mesh {
         let mut mesh = Mesh::with_texture(texture);
-        // What is interpolated stays within an eye's own texels.
+        // Half a texel from the border, so that interpolation does not mix the eyes.
         let inset = vec2(0.5, 0.5) / vec2(0.5 * texels[0] as f32, texels[1] as f32);
         for (left, eye) in [(0.0, self.eye(0)), (0.5, self.eye(1))] {
             let first = mesh.vertices.len() as u32;
@@ -97,7 +99,7 @@ impl Bent {
         mesh
     }
 
-    /// The point of the picture without lenses that is seen at a point of the screen, in the same eye's picture.
+    /// The point of the undistorted picture that is seen at a point of the screen, within the same eye's half.
     pub fn without(&self, at: Pos2) -> Pos2 {
         let eye = self.eye(usize::from(at.x >= self.picture.center().x));
         let away = at - eye.center();
@@ -105,7 +107,7 @@ impl Bent {
         eye.clamp(eye.center() + magnified * self.flat / self.bent * away)
     }
 
-    /// A point of an eye's picture behind its lens.
+    /// Where a point of an eye's undistorted picture lies on the screen.
     fn on_screen(&self, eye: Rect, at: Pos2) -> Pos2 {
         let away = at - eye.center();
         let magnified = self.lenses.magnified(self.lenses.placed(away.length() / self.flat));
@@ -126,7 +128,7 @@ mod tests {
 
     const PICTURE: Rect = Rect { min: pos2(10.0, 20.0), max: pos2(1290.0, 740.0) };
 
-    /// 90 degrees high.
+    /// Lenses before a camera with a field of view of 90 degrees.
     fn bent(lenses: Lenses) -> Bent {
         let camera = Camera {
             origin: Vec3::ZERO,
@@ -155,7 +157,7 @@ mod tests {
         let mesh = bent(Lenses::None).mesh(TextureId::default(), [1280, 720]);
         assert!(mesh.is_valid());
         let place = |v: &Vertex| PICTURE.lerp_inside(v.uv.to_vec2());
-        // Half a texel at the borders.
+        // Borders are moved by half a texel.
         assert!(mesh.vertices.iter().all(|v| v.pos.distance(place(v)) < 0.75));
         assert!((mesh.calc_bounds().size() - PICTURE.size()).length() < 1e-2);
     }
@@ -170,7 +172,7 @@ mod tests {
             let found = bent.without(vertex.pos);
             assert!(found.distance(flat) < 0.75, "{found} {flat}");
         }
-        // The nearer sides touch the borders, corners are drawn in, and the middle is larger.
+        // The nearer sides touch the borders, the corners are drawn in, the centre is magnified.
         let bounds = mesh.calc_bounds();
         let upright = 2.0 * bent.bent * Lenses::Cardboard.placed(1.0);
         assert!((bounds.width() - PICTURE.width()).abs() < 1e-2 && (bounds.height() - upright).abs() < 1e-2);

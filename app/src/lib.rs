@@ -1,8 +1,8 @@
-//! What the phone and the desktop share: camera and gestures, overlay, choice of scene, frame governor, life cycle, in
-//! words of its own (neither winit's nor Android's).
+//! The application that the phone and the desktop share: camera control and gestures, overlay, scene list, frame-time
+//! governor and life cycle. It uses no type of winit or Android.
 //!
-//! [`App`] is the program: a shell gives it input and time, and paints what it says. Frames are made by a thread of its own
-//! ([`Worker`]), so that nothing that a person does waits for one.
+//! [`App`] is the entry point: a shell passes it input and time, and draws the [`Painting`] that it returns. A worker
+//! thread ([`Worker`]) renders the frames, so input handling never waits for rendering.
 
 mod app;
 mod camera_control;
@@ -40,7 +40,7 @@ pub use readings::{Busy, HISTORY, Readings};
 pub use studio::{Counted, Frame, Job};
 pub use worker::{Files, News, SceneFacts, Wake, Worker};
 
-/// The scenes that can be chosen without a file, as `builtin:NAME`, in the order in which they are offered.
+/// The names of the built-in scenes, as `builtin:NAME`, in the order in which they are offered.
 pub fn scenes() -> impl Iterator<Item = String> {
     glimpse::scene::BUILTIN_NAMES.iter().map(|name| format!("builtin:{name}"))
 }

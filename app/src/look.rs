@@ -1,9 +1,9 @@
-//! What scripts and the clipboard can know of the app.
+//! Values of the app that scripts can read, and the command line of the present frame.
 
 use crate::{App, command::command, script::Value};
 
 impl App {
-    /// What is known by a name, for scripts.
+    /// The value of a name, for `expect` and `print` in scripts; `None` where the name is unknown or has no value yet.
     #[must_use]
     pub fn look(&self, name: &str) -> Option<Value> {
         let readings = &self.readings;
@@ -28,8 +28,8 @@ impl App {
             "memory" => number(readings.memory.total as f64),
             "psnr" => readings.psnr_db.map(Value::Number),
             "rt_ratio" => counts.map(|counts| Value::Number(counts.rt_ratio())),
-            "frames" => number(self.tally.frames.into()),
-            "late" => number(self.tally.late.into()),
+            "frames" => number(self.pacing.tally().frames.into()),
+            "late" => number(self.pacing.tally().late.into()),
             "rays" => counts.map(|counts| Value::Number(counts.rays.total as f64)),
             "moved" => {
                 let moved = self.control.as_ref().is_some_and(|control| control.command_line().is_some());
@@ -39,7 +39,7 @@ impl App {
         }
     }
 
-    /// The command that makes the frame that is shown.
+    /// The command line that renders the present frame; `None` before a scene is shown.
     #[must_use]
     pub fn command(&self) -> Option<String> {
         let job = self.still_job()?;
@@ -48,6 +48,6 @@ impl App {
             0 => String::new(),
             index => format!("--camera {index}"),
         });
-        Some(command(&self.scene.as_ref()?.name, &camera, &job))
+        Some(command(&self.scenes.shown()?.name, &camera, &job))
     }
 }

@@ -1,4 +1,4 @@
-//! What is ordered of the worker, and where the orders lie.
+//! The requests to the worker thread and the mailbox that holds them.
 
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
@@ -6,17 +6,18 @@ use glimpse::{Camera, GpuScene};
 
 use crate::{Job, SceneFacts};
 
-/// What lies on the worker's desk. A newer order of a kind replaces the older.
+/// The slots of the mailbox, one for each kind of request. A newer request replaces an older one of its kind.
 #[derive(Default)]
 pub(crate) struct Desk {
     pub scene: Option<Loaded>,
     pub job: Option<(u64, Job)>,
     pub capture: Option<Job>,
     pub pick: Option<(Camera, [f32; 2])>,
-    /// The number of the last scene that was asked for: loads that are late are thrown away.
+    /// The number of the last scene that was requested: a loader that finishes with an older number discards its
+    /// result.
     pub asked: u64,
     pub stop: bool,
-    /// Nobody sees the view: frames of a resting one are given up.
+    /// The view is hidden: frames at rest are cancelled.
     pub hidden: bool,
 }
 
@@ -25,29 +26,29 @@ pub(crate) struct Loaded {
     pub facts: SceneFacts,
 }
 
-/// The desk and the bell on it.
+/// The mailbox: slots under a lock, and the condition variable that wakes the worker.
 #[derive(Default)]
 pub(crate) struct Office {
     desk: Mutex<Desk>,
     pub bell: Condvar,
 }
 
-/// What is to be done next.
+/// The next task of the worker.
 pub(crate) enum Order {
     Frame(u64, Job),
     Capture(Job),
     Pick(Camera, [f32; 2]),
-    /// Another scene, or the end.
+    /// Another scene is waiting, or the thread has to end.
     Leave,
 }
 
 impl Office {
-    /// The desk, for one change or look.
+    /// Locks the slots.
     pub fn desk(&self) -> MutexGuard<'_, Desk> {
         self.desk.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Waits for a scene; `None` at the end.
+    /// Waits for a loaded scene; `None` when the thread has to end.
     pub fn scene(&self) -> Option<Loaded> {
         let mut desk = self.desk();
         loop {
@@ -55,7 +56,7 @@ impl Office {
                 return None;
             }
             if let Some(loaded) = desk.scene.take() {
-                // Jobs were of the scene before.
+                // A job that is still waiting is one for the scene before.
                 desk.job = None;
                 return Some(loaded);
             }
@@ -63,7 +64,7 @@ impl Office {
         }
     }
 
-    /// Waits for an order.
+    /// Waits for a request. Points are picked before pictures are captured, and those before frames are rendered.
     pub fn next(&self) -> Order {
         let mut desk = self.desk();
         loop {
@@ -83,7 +84,7 @@ impl Office {
         }
     }
 
-    /// Whether a frame of a still view is to be given up for something more urgent, or because nobody sees it.
+    /// Whether a frame at rest is to be cancelled because another request waits or the view is hidden.
     pub fn is_urgent(&self) -> bool {
         let desk = self.desk();
         desk.hidden || desk.stop || desk.scene.is_some() || desk.job.is_some() || desk.pick.is_some()

@@ -1,14 +1,14 @@
-//! Puts what egui made of a moment on a surface or into an image.
+//! Draws the overlay's output on a surface or into an image.
 
 use glimpse::Gpu;
 
-/// What one view of the app looks like now.
+/// The overlay's output of one update, ready to be drawn.
 pub struct Painting {
-    /// Triangles and their textures.
+    /// Triangle meshes with clip rectangles.
     pub jobs: Vec<egui::ClippedPrimitive>,
-    /// What became of the overlay's own textures.
+    /// Changes of the overlay's textures since the last update.
     pub textures: egui::TexturesDelta,
-    /// Pixels of the view for a point of the overlay.
+    /// Pixels of the target for a point of the overlay.
     pub pixels_per_point: f32,
 }
 
@@ -18,22 +18,22 @@ pub struct Painter {
 }
 
 impl Painter {
-    /// For targets of that format, whose values are taken as sRGB-encoded.
+    /// Creates the pipelines for targets of that format, whose values are taken as sRGB-encoded.
     #[must_use]
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat) -> Self {
-        // Without dithering: pixels of the frame reach the screen as they are.
+        // Without dithering, so that the frame's pixels reach the screen unchanged.
         let options = egui_wgpu::RendererOptions { dithering: false, ..Default::default() };
         Self { renderer: egui_wgpu::Renderer::new(gpu.device(), format, options) }
     }
 
-    /// Takes over the texture of the overlay's fonts as a whole.
+    /// Uploads the whole texture of the overlay's fonts.
     pub fn load_fonts(&mut self, gpu: &Gpu, image: egui::ColorImage) {
         let whole = egui::epaint::ImageDelta::full(image, egui::TextureOptions::LINEAR);
         self.renderer.update_texture(gpu.device(), gpu.queue(), egui::TextureId::default(), &whole);
     }
 
-    /// The picture as a texture of the overlay, in the place of `known` if that is one. Pixels are repeated where the
-    /// picture is shown as large as it is, and interpolated elsewhere.
+    /// Registers a picture as a texture of the overlay, under the id `known` where that is given. Filters by the
+    /// nearest texel where the picture is `exact`, shown at one texel a pixel, and linearly elsewhere.
     pub fn register(
         &mut self,
         gpu: &Gpu,
@@ -52,12 +52,13 @@ impl Painter {
         }
     }
 
-    /// The texture is not shown any more.
+    /// Removes a texture that is not shown any more.
     pub fn forget(&mut self, texture: egui::TextureId) {
         self.renderer.free_texture(&texture);
     }
 
-    /// Takes over the overlay's new textures: to be called with every painting, shown or not.
+    /// Applies the changes of the overlay's textures. To be called with every painting, drawn or not, as each holds
+    /// changes only.
     pub fn update(&mut self, gpu: &Gpu, painting: &mut Painting) {
         let textures = std::mem::take(&mut painting.textures);
         for (id, deltas) in &textures.set {
@@ -70,7 +71,7 @@ impl Painter {
         }
     }
 
-    /// Draws and submits.
+    /// Clears the target, of `size` pixels, to black, draws the painting and submits.
     pub fn paint(&mut self, gpu: &Gpu, painting: &Painting, target: &wgpu::TextureView, size: [u32; 2]) {
         let (device, queue) = (gpu.device(), gpu.queue());
         let mut encoder =

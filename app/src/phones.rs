@@ -1,4 +1,4 @@
-//! Phones that the emulator can be: displays, and limits of graphics devices with the source of every figure.
+//! Phones that can be emulated: displays and limits of graphics devices, with the source of every figure.
 
 use std::collections::BTreeMap;
 
@@ -6,41 +6,41 @@ use serde::Deserialize;
 
 const FILE: &str = include_str!("phones.toml");
 
-/// A figure and where it was published.
+/// A figure with its source.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sourced<T> {
-    /// The figure.
+    /// The figure itself.
     pub value: T,
-    /// Where it is from: a report, a page, `estimate` or `WebGPU default`.
+    /// A report, a page, `estimate` or `WebGPU default`.
     pub source: String,
 }
 
-/// A phone.
+/// A phone that can be emulated.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Phone {
-    /// As it is asked for.
+    /// Name on the command line.
     pub name: String,
-    /// As it is sold.
+    /// Name of the product.
     pub model: String,
-    /// Its graphics device.
+    /// Name of the graphics device.
     pub gpu: String,
-    /// The devices that it stands for.
+    /// Similar devices that it represents.
     pub family: String,
-    /// Pixels of the display in portrait.
+    /// Width and height of the display in pixels, in portrait.
     pub size: Sourced<[u32; 2]>,
-    /// Refreshes of the display per second.
+    /// Refresh rate of the display in Hz.
     pub refresh_hz: Sourced<u32>,
-    /// Pixels per point.
+    /// Pixels for a point.
     pub scale: Sourced<f32>,
-    /// Points at the top, right, bottom and left in portrait that are covered or belong to the system.
+    /// Insets at the top, right, bottom and left in points, in portrait, that cutouts or system bars cover.
     pub insets: Sourced<[f32; 4]>,
-    /// 3DMark Wild Life Extreme, where it was published: how fast phones are over each other.
+    /// Score in 3DMark Wild Life Extreme, where one was published, to compare the speed of phones.
     pub wild_life_extreme: Option<Sourced<u32>>,
-    /// Peak of 32-bit floating point: billions of operations a second, a multiply-add as two.
+    /// Peak rate of 32-bit floating point operations in GFLOP/s; a multiply-add counts as two.
     pub gflops: Sourced<f64>,
-    /// Peak of the memory: billions of bytes a second.
+    /// Peak memory bandwidth in GB/s.
     pub gigabytes: Sourced<f64>,
     limits: BTreeMap<String, Sourced<u64>>,
 }
@@ -53,18 +53,18 @@ struct Phones {
 }
 
 impl Phone {
-    /// All of them, in the order of the file.
+    /// All phones, in the order of the file.
     ///
     /// # Errors
-    /// What is wrong with the file, which is part of the program.
+    /// The table, which is part of the program, is invalid.
     pub fn all() -> Result<Vec<Self>, String> {
         parse(FILE)
     }
 
-    /// The one of that name.
+    /// The phone of a name.
     ///
     /// # Errors
-    /// Names all that there are.
+    /// The name is unknown; the message lists all names.
     pub fn named(name: &str) -> Result<Self, String> {
         let all = Self::all()?;
         let names: Vec<_> = all.iter().map(|phone| phone.name.as_str()).collect();
@@ -72,18 +72,18 @@ impl Phone {
         all.into_iter().find(|phone| phone.name == name).ok_or(error)
     }
 
-    /// What its graphics device allows; where the file says nothing, the WebGPU default.
+    /// The limits of its graphics device; the WebGPU default where the table has none.
     #[must_use]
     pub fn limits(&self) -> wgpu::Limits {
         let mut limits = wgpu::Limits::default();
         for (name, figure) in &self.limits {
-            // Names and ranges were checked when the file was read.
+            // Names and ranges are checked when the table is read.
             let _ = limit(&mut limits, name, figure.value);
         }
         limits
     }
 
-    /// The figures behind [`Phone::limits`], by wgpu's names.
+    /// The figures behind [`Phone::limits`], by the names of wgpu.
     pub fn limit_sources(&self) -> impl Iterator<Item = (&str, &Sourced<u64>)> {
         self.limits.iter().map(|(name, figure)| (name.as_str(), figure))
     }
@@ -122,7 +122,7 @@ fn parse(text: &str) -> Result<Vec<Phone>, String> {
     Ok(phone)
 }
 
-/// Sets a limit by its name.
+/// Sets a limit by its name in wgpu.
 fn limit(limits: &mut wgpu::Limits, name: &str, value: u64) -> Result<(), String> {
     let small = || u32::try_from(value).map_err(|_| format!("expected at most {}, found {value}", u32::MAX));
     match name {
@@ -195,7 +195,7 @@ mod tests {
         }
     }
 
-    /// Every peak is of the size that phones have, and names a page, or what it is estimated from.
+    /// Every peak is in the range of phones, and names a page or what it is estimated from.
     #[test]
     fn peaks_are_published_or_say_what_they_are_estimated_from() {
         let phones = Phone::all().expect("the file");
@@ -215,7 +215,7 @@ mod tests {
         assert!(phones.iter().filter(published).count() >= 4, "estimates are the exception");
     }
 
-    /// What is said to be the WebGPU default is it.
+    /// Figures whose source is the WebGPU default have its value.
     #[test]
     fn defaults_are_those_of_webgpu() {
         for phone in Phone::all().expect("the file") {

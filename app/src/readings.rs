@@ -1,70 +1,71 @@
-//! What is known of the frames that were made: everything that the overlay shows.
+//! The state of the app that the overlay displays.
 
 use std::collections::VecDeque;
 
 use glimpse::{Counts, Memory, PassTime};
 
-/// The frame times that are kept.
+/// The number of frame times that are kept.
 pub const HISTORY: usize = 240;
 
-/// What the overlay shows.
+/// Everything that the overlay displays.
 #[derive(Clone, Debug, Default)]
 pub struct Readings {
-    /// The scene as it was named.
+    /// The name of the scene.
     pub scene: String,
-    /// Its triangles and spheres.
+    /// Number of triangles and spheres.
     pub primitives: u64,
-    /// Names of its cameras.
+    /// Names of the scene's cameras.
     pub cameras: Vec<String>,
-    /// The one of them where the view was placed last.
+    /// Index of the camera that was chosen last.
     pub camera: usize,
-    /// What the importer had to leave out or to replace.
+    /// One line for each thing that the importer left out or replaced.
     pub warnings: Vec<String>,
-    /// Features that the scene needs, and those that were left out of its kernels.
+    /// Features that the scene needs.
     pub features: Vec<&'static str>,
-    /// See above.
+    /// Features that are left out of its kernels.
     pub left_out: Vec<&'static str>,
-    /// Name and driver of the adapter.
+    /// Name and driver of the graphics adapter.
     pub adapter: String,
     /// Times of the last frames in milliseconds, the newest last; at most [`HISTORY`].
     pub frame_ms: VecDeque<f32>,
-    /// The passes of the last frame.
+    /// Times of the passes of the last frame.
     pub passes: Vec<PassTime>,
-    /// Pixels of the last frame.
+    /// Width and height of the last frame in pixels.
     pub size: [u32; 2],
-    /// Pixels of the view.
+    /// Width and height of the view in pixels.
     pub view: [u32; 2],
-    /// Counters of the last frame that was counted: a still one.
+    /// Counters of the last frame at rest.
     pub counts: Option<Counts>,
-    /// PSNR of the last still frame against full tracing, while the view is split; infinite where they are equal.
+    /// PSNR in dB of the last frame at rest against full tracing, while the view is split; infinite where they are
+    /// equal.
     pub psnr_db: Option<f64>,
-    /// Bytes on the device.
+    /// Device memory in use, in bytes.
     pub memory: Memory,
-    /// The legend of what is shown.
+    /// The legend of the quantity shown.
     pub legend: String,
-    /// What the governor does, for people; empty while it is off.
+    /// What the governor does, in words; empty while it is off.
     pub governor: String,
-    /// What is being waited for.
+    /// The task that is being waited for.
     pub busy: Option<Busy>,
-    /// What went wrong, until it is closed.
+    /// An error message, until a person closes it.
     pub problem: Option<String>,
-    /// What went well and is told for a moment.
+    /// A confirmation that is shown for a few seconds.
     pub notice: Option<String>,
 }
 
-/// Long work and how far it is.
+/// A long task and its progress.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Busy {
-    /// What is done, as `loading x.glb`.
+    /// A description, as `reading x.glb`.
     pub what: String,
-    /// Seconds since it began.
+    /// Seconds since the task began.
     pub seconds: f64,
-    /// The step of that many.
+    /// The present step, from 1, and the number of steps.
     pub step: [u32; 2],
 }
 
 impl Readings {
-    /// Remembers the time of a frame.
+    /// Appends a frame time in milliseconds, and drops the oldest beyond [`HISTORY`].
     pub fn push_frame(&mut self, ms: f32) {
         if self.frame_ms.len() == HISTORY {
             self.frame_ms.pop_front();
@@ -72,7 +73,8 @@ impl Readings {
         self.frame_ms.push_back(ms);
     }
 
-    /// Mean time of the frames of the last half second, which can be read while it changes; `None` before the first.
+    /// Mean frame time in milliseconds over the last half second, which is steady enough to read; `None` before the
+    /// first frame.
     #[must_use]
     pub fn recent_ms(&self) -> Option<f32> {
         let (mut sum, mut frames) = (0.0, 0);

@@ -1,4 +1,4 @@
-//! One scene on the device, and what makes frames of it.
+//! Renders the frames of one scene on the worker thread.
 
 use std::sync::Arc;
 
@@ -15,72 +15,72 @@ use crate::{
     worker::{News, Teller},
 };
 
-/// A frame to be made.
+/// Everything that determines a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Job {
-    /// From where.
+    /// The camera.
     pub camera: Camera,
-    /// Pixels.
+    /// Width and height in pixels.
     pub size: [u32; 2],
-    /// How.
+    /// The rendering settings.
     pub settings: Settings,
-    /// What the picture shows.
+    /// The quantity that the picture shows.
     pub show: Show,
-    /// With a picture of full ray tracing beside it.
+    /// Also renders the frame by full ray tracing, for comparison.
     pub split: bool,
-    /// The governor's level while the view moves. The frame of a view that rests has none: it is counted too, and given up
-    /// where the view moves on.
+    /// The governor's level while the camera moves; `None` for a frame at rest. Only a frame at rest is counted, and
+    /// only that can be cancelled.
     pub level: Option<usize>,
 }
 
 impl Job {
-    /// The view rests.
+    /// The frame is one at rest.
     #[must_use]
     pub fn is_still(&self) -> bool {
         self.level.is_none()
     }
 }
 
-/// A frame that was made.
+/// A rendered frame.
 pub struct Frame {
-    /// The number of its job.
+    /// The number of the request.
     pub number: u64,
-    /// Its job.
+    /// The job that it was rendered for.
     pub job: Job,
-    /// The picture: sRGB, 8 bits a channel.
+    /// The picture: sRGB-encoded RGBA, 8 bits a channel.
     pub picture: Arc<wgpu::Texture>,
-    /// The same by full ray tracing.
+    /// The same frame by full ray tracing, where the job asks for it.
     pub full: Option<Arc<wgpu::Texture>>,
-    /// Milliseconds on the device.
+    /// Rendering time on the device in milliseconds.
     pub ms: f64,
-    /// Another frame of the job would show the same.
+    /// Rendering the job again would give the same picture.
     pub settled: bool,
-    /// Kernels were compiled for it: no other frame takes so long.
+    /// Kernels were compiled during the frame, so its time says nothing about other frames.
     pub compiled: bool,
-    /// Its passes.
+    /// The time of each pass.
     pub passes: Vec<PassTime>,
-    /// Bytes on the device.
+    /// Device memory in use, in bytes.
     pub memory: Memory,
-    /// The legend of what is shown.
+    /// The legend of the quantity shown; empty for the final picture.
     pub legend: String,
 }
 
-/// What is counted in a still frame after it has been shown.
+/// Statistics of a frame at rest, sent after the frame itself.
 #[derive(Clone, Debug)]
 pub struct Counted {
-    /// Rays, samples, checks.
+    /// Numbers of rays, samples and failed checks.
     pub counts: Counts,
-    /// PSNR against full ray tracing where that is shown too; infinite where they are equal.
+    /// PSNR in dB against full ray tracing, where the job asks for both; infinite where the pictures are equal.
     pub psnr_db: Option<f64>,
 }
 
-/// Makes frames of one scene.
+/// The renderers of one scene.
 pub(crate) struct Studio<'a> {
     gpu: &'a Gpu,
     scene: &'a GpuScene,
-    shown: Option<Renderer<'a>>,
-    full: Option<Renderer<'a>>,
-    /// Pictures that were handed out; those that came back are used again.
+    shown: Option<Renderer>,
+    full: Option<Renderer>,
+    /// Textures that were given to the app. One that the app has dropped is used again.
     pictures: Vec<Arc<wgpu::Texture>>,
 }
 
@@ -89,7 +89,9 @@ impl<'a> Studio<'a> {
         Self { gpu, scene, shown: None, full: None, pictures: Vec::new() }
     }
 
-    /// Works until it is told to leave; fails where the device is lost.
+    /// Serves requests until another scene is waiting or the thread has to end.
+    /// || # Errors
+    /// The device was lost.
     pub fn serve(mut self, office: &Office, teller: &Teller) -> std::result::Result<(), String> {
         loop {
             let result = match office.next() {
@@ -160,7 +162,7 @@ impl<'a> Studio<'a> {
         Ok(())
     }
 
-    /// Counts the last frame.
+    /// Counts rays, samples and checks of the last frame, and compares it with full ray tracing where `split` is set.
     fn count(&mut self, camera: &Camera, split: bool) -> Result<Counted> {
         let psnr_db = match (&self.shown, &self.full) {
             (Some(shown), Some(full)) if split => {
@@ -203,7 +205,7 @@ impl<'a> Studio<'a> {
         Ok(hit.map(|hit| origin + hit.t * direction))
     }
 
-    /// A copy of what a renderer has made.
+    /// A copy of the last picture of one of the renderers.
     fn handed_out(&mut self, full: bool) -> Result<Arc<wgpu::Texture>> {
         let Some(renderer) = (if full { &self.full } else { &self.shown }) else {
             return Err(Error::Device("no frame was made".to_owned()));
@@ -231,7 +233,7 @@ impl<'a> Studio<'a> {
         picture
     }
 
-    /// A picture that nobody looks at.
+    /// A texture for a picture that the app does not hold.
     fn picture(&mut self, width: u32, height: u32) -> Arc<wgpu::Texture> {
         self.pictures.retain(|p| (p.width(), p.height()) == (width, height));
         if let Some(free) = self.pictures.iter().find(|p| Arc::strong_count(p) == 1) {
@@ -252,14 +254,14 @@ impl<'a> Studio<'a> {
     }
 }
 
-/// The renderer, for that size and those settings.
-fn changed<'r, 'a>(
-    renderer: &'r mut Option<Renderer<'a>>,
-    gpu: &'a Gpu,
-    scene: &'a GpuScene,
+/// The renderer with that size and those settings; created where there is none yet.
+fn changed<'r>(
+    renderer: &'r mut Option<Renderer>,
+    gpu: &Gpu,
+    scene: &GpuScene,
     size: [u32; 2],
     settings: &Settings,
-) -> Result<&'r mut Renderer<'a>> {
+) -> Result<&'r mut Renderer> {
     if let Some(renderer) = renderer {
         renderer.change(size, settings)?;
         return Ok(renderer);

@@ -1,24 +1,38 @@
-//! The view: the picture, the overlay on it, and what a person does to both.
+//! The view: shows the picture with the overlay on it, and handles input to both.
 
 use std::time::Duration;
 
 use egui::{Context, Rect, Sense, Ui};
 use glimpse::{Method, Stopping};
 
-use crate::{App, CameraControl, Frame, Hud, Motion, Request, Wish, app::Device, lenses::Bent};
+use crate::{App, CameraControl, Frame, Hud, Motion, Request, Wish, lenses::Bent};
 
-/// The gaze moves by so many steps across a picture: each begins another one.
+/// The gaze is rounded to this many steps across a picture, as each change of it starts accumulation again.
 const GAZE_STEPS: f32 = 32.0;
 
+/// State of the view, as the shell and the last update left it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct View {
+    /// Pixels of a frame at rest, where they are not the window's.
+    pub frame_size: Option<[u32; 2]>,
+    /// Pixels of the screen that the picture takes.
+    picture: [u32; 2],
+    /// There was a touch: the overlay is made for fingers.
+    pub touch: bool,
+    /// The overlay fades or moves something.
+    pub animated: bool,
+}
+
 impl App {
-    /// Shows the picture and the overlay, and lets the camera follow; returns what is wished.
+    /// Shows picture and overlay, and moves the camera; returns the actions that were chosen in the overlay. `passed`
+    /// is the time since the last update.
     pub(crate) fn show(&mut self, ui: &mut Ui, passed: Duration) -> Vec<Wish> {
         let context = ui.ctx().clone();
         let view = context.viewport_rect();
         let response = ui.interact(view, egui::Id::unique("picture"), Sense::CLICK | Sense::DRAG);
         let pixels = context.pixels_per_point();
         let window = [view.width(), view.height()].map(|side| ((side * pixels).round() as u32).max(1));
-        self.readings.view = self.view.unwrap_or(window);
+        self.readings.view = self.view.frame_size.unwrap_or(window);
         let picture = fitted(self.readings.view, view, pixels);
         self.sharpen((picture.size() * pixels).round());
         self.draw_picture(ui, picture);
@@ -27,9 +41,9 @@ impl App {
         let hud = Hud {
             choices: &mut self.choices,
             readings: &self.readings,
-            scenes: &self.scenes,
+            scenes: self.scenes.offered(),
             picture,
-            touch: self.touch,
+            touch: self.view.touch,
         };
         let wishes = hud.show(&context);
         self.gaze(&context, picture);
@@ -37,7 +51,8 @@ impl App {
         wishes
     }
 
-    /// Where paths stop far from, the gaze follows the pointer: of two eyes, in the picture of either.
+    /// Makes the gaze follow the pointer where paths stop early far from it. With two eyes, the position within either
+    /// eye's picture counts.
     fn gaze(&mut self, context: &Context, picture: Rect) {
         let at = context.input(|input| input.pointer.hover_pos()).filter(|at| picture.contains(*at));
         let at = at.map(|at| self.bent(picture).map_or(at, |bent| bent.without(at)));
@@ -53,28 +68,28 @@ impl App {
         paths.gaze = [steps(x % 1.0), steps(y)];
     }
 
-    /// The picture behind lenses, where there are some.
+    /// The lens distortion of the picture, where one is chosen.
     fn bent(&self, picture: Rect) -> Option<Bent> {
-        let shown = self.shown.as_ref().filter(|shown| shown.frame.job.settings.method == Method::Vr)?;
+        let shown = self.delivery.shown().filter(|shown| shown.frame.job.settings.method == Method::Vr)?;
         self.choices.bends().then(|| Bent::new(self.choices.lenses, picture, &shown.frame.job.camera))
     }
 
-    /// Shows every pixel of the frame as it is where the picture has as many on the screen.
+    /// Shows the frame without interpolation where the picture on the screen has exactly its pixels.
     fn sharpen(&mut self, picture: egui::Vec2) {
-        self.picture = [picture.x, picture.y].map(|side| side as u32);
-        let other = self.shown.as_ref().is_some_and(|shown| shown.exact != self.is_exact(&shown.frame));
-        if let Some(shown) = self.shown.take_if(|_| other) {
-            self.present(shown.frame, Some(shown.picture), shown.full);
+        self.view.picture = [picture.x, picture.y].map(|side| side as u32);
+        if let Some(shown) = self.delivery.shown() {
+            let exact = self.is_exact(&shown.frame);
+            self.delivery.set_exact(&mut self.device, exact);
         }
     }
 
-    /// Does every pixel of the frame lie on one of the screen?
+    /// Every pixel of the frame lies on exactly one pixel of the screen.
     pub(crate) fn is_exact(&self, frame: &Frame) -> bool {
-        frame.job.size == self.picture && !self.choices.bends()
+        frame.job.size == self.view.picture && !self.choices.bends()
     }
 
     fn draw_picture(&self, ui: &Ui, picture: Rect) {
-        let Some(shown) = &self.shown else { return };
+        let Some(shown) = self.delivery.shown() else { return };
         if let Some(bent) = self.bent(picture) {
             ui.painter().add(bent.mesh(shown.picture, shown.frame.job.size));
             return;
@@ -90,9 +105,9 @@ impl App {
 
     fn tell_what_is_going_on(&mut self) {
         if let Some(busy) = &mut self.readings.busy {
-            busy.seconds = (self.now - self.busy_since).as_secs_f64();
+            busy.seconds = self.clock.seconds_of_loading();
         }
-        if self.now >= self.notice_until {
+        if self.clock.notice_is_over() {
             self.readings.notice = None;
         }
     }
@@ -101,10 +116,10 @@ impl App {
         let Some(control) = &mut self.control else { return };
         for motion in motions {
             if let Motion::Focus { at } = motion {
-                if let Some(worker) = self.device.as_mut().and_then(Device::ready_worker) {
-                    // A view is two of the camera's units high.
+                if let Some(worker) = self.device.ready_worker() {
+                    // The camera's view is two units high.
                     worker.pick(control.camera(), (2.0 * at).into());
-                    self.pending.pick = true;
+                    self.delivery.pick_requested();
                 }
             } else {
                 control.apply(motion, self.choices.navigation);
@@ -127,7 +142,7 @@ impl App {
             Wish::FullScreen => self.requests.push(Request::FullScreen),
             Wish::ResetCamera => self.control.iter_mut().for_each(CameraControl::reset),
             Wish::Camera(index) => {
-                let camera = self.scene.as_ref().and_then(|scene| scene.cameras.get(index));
+                let camera = self.scenes.shown().and_then(|scene| scene.cameras.get(index));
                 if let (Some((_, camera)), Some(control)) = (camera, &mut self.control) {
                     control.go_to(*camera);
                     self.readings.camera = index;
@@ -139,8 +154,8 @@ impl App {
     }
 }
 
-/// Where a frame of that shape is shown: in the middle of the view, as large as it fits, on whole pixels. What would miss
-/// the view's own shape by a pixel fills it.
+/// The rectangle in which a frame of that size is shown: centred in the view, as large as fits, on whole pixels. A
+/// rectangle that would miss the view by at most a pixel on each axis fills it.
 fn fitted(frame: [u32; 2], view: Rect, pixels_per_point: f32) -> Rect {
     let [width, height] = frame.map(|side| side as f32);
     let room = view.size() * pixels_per_point;

@@ -1,5 +1,5 @@
-//! The thread that makes frames. It holds the scene on the device and the renderers, always takes the newest job, and
-//! gives up one that nobody waits for any more. Scenes are loaded by threads of their own meanwhile.
+//! The worker thread, which renders frames. It owns the scene on the device and the renderers, takes the newest job
+//! first, and cancels a frame at rest that is no longer needed. Scenes are loaded on separate threads.
 
 use std::{
     panic::{AssertUnwindSafe, catch_unwind},
@@ -18,54 +18,55 @@ use crate::{
     studio::{Counted, Frame, Job, Studio},
 };
 
-/// Gives the scene of a name: `builtin:NAME`, or what a shell calls a file. Called on threads of the app's.
+/// Reads the scene of a name: `builtin:NAME`, or a name that the shell gives to a file. Called on loader threads.
 pub type Files = Arc<dyn Fn(&str) -> Result<Scene, String> + Send + Sync>;
 
-/// Tells the shell that there is news.
+/// Wakes the shell's event loop when the worker has sent a message. Called on any thread.
 pub type Wake = Arc<dyn Fn() + Send + Sync>;
 
-/// What is known of a scene that was loaded.
+/// Properties of a loaded scene.
 #[derive(Clone, Debug)]
 pub struct SceneFacts {
-    /// As it was asked for.
+    /// The name under which it was requested.
     pub name: String,
-    /// Triangles and spheres.
+    /// Number of triangles and spheres.
     pub primitives: u64,
-    /// Its cameras; one at least.
+    /// Names and cameras of the scene; at least one.
     pub cameras: Vec<(String, Camera)>,
-    /// The box around it, world space.
+    /// Lowest and highest corner of the bounding box, in world space.
     pub bounds: (Vec3, Vec3),
-    /// What the importer left out or replaced.
+    /// One line for each thing that the importer left out or replaced.
     pub warnings: Vec<String>,
-    /// Every feature, and whether the scene needs it.
+    /// The name of every optional feature, and whether the scene needs it.
     pub features: Vec<(&'static str, bool)>,
 }
 
-/// What became of what was ordered.
+/// Messages from the worker to the app.
 pub enum News {
-    /// That much of a scene has been done: what, and which step of how many.
+    /// Progress of loading a scene: a description, and the step of how many.
     Loading(String, [u32; 2]),
-    /// The scene is on the device; frames are of it from now on.
+    /// The scene is on the device; all later frames show it.
     Opened(Box<SceneFacts>),
-    /// It cannot be shown; the one before stays.
+    /// The scene could not be loaded, with the reason; the previous scene stays.
     NotOpened(String),
-    /// A frame.
+    /// A rendered frame.
     Frame(Box<Frame>),
-    /// The frame of that number will not come, or not what is counted in it: something is more urgent.
+    /// The frame of that number, or its counters, will not arrive: a newer request came first, or the view is hidden.
     GivenUp(u64),
-    /// What was counted in it.
+    /// The counters of the frame of that number.
     Counted(u64, Box<Counted>),
-    /// The frame that was asked for, in main memory.
+    /// The picture that [`Worker::capture`] requested.
     Captured(DisplayImage),
-    /// The surface point that was asked for, world space; `None` where the ray meets nothing.
+    /// The surface point that [`Worker::pick`] requested, in world space; `None` where the ray hits nothing.
     Picked(Option<Vec3>),
-    /// What was ordered failed; the next may not.
+    /// A request failed, with the reason. Later requests may succeed.
     Failed(String),
-    /// The device is gone, or the thread is: all that was made with it must be made again.
+    /// The device was lost or the thread panicked, with the reason: device, painter and worker have to be created
+    /// again.
     Lost(String),
 }
 
-/// The worker as the app sees it.
+/// Handle to the worker thread. Dropping it stops the thread and waits for its end.
 pub struct Worker {
     gpu: Arc<Gpu>,
     files: Files,
@@ -77,10 +78,10 @@ pub struct Worker {
 }
 
 impl Worker {
-    /// Starts the thread.
+    /// Starts the thread, with no scene.
     ///
     /// # Errors
-    /// A system that gives no thread.
+    /// The operating system could not start a thread.
     pub fn start(gpu: Arc<Gpu>, files: Files, wake: Wake) -> std::io::Result<Self> {
         let office = Arc::new(Office::default());
         let (sender, news) = channel();
@@ -94,7 +95,7 @@ impl Worker {
         Ok(Self { gpu, files, office, news, teller, thread: Some(thread), jobs: 0 })
     }
 
-    /// Begins to load a scene. Frames go on meanwhile.
+    /// Starts loading a scene on a thread of its own. Frames of the present scene are rendered meanwhile.
     pub fn open(&mut self, name: &str) {
         let asked = {
             let mut desk = self.office.desk();
@@ -122,7 +123,7 @@ impl Worker {
         }
     }
 
-    /// Orders a frame, in place of one that was ordered and not begun; returns its number.
+    /// Requests a frame, in place of a requested frame that has not been started; returns the number of the request.
     pub fn order(&mut self, job: Job) -> u64 {
         self.jobs += 1;
         self.office.desk().job = Some((self.jobs, job));
@@ -130,30 +131,30 @@ impl Worker {
         self.jobs
     }
 
-    /// Orders a frame in main memory.
+    /// Requests a frame as a picture in main memory.
     pub fn capture(&self, job: Job) {
         self.office.desk().capture = Some(job);
         self.office.bell.notify_one();
     }
 
-    /// Asks what lies at a point of the view, as [`Camera::through`] takes it.
+    /// Requests the surface point at a position of the view, in the coordinates of [`Camera::through`].
     pub fn pick(&self, camera: Camera, at: [f32; 2]) {
         self.office.desk().pick = Some((camera, at));
         self.office.bell.notify_one();
     }
 
-    /// Whether nobody sees the frames, from now on.
+    /// Sets whether the view is hidden: frames at rest are cancelled while it is.
     pub fn set_hidden(&self, hidden: bool) {
         self.office.desk().hidden = hidden;
     }
 
-    /// What has been told since; does not wait.
+    /// The next message, without waiting.
     pub fn news(&mut self) -> Option<News> {
-        // This worker can tell itself: there is none, or none yet.
+        // The channel cannot be disconnected, as `self.teller` is a sender: an error means that it is empty.
         self.news.try_recv().ok()
     }
 
-    /// The next that is told, waited for.
+    /// Waits for the next message.
     pub fn wait(&mut self) -> Option<News> {
         self.news.recv().ok()
     }
@@ -164,13 +165,13 @@ impl Drop for Worker {
         self.office.desk().stop = true;
         self.office.bell.notify_one();
         if let Some(thread) = self.thread.take() {
-            // It told what it died of.
+            // A panic has been reported as a message already.
             let _ = thread.join();
         }
     }
 }
 
-/// Tells news and wakes the shell.
+/// Sends messages to the app and wakes the shell.
 #[derive(Clone)]
 pub(crate) struct Teller {
     sender: Sender<News>,
@@ -179,7 +180,7 @@ pub(crate) struct Teller {
 
 impl Teller {
     pub fn tell(&self, news: News) {
-        // Where nobody listens any more, the worker is being dropped.
+        // The receiver is gone only while the worker is being dropped.
         let _ = self.sender.send(news);
         (self.wake)();
     }
@@ -202,7 +203,7 @@ fn load(gpu: &Gpu, files: &Files, name: &str, teller: &Teller) -> Result<Loaded,
     Ok(Loaded { scene, facts })
 }
 
-/// The thread: a scene after the other.
+/// The main function of the worker thread: serves one scene after the other.
 fn work(gpu: &Gpu, office: &Office, teller: &Teller) {
     let ended = caught(|| {
         while let Some(Loaded { scene, facts }) = office.scene() {
@@ -218,7 +219,7 @@ fn work(gpu: &Gpu, office: &Office, teller: &Teller) {
     }
 }
 
-/// Does work of a thread whose panic must not leave the app waiting for ever.
+/// Runs `work` and turns a panic into an error, so that the app does not wait for an answer forever.
 fn caught<T>(work: impl FnOnce() -> T) -> Result<T, &'static str> {
     catch_unwind(AssertUnwindSafe(work)).map_err(|_| "this is a bug, please report it")
 }

@@ -151,83 +151,60 @@ impl Passes {
         resources.extend(name.map(|name| (name, wgpu::BindingResource::TextureView(&color))));
         resources.extend(inspection.map(|buffer| ("inspection", buffer.as_entire_binding())));
         resources.push(("landed", targets.landed.as_entire_binding()));
-        let mut bound = [Vec::new(), Vec::new()];
-        for (side, bound) in bound.iter_mut().enumerate() {
-            for (index, part) in targets.plan.parts.iter().enumerate() {
-                let mut resources = resources.clone();
-                let filtered = part.filtered();
-                resources.extend([
-                    ("filtered", targets.filtered[filtered].as_entire_binding()),
-                    ("filtered_before", targets.filtered[1 - filtered].as_entire_binding()),
-                    ("frame", targets.constants(index)),
-                    ("history", targets.histories[side].as_entire_binding()),
-                    ("history_before", targets.histories[1 - side].as_entire_binding()),
-                ]);
-                bound.push(kernels[part.pass].bind(&gpu.device, &resources)?);
-            }
-        }
+        let bind = |side: usize, index: usize, part: &Part| {
+            let mut resources = resources.clone();
+            let filtered = part.filtered();
+            resources.extend([
+                ("filtered", targets.filtered[filtered].as_entire_binding()),
+                ("filtered_before", targets.filtered[1 - filtered].as_entire_binding()),
+                ("frame", targets.constants(index)),
+                ("history", targets.histories[side].as_entire_binding()),
+                ("history_before", targets.histories[1 - side].as_entire_binding()),
+            ]);
+            kernels[part.pass].bind(&gpu.device, &resources)
+        };
+        let bind_all = |side: usize| -> Result<Vec<_>> {
+            let parts = targets.plan.parts.iter().enumerate();
+            parts.map(|(index, part)| bind(side, index, part)).collect()
+        };
+        let [first, second] = gpu.checked("the bindings", None, |_| [0, 1].map(bind_all))?;
         let names: Vec<_> = passes.iter().map(|stage| stage.name()).collect();
-        Ok(Self { bound, timer: Timer::new(gpu, &names)? })
+        Ok(Self { bound: [first?, second?], timer: Timer::new(gpu, &names)? })
     }
 
-    /// Renders one frame with these constants and waits for it.
+    /// The command buffers of one frame with these constants, to be submitted in order; each is recorded when it is asked
+    /// for. The constants are in the first of them and not written to the queue, so a frame may be recorded before the one
+    /// that precedes it is submitted. `cleared` are buffers that the frame begins by clearing.
     ///
     /// # Errors
     /// A device that failed.
-    pub fn run(
-        &self,
-        gpu: &Gpu,
-        targets: &Targets,
+    pub fn commands<'f>(
+        &'f self,
+        gpu: &'f Gpu,
+        targets: &'f Targets,
         constants: &Frame,
         tolerances: &Tolerances,
         side: usize,
-        cleared: Option<&wgpu::Buffer>,
-    ) -> Result<()> {
-        gpu.submit_all_and_wait(self.submissions(gpu, targets, constants, tolerances, side, cleared))
-    }
-
-    /// As [`Passes::run`], given up between two submissions once `cancelled` says so; tells whether it was finished.
-    ///
-    /// # Errors
-    /// A device that failed.
-    pub fn run_until(
-        &self,
-        gpu: &Gpu,
-        targets: &Targets,
-        constants: &Frame,
-        tolerances: &Tolerances,
-        side: usize,
-        cancelled: &dyn Fn() -> bool,
-    ) -> Result<bool> {
-        gpu.submit_until(self.submissions(gpu, targets, constants, tolerances, side, None), cancelled)
-    }
-
-    /// The commands of a frame, recorded as they are asked for.
-    fn submissions(
-        &self,
-        gpu: &Gpu,
-        targets: &Targets,
-        constants: &Frame,
-        tolerances: &Tolerances,
-        side: usize,
-        mut cleared: Option<&wgpu::Buffer>,
-    ) -> impl Iterator<Item = wgpu::CommandEncoder> {
-        gpu.queue.write_buffer(&targets.frame, 0, &in_strides(&targets.plan.parts, constants, tolerances));
+        cleared: Vec<&'f wgpu::Buffer>,
+    ) -> Result<impl ExactSizeIterator<Item = wgpu::CommandBuffer> + use<'f>> {
+        let parts = in_strides(&targets.plan.parts, constants, tolerances);
+        let parts = gpu.filled("constants", &parts, wgpu::BufferUsages::COPY_SRC)?;
         let submissions = targets.plan.submissions();
         let (count, renewed) = (submissions.len(), constants.renewed);
-        submissions.into_iter().enumerate().map(move |(index, parts)| {
+        Ok(submissions.into_iter().enumerate().map(move |(submission, of_submission)| {
             let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            if let Some(buffer) = cleared.take() {
-                encoder.clear_buffer(buffer, 0, None);
+            if submission == 0 {
+                encoder.copy_buffer_to_buffer(&parts, 0, &targets.frame, 0, parts.size());
+                cleared.iter().for_each(|buffer| encoder.clear_buffer(buffer, 0, None));
             }
-            for (index, part) in parts {
+            for (index, part) in of_submission {
                 self.record(&mut encoder, targets, &self.bound[side][index], &part, renewed);
             }
-            if index + 1 == count {
+            if submission + 1 == count {
                 self.timer.resolve(&mut encoder);
             }
-            encoder
-        })
+            encoder.finish()
+        }))
     }
 
     /// What is shown of the last frame's samples, now that others have been added: noise is removed once more.
@@ -251,7 +228,7 @@ impl Passes {
             for (index, part) in parts {
                 self.record(&mut encoder, targets, &self.bound[0][index], &part, constants.renewed);
             }
-            encoder
+            encoder.finish()
         }))
     }
 

@@ -1,5 +1,7 @@
 //! A scene on the device.
 
+use std::sync::Arc;
+
 use glam::Vec3;
 
 use crate::{
@@ -57,7 +59,9 @@ gpu_struct! {
     }
 }
 
-/// A scene on the device: geometry, acceleration structure, materials, lights, textures.
+/// A scene on the device: geometry, acceleration structure, materials, lights, textures. A clone is another handle to the
+/// same memory on the device, which is freed with the last of them.
+#[derive(Clone)]
 pub struct GpuScene {
     nodes: Words,
     primitives: Words,
@@ -67,7 +71,7 @@ pub struct GpuScene {
     lights: wgpu::Buffer,
     landmarks: wgpu::Buffer,
     emitters: wgpu::Buffer,
-    atlas: Atlas,
+    atlas: Arc<Atlas>,
     pub(crate) bvh_stack: u32,
     pub(crate) light_count: u32,
     pub(crate) object_count: u32,
@@ -81,7 +85,7 @@ pub struct GpuScene {
     /// The device is a CPU.
     pub(crate) on_cpu: bool,
     features: Features,
-    thinness: Thinness,
+    thinness: Arc<Thinness>,
     bounds: (Vec3, Vec3),
 }
 
@@ -140,7 +144,7 @@ impl GpuScene {
             objects: gpu.words("objects", &objects)?,
             landmarks: gpu.storage("landmarks", &landmarks)?,
             lights: gpu.filled("lights", &lights, wgpu::BufferUsages::UNIFORM)?,
-            atlas,
+            atlas: Arc::new(atlas),
             emitters,
             emitter_count: emitting.primitives.len() as u32,
             emitter_scale: if emitting.total > 0.0 { (1.0 / emitting.total) as f32 } else { 0.0 },
@@ -152,7 +156,7 @@ impl GpuScene {
             has_colors,
             on_cpu: gpu.on_cpu,
             features,
-            thinness,
+            thinness: Arc::new(thinness),
             bounds,
         })
     }

@@ -1,20 +1,72 @@
-//! Glimpse: realtime adaptive ray tracing on wgpu.
+//! Ray tracing of glTF scenes in compute shaders on [wgpu]: Whitted's illumination model with adaptive sampling, and path
+//! tracing for one eye or two.
 //!
-//! ```text
-//! bytes --Scene::from_gltf--> Scene --GpuScene::upload--> GpuScene --Renderer::new--> Renderer --render--> frame
-//!                               |                           |                           |
-//!                               +-- Features: what it needs +-- BVH, atlas, buffers     +-- passes: linked kernels
+//! An adaptive frame traces rays through about a third of its pixels, interpolates those between whose neighbours are
+//! similar, and traces the others ([`Method::Adaptive`]). Other [methods](Method) trace every pixel, add samples where
+//! neighbouring pixels differ, or accumulate paths.
+//!
+//! # A frame
+//!
+//! ```no_run
+//! use glimpse::{Gpu, GpuScene, Renderer, Scene, Settings};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let gpu = Gpu::headless(None)?;
+//! let file = std::fs::read("scene.glb")?;
+//! let scene = Scene::from_gltf(&file, &mut |uri| Err(format!("{uri} is not in the file")))?;
+//! let camera = *scene.camera(None)?;
+//! let scene = GpuScene::upload(&gpu, scene)?;
+//! let mut renderer = Renderer::new(&gpu, &scene, [1280, 720], &Settings::default())?;
+//! let time = renderer.render(&camera)?;
+//! std::fs::write("frame.png", glimpse::to_png(&renderer.display_image()?)?)?;
+//! println!("{:.1} ms", time.ms);
+//! # Ok(())
+//! # }
 //! ```
 //!
-//! [`Scene`] is flat arrays in main memory. [`GpuScene::upload`] consumes it. A [`Renderer`] makes frames of one size by
-//! one [`Method`]; what its kernels are made of follows from the [`Features`] of the scene and the [`Settings`], in
-//! `passes/variant.rs` and nowhere else. `plan.rs` puts the passes in order, in parts of bounded work; `frame.rs` records
-//! them.
+//! [`Scene`] is arrays in main memory, from a file, [built in](scene::builtin) or made in code. [`GpuScene::upload`] builds
+//! the acceleration structure and moves everything to the device. A [`Renderer`] makes frames of one size by one method;
+//! its kernels are linked from what the scene's [`Features`] and the [`Settings`] need. [`Gpu`], [`GpuScene`] and
+//! [`Renderer`] hold handles and borrow nothing.
 //!
-//! [`mod@reference`] does every step of the shaders again in f64: it is what right means. [`probe`] runs the shaders' own
-//! functions for rays of the caller's, and [`stress`] has the stiff and extreme cases that compare the two.
+//! # In another program
 //!
-//! This crate knows no window, no file, no clock and no thread that it was not given, and has no global state.
+//! [`Gpu::from_device`] renders on a device and queue of the caller's, made as [`Gpu::requirements`] says.
+//! [`Renderer::frame`] gives a frame as command buffers of bounded work that the caller submits between others;
+//! [`Renderer::set_target`] makes it render into a texture of the caller's. [`wgpu`] and [`glam`] are exported again, so that
+//! both sides mean the same version. The folder `examples` has `one_frame`, `own_scene` and `own_device`.
+//!
+//! # Invariants
+//!
+//! - The crate opens no window and no file, reads no clock, starts no thread and has no global state. (It reads the
+//!   environment where drivers do: in [`instance`], as wgpu does, and to refuse a setting of Mesa's that spoils pictures.)
+//! - Bad input is an [`Error`] that says what was expected and what was found; no input panics.
+//! - No command buffer traces more than [`SAMPLES_PER_SUBMISSION`] samples.
+//! - The same scene, settings and [seed](Settings::seed) give the same bytes on the same adapter.
+//! - What a scene does not need is not in its kernels, and leaving it out changes no pixel.
+//! - Every step of the shaders is done a second time in f64, without sharing their arithmetic (module `reference`);
+//!   stiff and extreme cases compare the two (modules `probe` and `stress`).
+//!
+//! # Features
+//!
+//! | feature | default | brings |
+//! | --- | --- | --- |
+//! | `vulkan` | yes | wgpu's Vulkan backend |
+//! | `metal`, `dx12` | no | wgpu's other backends, on which nothing was tested |
+//! | `gltf` | yes | `Scene::from_gltf` |
+//! | `images` | yes | PNG and JPEG textures of files; `to_png`, `to_exr` and `Picture` |
+//! | `reference` | yes | the modules `reference` and `planes`: f64 frames, and path samples on CPU threads |
+//! | `stress` | yes | the modules `probe` and `stress`; needs `reference` |
+//! | `flip` | no | `metrics::flip`, NVIDIA's error metric, in C++ |
+//!
+//! A program that brings its own scenes needs `vulkan` alone.
+//!
+//! # Versions
+//!
+//! Errors, [`Show`] and [`Origin`] are `#[non_exhaustive]`: whoever matches them has an answer for what is new.
+//! [`Method`] is not, as a new method concerns whoever treats each by itself. [`Settings`] and what a frame is described by
+//! ([`Counts`], [`FrameTime`] and their parts) gain fields from one version to the next; `..Settings::default()` and
+//! `..Default::default()` fill those in.
 //!
 //! # Papers
 //!
@@ -32,6 +84,9 @@
 //!   Illumination Filtering", High Performance Graphics.
 //! - *lecture*: Akenine-Moller, Assarsson, "Ray Tracing I", Chalmers; with Heckbert's minimal ray tracer.
 
+// Lists of what is not allowed are in .clippy.toml.
+#![cfg_attr(not(test), warn(clippy::disallowed_macros, clippy::disallowed_methods, clippy::disallowed_types))]
+
 mod atlas;
 mod bvh;
 mod camera;
@@ -45,9 +100,12 @@ mod mip;
 mod missing;
 mod passes;
 mod plan;
+#[cfg(feature = "reference")]
 pub mod planes;
 mod pose;
+#[cfg(feature = "stress")]
 pub mod probe;
+#[cfg(feature = "reference")]
 pub mod reference;
 mod renderer;
 pub mod scene;
@@ -55,19 +113,26 @@ mod sequence;
 mod settings;
 pub mod show;
 mod stats;
+#[cfg(feature = "stress")]
 pub mod stress;
 mod targets;
+
+// Of their types is the interface of this crate.
+pub use glam;
+pub use wgpu;
 
 pub use camera::Camera;
 pub use error::{Error, Result};
 pub use gpu::{Gpu, instance};
 pub use gpu_scene::GpuScene;
-pub use image::{DisplayImage, LinearImage, Picture, encode_display, to_exr, to_png};
+pub use image::{DisplayImage, LinearImage, encode_display};
+#[cfg(feature = "images")]
+pub use image::{Picture, to_exr, to_png};
 pub use missing::Missing;
 pub use passes::{Demand, Demands, Linked};
 pub use plan::SAMPLES_PER_SUBMISSION;
 pub use pose::{Lens, Pose};
-pub use renderer::Renderer;
+pub use renderer::{FrameCommands, Renderer};
 pub use scene::{Features, Scene};
 pub use settings::{
     Crossing, Denoise, Direct, Filter, Focus, Inactive, Jitter, Linking, MAX_DEPTH, MAX_GAZE,

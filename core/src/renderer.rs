@@ -1,6 +1,11 @@
 //! The renderer: frames of one size and one method of one scene.
 
+mod commands;
+#[cfg(feature = "reference")]
 mod merging;
+mod target;
+
+pub use commands::FrameCommands;
 
 use glam::Vec3;
 
@@ -13,35 +18,37 @@ use crate::{
         COUNTER_CLAIMED, COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS,
         COUNTER_RAYS, COUNTER_WORDS, Output, RAY_KINDS, Variant,
     },
-    planes::MergePass,
     scene::octahedral_decode,
     sequence::{Sequence, Step},
     targets::{Targets, inspection_buffer, inspection_fits, texture},
 };
 
-/// Renders frames of one size of one scene.
+/// Renders frames of one size of one scene. It holds handles to the device and the scene, so both live as long as it does.
 ///
 /// With a method that [keeps frames](Method::keeps_frames) they are a sequence: the first traces every pixel, and so does
 /// the first after another size, other settings or [`Renderer::linear_image`]. A frame that was given up is none of them.
-pub struct Renderer<'a> {
-    gpu: &'a Gpu,
-    scene: &'a GpuScene,
+pub struct Renderer {
+    gpu: Gpu,
+    scene: GpuScene,
     settings: Settings,
     targets: Targets,
     kernels: Kernels,
     passes: Passes,
     sequence: Sequence,
+    /// The display image is the caller's.
+    has_target: bool,
     inspecting: Option<(Passes, wgpu::Buffer)>,
     linear: Option<(Passes, wgpu::Texture)>,
-    merging: Option<MergePass>,
+    #[cfg(feature = "reference")]
+    merging: Option<crate::planes::MergePass>,
 }
 
-impl<'a> Renderer<'a> {
+impl Renderer {
     /// Links and compiles the kernels, makes the targets.
     ///
     /// # Errors
     /// Invalid settings or size, or a device that cannot.
-    pub fn new(gpu: &'a Gpu, scene: &'a GpuScene, size: [u32; 2], settings: &Settings) -> Result<Self> {
+    pub fn new(gpu: &Gpu, scene: &GpuScene, size: [u32; 2], settings: &Settings) -> Result<Self> {
         settings.validate()?;
         let settings = resolved(settings, scene, size);
         let variant = Variant::new(scene, &settings);
@@ -50,15 +57,17 @@ impl<'a> Renderer<'a> {
         let passes = Passes::new(gpu, scene, &targets, &variant, &mut kernels, &targets.display, None)?;
         let sequence = Sequence::new(&settings);
         Ok(Self {
-            gpu,
-            scene,
+            gpu: gpu.clone(),
+            scene: scene.clone(),
             settings,
             targets,
             kernels,
             passes,
             sequence,
+            has_target: false,
             inspecting: None,
             linear: None,
+            #[cfg(feature = "reference")]
             merging: None,
         })
     }
@@ -69,7 +78,7 @@ impl<'a> Renderer<'a> {
     /// As [`Renderer::new`].
     pub fn change(&mut self, size: [u32; 2], settings: &Settings) -> Result<()> {
         settings.validate()?;
-        let settings = resolved(settings, self.scene, size);
+        let settings = resolved(settings, &self.scene, size);
         let Settings { tolerances, min_weight, .. } = settings;
         let gaze = settings.paths.gaze;
         // Those are constants of a frame and no more.
@@ -82,13 +91,17 @@ impl<'a> Renderer<'a> {
                     ..self.settings
                 })
         {
-            let variant = Variant::new(self.scene, &settings);
-            let targets = Targets::new(self.gpu, self.scene, &variant, &settings, size)?;
+            let variant = Variant::new(&self.scene, &settings);
+            let mut targets = Targets::new(&self.gpu, &self.scene, &variant, &settings, size)?;
+            let has_target = self.has_target && size == self.targets.size;
+            if has_target {
+                targets.display = self.targets.display.clone();
+            }
             let kernels = &mut self.kernels;
             self.passes =
-                Passes::new(self.gpu, self.scene, &targets, &variant, kernels, &targets.display, None)?;
-            self.targets = targets;
-            (self.inspecting, self.linear, self.merging) = (None, None, None);
+                Passes::new(&self.gpu, &self.scene, &targets, &variant, kernels, &targets.display, None)?;
+            (self.targets, self.has_target) = (targets, has_target);
+            self.forget_linked();
             self.sequence = Sequence::new(&settings);
         }
         if settings != self.settings {
@@ -104,45 +117,72 @@ impl<'a> Renderer<'a> {
         &self.settings
     }
 
+    /// The next frame as command buffers, to be submitted in order to the device's queue, with other work in between or not;
+    /// each is recorded when it is asked for and holds bounded work. Once the queue has done the last of them,
+    /// [`Renderer::display`] holds the frame. This neither submits nor waits.
+    ///
+    /// A frame counts as made once its last command buffer has been handed out: the next one goes on from it. Dropped
+    /// earlier, it was given up (see [`Renderer::render_until`]); what was handed out of it may then be submitted or not. Who
+    /// does not submit a frame that was handed out whole calls [`Renderer::restart`].
+    ///
+    /// ```no_run
+    /// # fn example(renderer: &mut glimpse::Renderer, camera: &glimpse::Camera, queue: &glimpse::wgpu::Queue)
+    /// # -> glimpse::Result<()> {
+    /// for commands in renderer.frame(camera)? {
+    ///     queue.submit([commands]);
+    /// }
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// A camera that the method cannot use, or a device that failed.
+    pub fn frame(&mut self, camera: &Camera) -> Result<FrameCommands<'_>> {
+        let step = self.sequence.next(camera);
+        let constants = self.constants(camera, &step)?;
+        let Self { gpu, targets, passes, settings, sequence, .. } = self;
+        let cleared = if step.clears { vec![&targets.samples] } else { Vec::new() };
+        let commands = passes.commands(gpu, targets, &constants, &settings.tolerances, step.side, cleared)?;
+        Ok(FrameCommands::new(commands, sequence, step, camera))
+    }
+
     /// Renders a frame and waits for it; the timed path: nothing is counted.
     ///
     /// # Errors
-    /// A device that failed.
+    /// As [`Renderer::frame`].
     pub fn render(&mut self, camera: &Camera) -> Result<FrameTime> {
-        let step = self.sequence.next(camera);
-        self.submit(&self.passes, camera, &step, None)?;
-        self.sequence.done(step, camera);
-        self.passes.times(self.gpu)
-    }
-
-    /// The next frame follows on nothing: where frames are a sequence it is the first of one.
-    pub fn restart(&mut self) {
-        self.sequence.reset();
+        let gpu = self.gpu.clone();
+        gpu.submit_all_and_wait(self.frame(camera)?)?;
+        self.frame_time()
     }
 
     /// As [`Renderer::render`], given up between two submissions once `cancelled` says so: `None`, and what
     /// [`Renderer::display`] holds is part of one frame and part of another.
     ///
     /// # Errors
-    /// A device that failed.
+    /// As [`Renderer::frame`].
     pub fn render_until(
         &mut self,
         camera: &Camera,
         cancelled: &dyn Fn() -> bool,
     ) -> Result<Option<FrameTime>> {
-        let step = self.sequence.next(camera);
-        let constants = self.constants(camera, &step)?;
-        let tolerances = &self.settings.tolerances;
-        let (passes, targets) = (&self.passes, &self.targets);
-        let done = passes.run_until(self.gpu, targets, &constants, tolerances, step.side, cancelled)?;
-        if done {
-            self.sequence.done(step, camera);
-        } else if self.settings.method.follows_paths() {
-            // Some pixels have a sample that others lack.
-            self.sequence.reset();
-            self.targets.forget(self.gpu);
-        }
-        done.then(|| self.passes.times(self.gpu)).transpose()
+        let gpu = self.gpu.clone();
+        let done = gpu.submit_until(self.frame(camera)?, cancelled)?;
+        done.then(|| self.frame_time()).transpose()
+    }
+
+    /// The time of the last frame that was submitted, by the device's timestamps; waits for it. Zero where the device has no
+    /// timestamps.
+    ///
+    /// # Errors
+    /// A device that failed.
+    pub fn frame_time(&self) -> Result<FrameTime> {
+        self.passes.times(&self.gpu)
+    }
+
+    /// The next frame follows on nothing: where frames are a sequence it is the first of one.
+    pub fn restart(&mut self) {
+        self.sequence.reset();
     }
 
     /// Whether another frame of the last camera would show the same: every pixel shows what a ray through its centre sees.
@@ -205,15 +245,15 @@ impl<'a> Renderer<'a> {
 
     /// The counting passes, and what they count in.
     fn link_counting(&mut self, output: Output, target: &wgpu::Texture) -> Result<(Passes, wgpu::Buffer)> {
-        let buffer = inspection_buffer(self.gpu, self.records())?;
+        let buffer = inspection_buffer(&self.gpu, self.records())?;
         let records = self.records() > 0;
-        let variant = Variant { inspect: true, records, output, ..Variant::new(self.scene, &self.settings) };
+        let variant = Variant { inspect: true, records, output, ..Variant::new(&self.scene, &self.settings) };
         Ok((self.link(&variant, target, Some(&buffer))?, buffer))
     }
 
     fn count(&self, camera: &Camera, passes: &Passes, buffer: &wgpu::Buffer) -> Result<Inspection> {
         let step = self.sequence.again(camera);
-        self.submit(passes, camera, &step, Some(buffer))?;
+        self.run(passes, camera, &step, Some(buffer))?;
         let bytes = self.gpu.read_buffer(buffer)?;
         let inspection = inspection(&bytes, self.targets.grid, self.records())?;
         if inspection.uncorrected > 0 {
@@ -228,6 +268,7 @@ impl<'a> Renderer<'a> {
     /// A device that failed.
     pub fn display_image(&self) -> Result<DisplayImage> {
         let [width, height] = self.targets.size;
+        target::check_readback(&self.targets.display)?;
         let bytes = self.gpu.read_texture(&self.targets.display, 4)?;
         DisplayImage::from_raw(width, height, bytes).ok_or_else(|| Error::Device("short readback".into()))
     }
@@ -239,6 +280,7 @@ impl<'a> Renderer<'a> {
     /// # Errors
     /// A device that failed.
     pub fn linear_image(&mut self, camera: &Camera) -> Result<LinearImage> {
+        #[cfg(feature = "reference")]
         if self.sequence.merged() > 0 && self.sequence.camera() == Some(*camera) {
             return self.merged_image(camera);
         }
@@ -247,7 +289,7 @@ impl<'a> Renderer<'a> {
         self.sequence.reset();
         for _ in 0..frames {
             let step = self.sequence.next(camera);
-            self.submit(&passes, camera, &step, None)?;
+            self.run(&passes, camera, &step, None)?;
             self.sequence.done(step, camera);
         }
         self.sequence.reset();
@@ -262,12 +304,12 @@ impl<'a> Renderer<'a> {
             return Ok(linked);
         }
         let target = self.linear_target()?;
-        let variant = Variant { output: Output::Linear, ..Variant::new(self.scene, &self.settings) };
+        let variant = Variant { output: Output::Linear, ..Variant::new(&self.scene, &self.settings) };
         Ok((self.link(&variant, &target, None)?, target))
     }
 
     fn linear_target(&self) -> Result<wgpu::Texture> {
-        texture(self.gpu, "linear", self.targets.size, wgpu::TextureFormat::Rgba32Float)
+        texture(&self.gpu, "linear", self.targets.size, wgpu::TextureFormat::Rgba32Float)
     }
 
     fn read_linear(&self, target: &wgpu::Texture) -> Result<LinearImage> {
@@ -292,14 +334,23 @@ impl<'a> Renderer<'a> {
     /// Bytes on the device for timed frames.
     #[must_use]
     pub fn memory(&self) -> Memory {
-        self.targets.memory(self.scene)
+        self.targets.memory(&self.scene)
+    }
+
+    /// Passes beside those of [`Renderer::frame`] are linked again when they are next needed.
+    fn forget_linked(&mut self) {
+        (self.inspecting, self.linear) = (None, None);
+        #[cfg(feature = "reference")]
+        {
+            self.merging = None;
+        }
     }
 
     /// Pixels have a record each if they are one sample and the device can hold so many.
     fn records(&self) -> u64 {
         let [width, height] = self.targets.size.map(u64::from);
         let records = width * height;
-        if self.settings.sampling == 1 && inspection_fits(self.gpu, records) { records } else { 0 }
+        if self.settings.sampling == 1 && inspection_fits(&self.gpu, records) { records } else { 0 }
     }
 
     fn link(
@@ -323,19 +374,25 @@ impl<'a> Renderer<'a> {
             still: u32::from(step.still),
             sample: step.sample,
             merged: step.merged,
-            ..Frame::new(self.scene, &self.settings, self.targets.grid, camera)
+            ..Frame::new(&self.scene, &self.settings, self.targets.grid, camera)
         })
     }
 
-    fn submit(
+    /// Renders a frame by other passes than those of [`Renderer::frame`] and waits for it.
+    fn run(
         &self,
         passes: &Passes,
         camera: &Camera,
         step: &Step,
-        cleared: Option<&wgpu::Buffer>,
+        counted: Option<&wgpu::Buffer>,
     ) -> Result<()> {
         let constants = self.constants(camera, step)?;
-        passes.run(self.gpu, &self.targets, &constants, &self.settings.tolerances, step.side, cleared)
+        let samples = step.clears.then_some(&self.targets.samples);
+        let cleared = counted.into_iter().chain(samples).collect();
+        let tolerances = &self.settings.tolerances;
+        let commands =
+            passes.commands(&self.gpu, &self.targets, &constants, tolerances, step.side, cleared)?;
+        self.gpu.submit_all_and_wait(commands)
     }
 }
 

@@ -24,6 +24,8 @@ pub struct Step {
     pub merged: u32,
     /// Which of the two histories is written.
     pub side: usize,
+    /// What is left of the samples of a frame that was given up is cleared first.
+    pub clears: bool,
 }
 
 /// Where a sequence stands.
@@ -35,6 +37,8 @@ pub struct Sequence {
     samples: u32,
     /// The last frame.
     last: Option<Last>,
+    /// A frame that adds samples up was given up, and none was finished since.
+    given_up: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -53,12 +57,14 @@ impl Sequence {
             method if method.keeps_frames() => (renewed_ranks(settings.share), 0),
             _ => (RANKS, 0),
         };
-        Self { count, samples, last: None }
+        Self { count, samples, last: None, given_up: false }
     }
 
     /// The frame that follows.
     pub fn next(&self, camera: &Camera) -> Step {
-        let Some(last) = &self.last else { return Step { count: RANKS, ..Step::default() } };
+        let Some(last) = &self.last else {
+            return Step { count: RANKS, clears: self.given_up, ..Step::default() };
+        };
         let still = last.camera == *camera;
         Step {
             first: (last.step.first + last.step.count) % RANKS,
@@ -67,6 +73,7 @@ impl Sequence {
             sample: if still { last.step.sample.saturating_add(1) } else { 0 },
             merged: if still { last.step.merged } else { 0 },
             side: 1 - last.step.side,
+            clears: false,
         }
     }
 
@@ -79,6 +86,16 @@ impl Sequence {
     pub fn done(&mut self, step: Step, camera: &Camera) {
         let before = self.last.filter(|_| step.still).map_or(0, |last| last.renewed);
         self.last = Some(Last { step, camera: *camera, renewed: RANKS.min(before + step.count) });
+        self.given_up = false;
+    }
+
+    /// The frame was begun and will not be finished. Where samples are added up, some pixels have one that others lack: the
+    /// next frame follows on nothing.
+    pub fn give_up(&mut self) {
+        if self.samples > 0 {
+            self.last = None;
+            self.given_up = true;
+        }
     }
 
     /// So many samples were added to what the last frame shows.

@@ -4,6 +4,7 @@ use crate::{CHECK_NAMES, DisplayImage, Error, PixelRecord, Result, THRESHOLD_NAM
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Show {
     /// The frame.
     Final,

@@ -124,6 +124,7 @@ impl Counts {
 /// How a pixel came to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
+#[non_exhaustive]
 pub enum Origin {
     /// Step-I.
     Base = 0,

@@ -178,13 +178,6 @@ impl Targets {
         })
     }
 
-    /// Forgets all samples.
-    pub fn forget(&self, gpu: &Gpu) {
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        encoder.clear_buffer(&self.samples, 0, None);
-        gpu.queue.submit([encoder.finish()]);
-    }
-
     /// Bytes on the device.
     pub fn bytes(&self) -> u64 {
         let [history, history_before] = &self.histories;

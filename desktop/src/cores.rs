@@ -56,9 +56,9 @@ pub fn check(wishes: &[Wish], frames: u32) -> glimpse::Result<()> {
 }
 
 /// A picture of paths with some of its samples.
-pub struct Unfinished<'a, 'g> {
+pub struct Unfinished<'a> {
     /// What makes it.
-    pub renderer: &'a mut Renderer<'g>,
+    pub renderer: &'a mut Renderer,
     /// The view.
     pub camera: &'a Camera,
     /// Width and height, of what an eye sees.
@@ -69,7 +69,7 @@ pub struct Unfinished<'a, 'g> {
     pub cores: u32,
 }
 
-impl Unfinished<'_, '_> {
+impl Unfinished<'_> {
     /// Renders all samples that the picture is to show, and no more, however many frames were timed. None where none were left
     /// for cores to help with. `doing` is told how many there are.
     ///

@@ -37,7 +37,7 @@ impl Pan {
     /// A device that failed.
     pub fn compare(
         &self,
-        renderers: &mut [(Renderer<'_>, f64)],
+        renderers: &mut [(Renderer, f64)],
         camera: &Camera,
         panned: &mut [Option<Panned>],
     ) -> glimpse::Result<()> {

@@ -130,7 +130,7 @@ impl Stage {
         inspection
     }
 
-    fn renderer(&self, size: [u32; 2], settings: &Settings) -> Renderer<'_> {
+    fn renderer(&self, size: [u32; 2], settings: &Settings) -> Renderer {
         Renderer::new(gpu(), &self.scene, size, settings).expect("the kernels compile")
     }
 }

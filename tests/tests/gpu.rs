@@ -6,6 +6,7 @@ mod gpu {
     mod checks;
     mod closed_forms;
     mod device;
+    mod embedding;
     mod eyes;
     mod golden;
     mod minray;

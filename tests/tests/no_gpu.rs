@@ -7,6 +7,7 @@ mod no_gpu {
     mod limits;
     mod minray;
     mod paths;
+    mod promises;
     mod reference;
     mod traversal;
 }

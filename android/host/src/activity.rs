@@ -1,4 +1,4 @@
-//! `ANativeActivity`: the structure that the app gets, and what it can ask of it.
+//! `ANativeActivity`: the structure that is given to the app, and the functions that the app calls on it.
 
 use std::collections::HashSet;
 use std::ffi::{c_char, c_int, c_void};
@@ -10,9 +10,9 @@ use crate::sync::lock;
 use crate::window::ANativeWindow;
 
 type Activity = *mut ANativeActivity;
-/// A callback that only says that something happened.
+/// A callback without arguments.
 pub type Told = Option<unsafe extern "C" fn(Activity)>;
-/// A callback with something in its hands.
+/// A callback with one argument.
 pub type Given<T> = Option<unsafe extern "C" fn(Activity, T)>;
 
 /// `ARect`, in pixels of the window.
@@ -25,7 +25,7 @@ pub struct ARect {
     pub bottom: i32,
 }
 
-/// What the app fills in `ANativeActivity_onCreate`.
+/// Callbacks that the app sets in `ANativeActivity_onCreate`.
 #[repr(C)]
 #[derive(Default)]
 pub struct ANativeActivityCallbacks {
@@ -47,13 +47,13 @@ pub struct ANativeActivityCallbacks {
     pub onLowMemory: Told,
 }
 
-/// One activity, as `native_activity.h` has it.
+/// The structure of an activity, as in `native_activity.h`.
 #[repr(C)]
 pub struct ANativeActivity {
     pub callbacks: *mut ANativeActivityCallbacks,
     pub vm: *mut c_void,
     pub env: *mut c_void,
-    /// The activity's object, in spite of its name.
+    /// The activity object, not its class, in spite of the name.
     pub clazz: *mut c_void,
     pub internalDataPath: *const c_char,
     pub externalDataPath: *const c_char,
@@ -71,12 +71,12 @@ static KEPT_ON: Mutex<Vec<usize>> = Mutex::new(Vec::new());
 /// `AWINDOW_FLAG_KEEP_SCREEN_ON`.
 pub const KEEP_SCREEN_ON: u32 = 0x80;
 
-/// The activity may be asked from now on.
+/// Registers an activity: the app may call functions on it from now on.
 pub fn begin(activity: Activity) {
     lock(&ALIVE).get_or_insert_default().insert(activity as usize);
 }
 
-/// The activity is gone: to ask it any more is an error.
+/// Unregisters an activity: a later call on it is an error of the app.
 pub fn end(activity: Activity) {
     lock(&ALIVE).get_or_insert_default().remove(&(activity as usize));
     for of_activities in [&FINISHED, &KEPT_ON] {
@@ -84,17 +84,17 @@ pub fn end(activity: Activity) {
     }
 }
 
-/// Whether the activity asked to be ended.
+/// The app has called `ANativeActivity_finish`.
 pub fn is_finished(activity: Activity) -> bool {
     lock(&FINISHED).contains(&(activity as usize))
 }
 
-/// Whether the activity keeps the screen on now: it does while it has something to show.
+/// The window has the flag that keeps the screen on, as it does while frames change.
 pub fn keeps_screen_on(activity: Activity) -> bool {
     lock(&KEPT_ON).contains(&(activity as usize))
 }
 
-/// Flags of the window that the app ever set: `AWINDOW_FLAG_*`.
+/// All flags `AWINDOW_FLAG_*` that the app has set at any time.
 pub fn window_flags() -> u32 {
     *lock(&WINDOW_FLAGS)
 }

@@ -1,4 +1,4 @@
-//! `AAssetManager`: the files of the unpacked APK's `assets` folder.
+//! `AAssetManager`, which reads the `assets` folder of the unpacked package.
 
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
 use std::path::PathBuf;
@@ -6,29 +6,29 @@ use std::sync::Mutex;
 
 use crate::sync::lock;
 
-/// There is one manager in a process; its address says no more.
+/// The address of the process's only asset manager; never dereferenced.
 pub const MANAGER: *mut c_void = 0x10 as *mut c_void;
 
 static FOLDER: Mutex<Option<PathBuf>> = Mutex::new(None);
 
-/// Where the assets are.
+/// Sets the folder of the assets; without one, no asset is found.
 pub fn open(folder: Option<PathBuf>) {
     *lock(&FOLDER) = folder;
 }
 
-/// A file that was opened.
+/// An open asset.
 pub struct AAsset {
     bytes: Vec<u8>,
     position: usize,
 }
 
-/// A folder that was opened: the names of its files.
+/// An open asset folder: the names of its files.
 pub struct AAssetDir {
     names: Vec<CString>,
     next: usize,
 }
 
-/// Names of assets are relative and may not climb.
+/// The path of an asset, whose name must be relative and without `..`.
 unsafe fn path(name: *const c_char) -> Option<PathBuf> {
     let name = CStr::from_ptr(name).to_str().ok()?;
     let climbs = name.starts_with('/') || name.split('/').any(|part| part == "..");
@@ -77,7 +77,7 @@ extern "C" fn AAsset_isAllocated(_asset: *mut AAsset) -> c_int {
     1
 }
 
-/// An asset has a descriptor only where it is stored uncompressed; none of these has.
+/// Always fails, as on Android for compressed assets, which have no file descriptor.
 #[unsafe(no_mangle)]
 extern "C" fn AAsset_openFileDescriptor64(_asset: *mut AAsset, _start: *mut i64, _length: *mut i64) -> c_int {
     -1
@@ -109,7 +109,7 @@ unsafe extern "C" fn AAsset_seek64(asset: *mut AAsset, offset: i64, whence: c_in
     to
 }
 
-/// Lists files, not folders, as Android does.
+/// Opens a folder to list its files, without its folders, as on Android.
 #[unsafe(no_mangle)]
 unsafe extern "C" fn AAssetManager_openDir(_manager: *mut c_void, name: *const c_char) -> *mut AAssetDir {
     let entries = path(name).and_then(|path| std::fs::read_dir(path).ok()).into_iter().flatten().flatten();

@@ -1,25 +1,25 @@
-//! libc.so: the symbols whose name or meaning differs between bionic and glibc.
+//! libc.so: the symbols that have another name or meaning in bionic than in glibc.
 
 use std::ffi::{CStr, CString, c_char, c_int, c_long, c_void};
 use std::sync::atomic::{AtomicI32, Ordering};
 
 use crate::report;
 
-/// The API level that is played.
+/// The API level that is emulated.
 pub static API_LEVEL: AtomicI32 = AtomicI32::new(34);
 
-/// The API level that is played.
+/// The API level that is emulated.
 pub fn api_level() -> i32 {
     API_LEVEL.load(Ordering::Relaxed)
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn __errno() -> *mut c_int {
-    // SAFETY: the address of this thread's own variable.
+    // SAFETY: the address of a thread-local variable of this thread.
     unsafe { libc::__errno_location() }
 }
 
-/// bionic has the POSIX flavour; glibc's symbol of this name is GNU's.
+/// The POSIX variant, as in bionic; glibc's symbol of this name is the GNU variant.
 #[unsafe(no_mangle)]
 unsafe extern "C" fn strerror_r(error: c_int, text: *mut c_char, size: usize) -> c_int {
     unsafe extern "C" {
@@ -28,7 +28,7 @@ unsafe extern "C" fn strerror_r(error: c_int, text: *mut c_char, size: usize) ->
     __xpg_strerror_r(error, text, size)
 }
 
-/// bionic's numbers of what can be asked are others (bionic's `bits/sysconf.h`).
+/// Converts bionic's numbers (`bits/sysconf.h`), which differ from glibc's.
 #[unsafe(no_mangle)]
 unsafe extern "C" fn sysconf(name: c_int) -> c_long {
     unsafe extern "C" {
@@ -43,7 +43,7 @@ unsafe extern "C" fn sysconf(name: c_int) -> c_long {
         0x61 => libc::_SC_NPROCESSORS_ONLN,
         0x62 => libc::_SC_PHYS_PAGES,
         0x63 => libc::_SC_AVPHYS_PAGES,
-        // This library's own standard library asks with glibc's numbers.
+        // This library's own standard library uses glibc's numbers.
         libc::_SC_PAGESIZE | libc::_SC_NPROCESSORS_ONLN => name,
         other => {
             report::complain(format!("sysconf({other:#x}) is not played"));
@@ -53,12 +53,12 @@ unsafe extern "C" fn sysconf(name: c_int) -> c_long {
     glibc_sysconf(name)
 }
 
-/// Longest value of a property, with its zero byte (`PROP_VALUE_MAX`).
+/// The longest value of a property with its zero byte (`PROP_VALUE_MAX`).
 const PROPERTY_SIZE: usize = 92;
-/// The one property that is played.
+/// The only property that is emulated.
 const API_PROPERTY: &CStr = c"ro.build.version.sdk";
 
-/// What a property holds; others are empty.
+/// The value of a property; empty for all but one.
 unsafe fn property(name: *const c_char) -> CString {
     let level = api_level().to_string();
     CString::new(if CStr::from_ptr(name) == API_PROPERTY { level } else { String::new() }).unwrap_or_default()
@@ -73,7 +73,7 @@ unsafe extern "C" fn __system_property_get(name: *const c_char, value: *mut c_ch
     bytes.len() as c_int - 1
 }
 
-/// A property is found as its name; null is none.
+/// Returns the name itself as the handle of the property; null where it is unknown.
 #[unsafe(no_mangle)]
 unsafe extern "C" fn __system_property_find(name: *const c_char) -> *const c_char {
     if CStr::from_ptr(name) == API_PROPERTY { API_PROPERTY.as_ptr() } else { std::ptr::null() }
@@ -86,7 +86,7 @@ unsafe extern "C" fn __system_property_read_callback(found: *const c_char, read:
     read(cookie, found, property(found).as_ptr(), 0);
 }
 
-/// bionic's `pthread_attr_t` has 56 bytes; glibc's has 64 on arm64 and its `pthread_attr_init` clears all of them.
+/// Initialises the 56 bytes of bionic's `pthread_attr_t`; glibc's function would clear 64 bytes on arm64.
 #[cfg(target_arch = "aarch64")]
 #[unsafe(no_mangle)]
 unsafe extern "C" fn pthread_attr_init(attributes: *mut u8) -> c_int {

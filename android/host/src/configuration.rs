@@ -1,4 +1,4 @@
-//! `AConfiguration`: what the system says about device and display.
+//! `AConfiguration`: properties of the device and the display.
 
 use std::ffi::{c_char, c_void};
 use std::sync::Mutex;
@@ -6,21 +6,21 @@ use std::sync::Mutex;
 use crate::bionic;
 use crate::sync::lock;
 
-/// Density of the display, in dots an inch: 2.625 pixels a dp.
+/// Density of the display in dots an inch: 2.625 pixels a dp.
 const DENSITY: i32 = 420;
 const ORIENTATION_PORTRAIT: i32 = 1;
 const ORIENTATION_LANDSCAPE: i32 = 2;
 
-/// What can change while the app runs.
+/// The properties that change while the app runs.
 #[derive(Clone, Copy)]
 pub struct AConfiguration {
-    /// In pixels.
+    /// Width and height of the display in pixels.
     size: [u32; 2],
 }
 
 static CURRENT: Mutex<AConfiguration> = Mutex::new(AConfiguration { size: [320, 180] });
 
-/// The display has this many pixels from now on.
+/// Sets the size of the display in pixels.
 pub fn set_size(size: [u32; 2]) {
     lock(&CURRENT).size = size;
 }
@@ -78,7 +78,7 @@ unsafe extern "C" fn AConfiguration_getOrientation(configuration: *mut AConfigur
     if width > height { ORIENTATION_LANDSCAPE } else { ORIENTATION_PORTRAIT }
 }
 
-/// Density-independent pixels: 160 an inch.
+/// Converts pixels to density-independent pixels, of which an inch has 160.
 fn dp(pixels: u32) -> i32 {
     pixels as i32 * 160 / DENSITY
 }

@@ -1,5 +1,5 @@
-//! libdl.so: the app opens and searches libraries through here, so that an older Android can be played and the
-//! Vulkan loader can be missing.
+//! libdl.so: wraps `dlopen`, `dlsym` and `dlerror`, so that older API levels can be emulated and the Vulkan loader can
+//! be hidden.
 
 use std::cell::{Cell, RefCell};
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
@@ -18,7 +18,7 @@ fn fail(problem: String) -> *mut c_void {
     std::ptr::null_mut()
 }
 
-/// glibc's own functions: here, the plain names mean the ones below.
+/// The functions of glibc, as the plain names refer to the wrappers below.
 struct Glibc {
     dlopen: Open,
     dlsym: Find,
@@ -29,10 +29,10 @@ type Open = unsafe extern "C" fn(*const c_char, c_int) -> *mut c_void;
 type Find = unsafe extern "C" fn(*mut c_void, *const c_char) -> *mut c_void;
 type Tell = unsafe extern "C" fn() -> *const c_char;
 
-/// All are looked up at once, for a look-up forgets what went wrong before.
+/// Looks up all functions at once, because each look-up clears the last error.
 fn glibc() -> &'static Glibc {
     static FOUND: OnceLock<Glibc> = OnceLock::new();
-    // SAFETY: glibc has all three since it exists, of these types.
+    // SAFETY: glibc has all three functions, with these types.
     FOUND.get_or_init(|| unsafe {
         Glibc {
             dlopen: std::mem::transmute::<*mut c_void, Open>(next(c"dlopen")),
@@ -42,7 +42,7 @@ fn glibc() -> &'static Glibc {
     })
 }
 
-/// The function of this name in the libraries behind this one; glibc 2.34 moved them from libdl to libc.
+/// The next symbol of a name after this library; glibc 2.34 moved them from libdl to libc.
 unsafe fn next(name: &CStr) -> *mut c_void {
     #[cfg(target_arch = "x86_64")]
     const FIRST: &CStr = c"GLIBC_2.2.5";
@@ -62,7 +62,7 @@ unsafe extern "C" fn dlopen(name: *const c_char, flags: c_int) -> *mut c_void {
             return fail(format!("dlopen failed: library \"{name}\" not found"));
         }
     }
-    // bionic resolves at once whatever is said; glibc wants it said.
+    // bionic always resolves at once; glibc needs the flag.
     (glibc().dlopen)(name, flags | libc::RTLD_NOW)
 }
 
@@ -79,7 +79,7 @@ unsafe extern "C" fn dlsym(handle: *mut c_void, name: *const c_char) -> *mut c_v
 
 #[unsafe(no_mangle)]
 unsafe extern "C" fn dlerror() -> *const c_char {
-    // A problem is told once, and its text stays valid until the next call.
+    // An error is returned once, and its text stays valid until the next call.
     let own =
         PROBLEM.with_borrow(|problem| problem.as_ref().filter(|_| !TOLD.replace(true)).map(|p| p.as_ptr()));
     match own {

@@ -1,4 +1,4 @@
-//! `APerformanceHint`: sessions that tell the system how long frames take.
+//! `APerformanceHint`: sessions by which the app reports frame times.
 
 use std::ffi::{c_int, c_void};
 use std::sync::Mutex;
@@ -6,7 +6,7 @@ use std::sync::Mutex;
 use crate::report;
 use crate::sync::lock;
 
-/// Since which API level each symbol exists.
+/// The API level in which each symbol was introduced.
 pub const SYMBOLS: &[(&str, i32)] = &[
     ("APerformanceHint_getManager", 33),
     ("APerformanceHint_createSession", 33),
@@ -18,30 +18,30 @@ pub const SYMBOLS: &[(&str, i32)] = &[
 
 const MANAGER: *mut c_void = 0x40 as *mut c_void;
 
-/// What the app told the system.
+/// What the app has reported.
 #[derive(Clone, Debug, Default)]
 pub struct Hints {
-    /// Sessions that are open.
+    /// Number of open sessions.
     pub open: usize,
-    /// Sessions that were ever made.
+    /// Number of sessions created so far.
     pub created: usize,
-    /// Threads of the last session.
+    /// Thread ids of the last session.
     pub threads: Vec<i32>,
-    /// Of the last session, in nanoseconds.
+    /// Target time of the last session in nanoseconds.
     pub target: i64,
-    /// Durations that were reported.
+    /// Number of reported frame times.
     pub reports: u64,
 }
 
 static HINTS: Mutex<Hints> =
     Mutex::new(Hints { open: 0, created: 0, threads: Vec::new(), target: 0, reports: 0 });
 
-/// What the app told the system so far.
+/// What the app has reported so far.
 pub fn told() -> Hints {
     lock(&HINTS).clone()
 }
 
-/// A session; only its address matters.
+/// A session; only its address is used.
 pub struct APerformanceHintSession {
     _number: usize,
 }
@@ -64,7 +64,7 @@ unsafe extern "C" fn APerformanceHint_createSession(
     target: i64,
 ) -> *mut APerformanceHintSession {
     let threads = std::slice::from_raw_parts(threads, count);
-    // The system refuses threads of other processes.
+    // As on Android, threads of other processes are refused.
     let own = |thread: &i32| std::path::Path::new(&format!("/proc/self/task/{thread}")).exists();
     if count == 0 || !threads.iter().all(own) || target <= 0 {
         report::complain(format!("APerformanceHint_createSession: threads {threads:?}, target {target} ns"));

@@ -1,4 +1,4 @@
-//! `AInputQueue` and its events: touches of several pointers with histories, and keys.
+//! `AInputQueue` and its events: touches with several pointers and history, and keys.
 
 use std::collections::VecDeque;
 use std::ffi::{c_int, c_void};
@@ -10,25 +10,25 @@ use crate::looper::{self, ALooper, ALooper_addFd, ALooper_removeFd};
 use crate::report;
 use crate::sync::lock;
 
-/// `AMOTION_EVENT_ACTION_*` and `AKEY_EVENT_ACTION_*`.
+/// Values of `AMOTION_EVENT_ACTION_*` and `AKEY_EVENT_ACTION_*`.
 pub mod action {
-    /// The first pointer, or a key, goes down.
+    /// The first pointer touches, or a key is pressed.
     pub const DOWN: i32 = 0;
-    /// The last pointer, or a key, goes up.
+    /// The last pointer is lifted, or a key is released.
     pub const UP: i32 = 1;
-    /// Some pointers move.
+    /// Pointers move.
     pub const MOVE: i32 = 2;
-    /// The gesture is taken away from the app.
+    /// The system takes over the gesture.
     pub const CANCEL: i32 = 3;
-    /// One more pointer goes down; its index stands from bit 8 on.
+    /// Another pointer touches; bits 8 and up hold its index.
     pub const POINTER_DOWN: i32 = 5;
-    /// One of several pointers goes up; its index stands from bit 8 on.
+    /// One of several pointers is lifted; bits 8 and up hold its index.
     pub const POINTER_UP: i32 = 6;
 }
 
 /// `AKEYCODE_BACK`.
 pub const KEY_BACK: i32 = 4;
-/// `AKEYCODE_VOLUME_UP`: a key that belongs to the system.
+/// `AKEYCODE_VOLUME_UP`, a key that the app must leave to the system.
 pub const KEY_VOLUME_UP: i32 = 24;
 
 const TYPE_KEY: i32 = 1;
@@ -40,18 +40,18 @@ const AXIS_X: i32 = 0;
 const AXIS_Y: i32 = 1;
 const AXIS_PRESSURE: i32 = 2;
 
-/// A finger on the screen; positions are in pixels of the window.
+/// A pointer of a touch event, with its position in pixels of the window.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pointer {
-    /// Stays the same while the finger is down.
+    /// Constant while the finger touches.
     pub id: i32,
-    /// To the right.
+    /// Position from the left.
     pub x: f32,
-    /// Down.
+    /// Position from the top.
     pub y: f32,
 }
 
-/// Nanoseconds of the clock of input events.
+/// Times in nanoseconds of `CLOCK_MONOTONIC`.
 #[derive(Clone, Copy, Debug)]
 struct Times {
     down: i64,
@@ -63,7 +63,7 @@ enum What {
     Motion {
         action: i32,
         pointers: Vec<Pointer>,
-        /// Earlier positions that the system put into the same event, the oldest first.
+        /// Earlier positions that the system batched into the event, the oldest first.
         history: Vec<Vec<Pointer>>,
     },
     Key {
@@ -72,25 +72,25 @@ enum What {
     },
 }
 
-/// An event that the app got or will get.
+/// An input event.
 #[derive(Debug)]
 pub struct AInputEvent {
     what: What,
     times: Times,
 }
 
-/// The queue of one activity.
+/// The input queue of an activity.
 pub struct AInputQueue {
     counter: OwnedFd,
     waiting: Mutex<VecDeque<Box<AInputEvent>>>,
     looper: Mutex<Option<Arc<ALooper>>>,
     down: Mutex<i64>,
-    /// Events that were pushed and are not finished.
+    /// Number of events that were pushed and not finished.
     pub unfinished: AtomicU64,
 }
 
 impl AInputQueue {
-    /// An empty queue.
+    /// Creates an empty queue.
     pub fn new() -> Self {
         Self {
             counter: looper::counter(libc::EFD_SEMAPHORE),
@@ -101,12 +101,12 @@ impl AInputQueue {
         }
     }
 
-    /// Appends a touch; `history` holds the earlier positions of a batch, the oldest first.
+    /// Appends a touch event; `history` has the earlier positions of a batch, the oldest first.
     pub fn touch(&self, action: i32, pointers: &[Pointer], history: &[Vec<Pointer>]) {
         self.push(action, What::Motion { action, pointers: pointers.to_vec(), history: history.to_vec() });
     }
 
-    /// Appends a key going down or up.
+    /// Appends a key event.
     pub fn key(&self, action: i32, code: i32) {
         self.push(action, What::Key { action, code });
     }
@@ -126,7 +126,7 @@ impl AInputQueue {
 
 fn nanoseconds() -> i64 {
     let mut now = libc::timespec { tv_sec: 0, tv_nsec: 0 };
-    // SAFETY: fills a local.
+    // SAFETY: writes to a local variable.
     unsafe { libc::clock_gettime(libc::CLOCK_MONOTONIC, &raw mut now) };
     now.tv_sec * 1_000_000_000 + now.tv_nsec
 }
@@ -169,7 +169,7 @@ unsafe extern "C" fn AInputQueue_getEvent(queue: *mut AInputQueue, event: *mut *
     }
 }
 
-/// No input method is played that would want the event first.
+/// Returns 0: there is no input method that would take the event first.
 #[unsafe(no_mangle)]
 extern "C" fn AInputQueue_preDispatchEvent(_queue: *mut AInputQueue, _event: *mut AInputEvent) -> i32 {
     0
@@ -251,7 +251,8 @@ unsafe fn history<'a>(event: *const AInputEvent) -> &'a [Vec<Pointer>] {
     }
 }
 
-/// An index beyond the pointers would end the process on Android.
+/// The pointer of an index. An index out of range would end the process on Android, so it is reported as an error of
+/// the app.
 fn pointer(pointers: &[Pointer], index: usize) -> Pointer {
     pointers.get(index).copied().unwrap_or_else(|| {
         report::complain(format!("pointer {index} of {} was asked for", pointers.len()));

@@ -1,8 +1,8 @@
-//! An Android for one process: the system libraries, the Java side and the Vulkan loader that the app's library
-//! expects, and the scenarios that are played with it.
+//! Emulates Android for one process: the system libraries, the Java side and the Vulkan loader that the app's library
+//! needs, and scenarios that run the app.
 //!
-//! The dynamic linker finds this library under the names of Android's (`libc.so`, `libandroid.so`, ...); what it does
-//! not define falls through to glibc.
+//! The dynamic linker finds this library under the names of Android's libraries (`libc.so`, `libandroid.so`, ...).
+//! Symbols that it does not define are resolved by glibc.
 #![allow(
     unsafe_code,
     unsafe_op_in_unsafe_fn,
@@ -34,10 +34,10 @@ mod window;
 use std::ffi::{CStr, OsStr, OsString, c_char, c_int};
 use std::os::unix::ffi::OsStrExt as _;
 
-/// Plays the scenario that the command line names; answers the exit status.
+/// Runs the scenario that the command line names; returns the exit status.
 ///
 /// # Safety
-/// `arguments` points to `count` strings that end with a zero byte.
+/// `arguments` must point to `count` zero-terminated strings.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn android_host_run(count: usize, arguments: *const *const c_char) -> c_int {
     let arguments: Vec<OsString> = std::slice::from_raw_parts(arguments, count)

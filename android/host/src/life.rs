@@ -1,5 +1,5 @@
-//! The life of an activity, as the Java side drives it: every callback of `ANativeActivity` with its order, its time
-//! and what it hands over.
+//! Drives the life cycle of an activity as the Java side does: calls the callbacks of `ANativeActivity` in their order,
+//! with their arguments, and limits their time.
 
 use std::ffi::{CStr, CString, c_int, c_void};
 use std::os::unix::ffi::OsStrExt as _;
@@ -17,30 +17,30 @@ use crate::{assets, bionic, configuration, report};
 
 type OnCreate = unsafe extern "C" fn(*mut ANativeActivity, *const c_void, usize);
 
-/// A callback may take this long before the run is ended.
+/// Time limit of a callback, after which the run is ended.
 const HANG: Duration = Duration::from_secs(60);
 
-/// The app's library, loaded.
+/// The app's library.
 #[derive(Clone, Copy)]
 pub struct Library {
     on_create: OnCreate,
 }
 
 impl Library {
-    /// Loads the library as Android does: every symbol is resolved at once.
+    /// Loads the library and resolves all symbols at once, as Android does.
     ///
     /// # Errors
-    /// What the dynamic linker says, or that the entry point is missing.
+    /// The dynamic linker failed, or the library has no entry point.
     pub fn load(path: &Path) -> Result<Self, String> {
         let name =
             CString::new(path.as_os_str().as_bytes()).map_err(|e| format!("{}: {e}", path.display()))?;
-        // SAFETY: the library's initialisers run; the entry point has the type that Android gives it.
+        // SAFETY: runs the library's initialisers; the entry point has the type that Android defines.
         unsafe {
-            // Symbols that the host does not have come from these.
+            // Libraries that define the remaining symbols.
             for fallback in [c"libm.so.6", c"libgcc_s.so.1"] {
                 libc::dlopen(fallback.as_ptr(), libc::RTLD_NOW | libc::RTLD_GLOBAL);
             }
-            // The app's own dependencies, which are this host, win over glibc.
+            // With RTLD_DEEPBIND, the app's own dependencies, which are this library, take precedence over glibc.
             let handle = libc::dlopen(name.as_ptr(), libc::RTLD_NOW | libc::RTLD_DEEPBIND);
             if handle.is_null() {
                 return Err(CStr::from_ptr(libc::dlerror()).to_string_lossy().into_owned());
@@ -54,32 +54,32 @@ impl Library {
     }
 }
 
-/// Turns this thread's looper for at most `longest` until `done`; says whether it is done.
+/// Polls this thread's looper until `done` or for at most `longest`; returns whether it is done.
 pub fn pump(longest: Duration, mut done: impl FnMut() -> bool) -> bool {
     let (start, longest) = (Instant::now(), report::allowed(longest));
     while !done() {
         if start.elapsed() > longest {
             return false;
         }
-        // SAFETY: asks for no answers.
+        // SAFETY: null pointers are allowed for results that are not needed.
         unsafe { ALooper_pollOnce(5, ptr::null_mut(), ptr::null_mut(), ptr::null_mut()) };
     }
     true
 }
 
-/// An activity and what the system lent it.
+/// An activity and the objects that the system gives it.
 pub struct Activity {
     native: Box<ANativeActivity>,
     _callbacks: Box<ANativeActivityCallbacks>,
     _paths: CString,
     queue: Option<Box<AInputQueue>>,
     window: Option<*mut ANativeWindow>,
-    /// The callback that took the longest so far.
+    /// Name and time of the callback that took the longest.
     slowest: (&'static str, Duration),
 }
 
 impl Activity {
-    /// Creates an activity with an intent, the app's folder, and what an earlier one saved.
+    /// Creates an activity with an intent, the app's folder, and the state that an earlier activity saved.
     pub fn create(library: Library, intent: Intent, files: &Path, saved: &[u8]) -> Self {
         let paths = CString::new(files.as_os_str().as_bytes()).unwrap_or_default();
         let mut callbacks = Box::new(ANativeActivityCallbacks::default());
@@ -125,7 +125,7 @@ impl Activity {
     }
 
     fn tell(&mut self, name: &'static str, callback: impl Fn(&ANativeActivityCallbacks) -> Told) {
-        // SAFETY: the app's callbacks for this very activity.
+        // SAFETY: a callback that the app set for this activity.
         self.timed(name, |native| unsafe {
             callback(&*(*native).callbacks).map(|callback| callback(native))
         });
@@ -137,13 +137,13 @@ impl Activity {
         what: T,
         callback: impl Fn(&ANativeActivityCallbacks) -> Given<T>,
     ) {
-        // SAFETY: the app's callbacks for this very activity; what is given lives until it is taken back.
+        // SAFETY: a callback that the app set for this activity; its argument lives until it is destroyed below.
         self.timed(name, |native| unsafe {
             callback(&*(*native).callbacks).map(|callback| callback(native, what))
         });
     }
 
-    /// `onStart`, and the input queue, which NativeActivity makes at the first start.
+    /// Calls `onStart`, and at the first start hands over the input queue, as NativeActivity does.
     pub fn start(&mut self) {
         self.tell("onStart", |callbacks| callbacks.onStart);
         if self.queue.is_none() {
@@ -154,41 +154,41 @@ impl Activity {
         }
     }
 
-    /// `onResume`.
+    /// Calls `onResume`.
     pub fn resume(&mut self) {
         self.tell("onResume", |callbacks| callbacks.onResume);
     }
 
-    /// `onPause`.
+    /// Calls `onPause`.
     pub fn pause(&mut self) {
         self.tell("onPause", |callbacks| callbacks.onPause);
     }
 
-    /// `onStop`.
+    /// Calls `onStop`.
     pub fn stop(&mut self) {
         self.tell("onStop", |callbacks| callbacks.onStop);
     }
 
-    /// `onLowMemory`.
+    /// Calls `onLowMemory`.
     pub fn low_memory(&mut self) {
         self.tell("onLowMemory", |callbacks| callbacks.onLowMemory);
     }
 
-    /// `onConfigurationChanged`.
+    /// Calls `onConfigurationChanged`.
     pub fn configuration_changed(&mut self) {
         self.tell("onConfigurationChanged", |callbacks| callbacks.onConfigurationChanged);
     }
 
-    /// `onWindowFocusChanged`.
+    /// Calls `onWindowFocusChanged`.
     pub fn focus(&mut self, focused: bool) {
         self.give("onWindowFocusChanged", c_int::from(focused), |callbacks| callbacks.onWindowFocusChanged);
     }
 
-    /// `onSaveInstanceState`: what the app wants back when it is created again.
+    /// Calls `onSaveInstanceState`; returns the state for the next creation.
     pub fn save(&mut self) -> Vec<u8> {
         self.timed("onSaveInstanceState", |native| {
             let mut size = 0;
-            // SAFETY: the app allocates the state with malloc and gives it away.
+            // SAFETY: the app allocated the state with malloc and gave up its ownership.
             unsafe {
                 let Some(callback) = (*(*native).callbacks).onSaveInstanceState else { return Vec::new() };
                 let state = callback(native, &raw mut size);
@@ -202,7 +202,7 @@ impl Activity {
         })
     }
 
-    /// A window of `size` appears.
+    /// Creates a window of `size` pixels.
     pub fn create_window(&mut self, size: [u32; 2]) {
         configuration::set_size(size);
         let window = window::create(size);
@@ -211,7 +211,7 @@ impl Activity {
         self.redraw();
     }
 
-    /// The window goes; the app must have let go of it when the callback returns.
+    /// Destroys the window, which the app must have released when the callback returns.
     pub fn destroy_window(&mut self) {
         if let Some(window) = self.window.take() {
             self.give("onNativeWindowDestroyed", window, |callbacks| callbacks.onNativeWindowDestroyed);
@@ -219,7 +219,7 @@ impl Activity {
         }
     }
 
-    /// The display turns or the window changes: new configuration, new size, new place for the content.
+    /// Resizes or rotates the window: changes configuration, size and content rectangle.
     pub fn resize(&mut self, size: [u32; 2], content: ARect) {
         configuration::set_size(size);
         self.configuration_changed();
@@ -230,38 +230,38 @@ impl Activity {
         self.redraw();
     }
 
-    /// `onNativeWindowRedrawNeeded`: the system wants a new picture.
+    /// Calls `onNativeWindowRedrawNeeded`.
     pub fn redraw(&mut self) {
         let Some(window) = self.window else { return };
         self.give("onNativeWindowRedrawNeeded", window, |callbacks| callbacks.onNativeWindowRedrawNeeded);
     }
 
-    /// The input queue, once the activity was started.
+    /// The input queue; `None` before the first start.
     pub fn input(&self) -> Option<&AInputQueue> {
         self.queue.as_deref()
     }
 
-    /// Whether all events that were sent are finished.
+    /// All events that were sent are finished.
     pub fn input_is_finished(&self) -> bool {
         self.queue.as_ref().is_none_or(|queue| queue.unfinished.load(Ordering::SeqCst) == 0)
     }
 
-    /// Whether the app has something to show that it has not shown.
+    /// Input events are not finished, or the app keeps the screen on because its frames change.
     pub fn is_busy(&self) -> bool {
         !self.input_is_finished() || activity::keeps_screen_on((&raw const *self.native).cast_mut())
     }
 
-    /// Whether the app asked to be ended.
+    /// The app has asked to be finished.
     pub fn is_finished(&self) -> bool {
         activity::is_finished((&raw const *self.native).cast_mut()) || java::is_finished(self.native.clazz)
     }
 
-    /// The callback that took the longest, and how long.
+    /// Name and time of the callback that took the longest.
     pub fn slowest(&self) -> (&'static str, Duration) {
         self.slowest
     }
 
-    /// Takes everything back and destroys the activity; answers how long `onDestroy` took.
+    /// Destroys window, input queue and activity; returns the time that `onDestroy` took.
     pub fn destroy(mut self) -> Duration {
         self.destroy_window();
         if let Some(mut queue) = self.queue.take() {

@@ -1,4 +1,4 @@
-//! liblog.so: the app's log goes to the error output and is kept for the scenarios to look at.
+//! liblog.so: writes the app's log to standard error and keeps it for scenarios.
 
 use std::collections::VecDeque;
 use std::ffi::{CStr, c_char, c_int};
@@ -7,23 +7,23 @@ use std::sync::Mutex;
 use crate::report;
 use crate::sync::lock;
 
-/// How many lines are kept: more than any step of a scenario writes.
+/// Number of lines that are kept; no step of a scenario writes more.
 const KEPT: usize = 4096;
 
 struct Log {
-    /// Number of lines that were ever written.
+    /// Number of lines written so far.
     written: u64,
     last: VecDeque<String>,
 }
 
 static LOG: Mutex<Log> = Mutex::new(Log { written: 0, last: VecDeque::new() });
 
-/// Number of the next line: what is written from now on is what [`since`] finds.
+/// A mark for [`since`]: the number of the next line.
 pub fn mark() -> u64 {
     lock(&LOG).written
 }
 
-/// The lines from `mark` on, each as `PRIORITY/TAG: TEXT`.
+/// The lines since a mark, each as `PRIORITY/TAG: TEXT`.
 pub fn since(mark: u64) -> Vec<String> {
     let log = lock(&LOG);
     let first = log.written - log.last.len() as u64;

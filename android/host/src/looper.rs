@@ -1,4 +1,4 @@
-//! `ALooper`: waits for file descriptors and wake-ups, one looper a thread.
+//! `ALooper`: waits for file descriptors and wake-ups. Each thread has at most one.
 
 use std::cell::RefCell;
 use std::ffi::{c_int, c_void};
@@ -24,42 +24,42 @@ struct Source {
     data: *mut c_void,
 }
 
-/// Counted as Android counts it: by [`ALooper_acquire`] and [`ALooper_release`], and by the thread it belongs to.
+/// Reference-counted by [`ALooper_acquire`], [`ALooper_release`] and the thread to which it belongs.
 pub struct ALooper {
     sources: Mutex<Vec<Source>>,
     wake: OwnedFd,
 }
 
-// SAFETY: what the app lets its sources point to is the app's to share, as on Android.
+// SAFETY: as on Android, the app must synchronise the data that its sources point to.
 unsafe impl Send for ALooper {}
-// SAFETY: as above; the sources are behind a lock.
+// SAFETY: the sources are behind a lock; for their data see above.
 unsafe impl Sync for ALooper {}
 
 thread_local! {
     static LOOPER: RefCell<Option<Arc<ALooper>>> = const { RefCell::new(None) };
 }
 
-/// A descriptor that counts what is written to it.
+/// Creates an eventfd with a counter of zero.
 pub fn counter(flags: c_int) -> OwnedFd {
-    // SAFETY: a fresh descriptor.
+    // SAFETY: the descriptor is new and has no other owner.
     unsafe { OwnedFd::from_raw_fd(libc::eventfd(0, libc::EFD_NONBLOCK | libc::EFD_CLOEXEC | flags)) }
 }
 
 /// Adds one to a counter.
 pub fn count_up(counter: &OwnedFd) {
     let one = 1u64;
-    // SAFETY: writes eight bytes from a local.
+    // SAFETY: reads eight bytes of a local variable.
     unsafe { libc::write(counter.as_raw_fd(), (&raw const one).cast(), 8) };
 }
 
-/// Takes one, or all, from a counter.
+/// Takes one from a semaphore, or resets another counter to zero.
 pub fn count_down(counter: &OwnedFd) {
     let mut taken = 0u64;
-    // SAFETY: reads eight bytes into a local.
+    // SAFETY: writes eight bytes to a local variable.
     unsafe { libc::read(counter.as_raw_fd(), (&raw mut taken).cast(), 8) };
 }
 
-/// Gives this thread its looper, if it has none.
+/// Returns this thread's looper, which is created where there is none.
 #[unsafe(no_mangle)]
 pub extern "C" fn ALooper_prepare(_options: c_int) -> *mut ALooper {
     LOOPER.with_borrow_mut(|looper| {
@@ -91,7 +91,7 @@ unsafe extern "C" fn ALooper_wake(looper: *mut ALooper) {
     count_up(&(*looper).wake);
 }
 
-/// Adds or replaces a descriptor.
+/// Adds a descriptor, or replaces its callback.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ALooper_addFd(
     looper: *mut ALooper,
@@ -106,14 +106,14 @@ pub unsafe extern "C" fn ALooper_addFd(
     sources.retain(|source| source.descriptor != descriptor);
     sources.push(Source { descriptor, identifier, callback, data });
     drop(sources);
-    // A wait in progress on another thread must see the new descriptor; this thread's own wait is not in progress.
+    // Wakes a wait on another thread, which must see the new descriptor. This thread is not waiting.
     if looper != ALooper_forThread() {
         ALooper_wake(looper);
     }
     1
 }
 
-/// Takes a descriptor away; answers whether it was there.
+/// Removes a descriptor; returns 1 if it was there.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ALooper_removeFd(looper: *mut ALooper, descriptor: c_int) -> c_int {
     let mut sources = lock(&(*looper).sources);
@@ -122,7 +122,7 @@ pub unsafe extern "C" fn ALooper_removeFd(looper: *mut ALooper, descriptor: c_in
     c_int::from(sources.len() != before)
 }
 
-/// Waits for one event for at most `timeout` milliseconds (for ever if it is negative).
+/// Waits for an event for at most `timeout` milliseconds, or without limit if that is negative.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ALooper_pollOnce(
     timeout: c_int,
@@ -137,7 +137,7 @@ pub unsafe extern "C" fn ALooper_pollOnce(
     waits.extend(sources.iter().map(|source| wait_for(source.descriptor)));
     match libc::poll(waits.as_mut_ptr(), waits.len() as libc::nfds_t, timeout) {
         0 => return POLL_TIMEOUT,
-        // A signal is no error to a looper.
+        // An interrupting signal counts as a wake-up.
         ready if ready < 0 => return POLL_WAKE,
         _ => {}
     }

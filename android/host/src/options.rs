@@ -3,7 +3,7 @@
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
-/// Says how the program is used.
+/// The usage message.
 pub const USAGE: &str = "\
 usage: android-run APP.so SCENARIO [OPTIONS]
 
@@ -24,46 +24,46 @@ scenarios: start, life, rotate, touch, back, again, view, thermal, storm,
   --slow N        every bound is N times as long (default 1): for an emulated processor
   --keep DIR      writes the pictures that were presented at each step there";
 
-/// What to play, and with what.
+/// The scenario to run, and its parameters.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// The app's library.
+    /// Path of the app's library.
     pub app: PathBuf,
     /// Name of the scenario.
     pub scenario: String,
-    /// The unpacked APK's `assets` folder.
+    /// The `assets` folder of the unpacked package.
     pub assets: Option<PathBuf>,
     /// The app's own folder (`internalDataPath`).
     pub files: Option<PathBuf>,
-    /// The picture to be presented.
+    /// The picture that the app must present.
     pub expect: Option<PathBuf>,
-    /// The file behind the content URI.
+    /// The file behind the intent's content URI.
     pub content: Option<PathBuf>,
-    /// Pixels of the window.
+    /// Size of the window in pixels.
     pub size: [u32; 2],
-    /// The intent's extra `view`.
+    /// Extra `view` of the intent.
     pub view: Option<[u32; 2]>,
-    /// The intent's extra `scene`.
+    /// Extra `scene` of the intent.
     pub scene: Option<String>,
-    /// The intent's extra `set`.
+    /// Extra `set` of the intent.
     pub set: Option<String>,
-    /// Events of the storm.
+    /// Number of events in the storm scenario.
     pub events: u64,
-    /// Seed of the storm.
+    /// Seed of the storm scenario.
     pub seed: u64,
-    /// API level of Android.
+    /// The API level to emulate.
     pub api: i32,
-    /// So many times slower than the library itself is the processor that plays it.
+    /// Factor on time limits, for an emulated processor that is slower than the real one.
     pub slow: u32,
-    /// Where to keep pictures.
+    /// Folder in which presented pictures are saved.
     pub keep: Option<PathBuf>,
 }
 
 impl Options {
-    /// Reads the arguments that follow the program's name.
+    /// Parses the arguments after the program's name.
     ///
     /// # Errors
-    /// Names the argument, what was expected and what was found.
+    /// An invalid argument, with what was expected and what was found.
     pub fn parse(arguments: &[OsString]) -> Result<Self, String> {
         let mut options = Self {
             app: PathBuf::new(),

@@ -1,13 +1,13 @@
-//! Pictures in memory: what was presented or posted, what is expected, and how they differ.
+//! Pictures in main memory: presented, expected, and compared.
 
 use std::path::Path;
 
-/// Pixels in rows from the top, red, green and blue of 8 bits each.
+/// Pixels in rows from the top: red, green and blue of 8 bits each.
 #[derive(Clone, PartialEq, Eq)]
 pub struct Picture {
-    /// In pixels.
+    /// Width in pixels.
     pub width: u32,
-    /// In pixels.
+    /// Height in pixels.
     pub height: u32,
     /// Three bytes a pixel.
     pub rgb: Vec<u8>,
@@ -17,7 +17,7 @@ impl Picture {
     /// Reads a PNG file of 8 bits a channel.
     ///
     /// # Errors
-    /// Names the file and what is wrong with it.
+    /// The file cannot be read or decoded; the message names it.
     pub fn read(path: &Path) -> Result<Self, String> {
         let wrong = |problem: &dyn std::fmt::Display| format!("{}: {problem}", path.display());
         let file = std::fs::File::open(path).map_err(|e| wrong(&e))?;
@@ -40,7 +40,7 @@ impl Picture {
     /// Writes a PNG file.
     ///
     /// # Errors
-    /// Names the file and what went wrong.
+    /// The file cannot be written; the message names it.
     pub fn write(&self, path: &Path) -> Result<(), String> {
         let wrong = |problem: &dyn std::fmt::Display| format!("{}: {problem}", path.display());
         let file = std::fs::File::create(path).map_err(|e| wrong(&e))?;
@@ -51,12 +51,12 @@ impl Picture {
         writer.write_image_data(&self.rgb).map_err(|e| wrong(&e))
     }
 
-    /// Whether all pixels are alike.
+    /// All pixels are equal.
     pub fn is_of_one_colour(&self) -> bool {
         self.rgb.chunks_exact(3).all(|pixel| pixel == &self.rgb[..3])
     }
 
-    /// How this picture differs from `other` in words; nothing if it does not.
+    /// Describes the difference to another picture; `None` where they are equal.
     pub fn difference(&self, other: &Self) -> Option<String> {
         if (self.width, self.height) != (other.width, other.height) {
             let [a, b] = [self, other].map(|picture| format!("{}x{}", picture.width, picture.height));

@@ -1,6 +1,6 @@
-//! What the kernel and glibc say about this process: threads, descriptors, memory.
+//! Statistics of this process: threads, file descriptors, memory.
 
-/// Names of the threads, as the kernel has them.
+/// Names of the threads.
 pub fn threads() -> Vec<String> {
     let tasks = std::fs::read_dir("/proc/self/task").into_iter().flatten().flatten();
     tasks
@@ -9,10 +9,10 @@ pub fn threads() -> Vec<String> {
         .collect()
 }
 
-/// What the open file descriptors lead to.
+/// Targets of the open file descriptors.
 pub fn descriptors() -> Vec<String> {
     let links = std::fs::read_dir("/proc/self/fd").into_iter().flatten().flatten();
-    // The folder that is read here is gone when its link is looked at by name.
+    // The descriptor by which the folder itself is read is closed when its link is read.
     let mut targets: Vec<String> = links
         .filter_map(|link| std::fs::read_link(link.path()).ok())
         .map(|target| target.to_string_lossy().into_owned())
@@ -22,21 +22,21 @@ pub fn descriptors() -> Vec<String> {
     targets
 }
 
-/// Memory of the process, in bytes.
+/// Memory use of the process in bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory {
-    /// In use by the heap: all arenas of malloc, and what it maps by the piece.
+    /// Heap memory in use: all arenas of malloc, and its mapped blocks.
     pub heap: u64,
-    /// Resident.
+    /// Resident memory.
     pub resident: u64,
 }
 
 impl Memory {
-    /// Of this moment, after what glibc keeps of freed memory was given back.
+    /// The present memory use, after glibc has returned freed memory to the system.
     pub fn now() -> Self {
-        // SAFETY: no conditions.
+        // SAFETY: the function has no preconditions.
         unsafe { libc::malloc_trim(0) };
-        // SAFETY: both are queries without arguments that matter.
+        // SAFETY: both functions only query.
         let (heap, page) = unsafe { (libc::mallinfo2(), libc::sysconf(libc::_SC_PAGESIZE)) };
         let statm = std::fs::read_to_string("/proc/self/statm").unwrap_or_default();
         let pages: u64 = statm.split_whitespace().nth(1).and_then(|n| n.parse().ok()).unwrap_or(0);

@@ -1,4 +1,4 @@
-//! What a run says: a line a step on the output, complaints about the app, and the watch over hangs.
+//! Output of a run: a line for each step, errors of the app, and the detection of hangs.
 
 use std::fs::File;
 use std::io::Write as _;
@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use crate::sync::lock;
 
-/// The app's glue sends the process's own output to the log, so what is said here goes through copies.
+/// Copies of standard output and error, as the app's glue code redirects the originals to the log.
 struct Streams {
     output: Mutex<File>,
     errors: Mutex<File>,
@@ -19,31 +19,31 @@ static STREAMS: OnceLock<Streams> = OnceLock::new();
 
 fn streams() -> &'static Streams {
     STREAMS.get_or_init(|| {
-        // SAFETY: the copies are fresh descriptors that the files own.
+        // SAFETY: the descriptors are new, and owned by the files.
         let copy = |of| Mutex::new(unsafe { File::from_raw_fd(libc::fcntl(of, libc::F_DUPFD_CLOEXEC, 100)) });
         Streams { output: copy(1), errors: copy(2) }
     })
 }
 
-/// Takes the copies of the output; called before the app is loaded.
+/// Copies the streams; must be called before the app is loaded.
 pub fn open() {
     streams();
 }
 
-/// Says a line on the output.
+/// Writes a line to the standard output.
 pub fn say(line: &str) {
-    // Nobody is left to be told when the output is closed.
+    // A closed output is ignored.
     let _ = writeln!(lock(&streams().output), "{line}");
 }
 
-/// Says a line of the log on the error output.
+/// Writes a line of the log to the standard error.
 pub fn say_log(line: &str) {
     let _ = writeln!(lock(&streams().errors), "{line}");
 }
 
 static COMPLAINTS: Mutex<Vec<String>> = Mutex::new(Vec::new());
 
-/// Notes something that the app did and that Android would not stand; it fails the run.
+/// Records a behaviour of the app that Android does not tolerate; the run fails at its end.
 pub fn complain(complaint: String) {
     say_log(&format!("host: {complaint}"));
     let mut complaints = lock(&COMPLAINTS);
@@ -52,7 +52,7 @@ pub fn complain(complaint: String) {
     }
 }
 
-/// What was complained of so far.
+/// The recorded errors of the app.
 pub fn complaints() -> Vec<String> {
     lock(&COMPLAINTS).clone()
 }
@@ -67,17 +67,17 @@ static WATCHED: Mutex<Vec<Watched>> = Mutex::new(Vec::new());
 
 static SLOW: AtomicU32 = AtomicU32::new(1);
 
-/// This machine is so many times slower than one that runs the library itself: an emulated processor.
+/// Sets a factor on all time limits, for a machine that emulates the app's processor.
 pub fn set_slow(factor: u32) {
     SLOW.store(factor, Ordering::Relaxed);
 }
 
-/// A bound, as long as it is on this machine.
+/// A time limit, scaled by that factor.
 pub fn allowed(bound: Duration) -> Duration {
     bound * SLOW.load(Ordering::Relaxed)
 }
 
-/// Something that must end within a bound; see [`watch`].
+/// A time limit that ends when this is dropped; see [`watch`].
 pub struct Watch;
 
 impl Drop for Watch {
@@ -86,7 +86,7 @@ impl Drop for Watch {
     }
 }
 
-/// Until the answer is dropped, `what` may take no longer than `bound`: if it does, the process ends and says so.
+/// Starts a time limit: unless the result is dropped within `bound`, the process reports `what` and ends.
 pub fn watch(what: &str, bound: Duration) -> Watch {
     static DOG: OnceLock<()> = OnceLock::new();
     lock(&WATCHED).push(Watched { what: what.to_owned(), since: Instant::now(), bound: allowed(bound) });
@@ -108,6 +108,6 @@ fn bark() {
     };
     let steps: Vec<&str> = watched.iter().map(|watched| watched.what.as_str()).collect();
     say(&format!("FAIL  {}: not back after {:.0} s", steps.join(" > "), late.bound.as_secs_f64()));
-    // SAFETY: ends the process at once; the thread that hangs cannot be ended otherwise.
+    // SAFETY: ends the process at once, as a thread that hangs cannot be ended alone.
     unsafe { libc::_exit(3) }
 }

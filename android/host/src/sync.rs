@@ -1,8 +1,8 @@
-//! Locks that a panic elsewhere does not spoil.
+//! Locks that ignore poisoning.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Locks `mutex`; what a panicking thread left is taken as it is, for the panic is reported on its own.
+/// Locks a mutex. Data of a thread that panicked is used as it is, as the panic is reported separately.
 pub fn lock<T: ?Sized>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

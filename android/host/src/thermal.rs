@@ -1,4 +1,4 @@
-//! `AThermal`: how hot the device is, as the scenario says.
+//! `AThermal`: thermal headroom and status, set by the scenario.
 
 use std::ffi::{c_int, c_void};
 use std::sync::Mutex;
@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use crate::report;
 use crate::sync::lock;
 
-/// Since which API level each symbol exists.
+/// The API level in which each symbol was introduced.
 pub const SYMBOLS: &[(&str, i32)] = &[
     ("AThermal_acquireManager", 30),
     ("AThermal_releaseManager", 30),
@@ -16,12 +16,12 @@ pub const SYMBOLS: &[(&str, i32)] = &[
     ("AThermal_getThermalHeadroom", 31),
 ];
 
-/// Asked again within this time, Android has no answer (`PowerManager.getThermalHeadroom`).
+/// Android returns NaN to a query within this time after the last one (`PowerManager.getThermalHeadroom`).
 const LEAST_INTERVAL: Duration = Duration::from_millis(500);
 const MANAGER: *mut c_void = 0x30 as *mut c_void;
 
 struct Thermal {
-    /// 1 is where the device begins to throttle severely.
+    /// Headroom; severe throttling begins at 1.
     headroom: f32,
     asked: Option<Instant>,
 }
@@ -29,12 +29,12 @@ struct Thermal {
 static THERMAL: Mutex<Thermal> = Mutex::new(Thermal { headroom: 0.5, asked: None });
 static MANAGERS: AtomicU64 = AtomicU64::new(0);
 
-/// What the app reads from now on.
+/// Sets the headroom that the app reads.
 pub fn set_headroom(headroom: f32) {
     lock(&THERMAL).headroom = headroom;
 }
 
-/// Managers that were acquired and not released.
+/// Number of managers that were acquired and not released.
 pub fn managers() -> u64 {
     MANAGERS.load(Ordering::SeqCst)
 }
@@ -52,7 +52,7 @@ extern "C" fn AThermal_releaseManager(_manager: *mut c_void) {
     }
 }
 
-/// `ATHERMAL_STATUS_*`: none, light, moderate or severe.
+/// Returns `ATHERMAL_STATUS_*`: none, light, moderate or severe.
 #[unsafe(no_mangle)]
 extern "C" fn AThermal_getCurrentThermalStatus(_manager: *mut c_void) -> c_int {
     match lock(&THERMAL).headroom {

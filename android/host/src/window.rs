@@ -1,7 +1,7 @@
-//! `ANativeWindow`: its size, who draws into it, and the pictures that the app draws without Vulkan.
+//! `ANativeWindow`: size, producer, and the pictures that the app draws without Vulkan.
 //!
-//! A window belongs to one producer at a time. Whoever drew into it from the CPU keeps it until the window is gone,
-//! as on Android, where a Vulkan surface can then no longer be made for it.
+//! As on Android, a window has one producer at a time. An app that has drawn with the CPU stays the producer until the
+//! window is destroyed, and a Vulkan surface can then not be created for it.
 
 use std::collections::HashMap;
 use std::ffi::{c_int, c_void};
@@ -12,10 +12,10 @@ use crate::picture::Picture;
 use crate::report;
 use crate::sync::lock;
 
-/// Opaque to the app; its address is the window's number.
+/// Opaque to the app; the address is the number of the window.
 pub type ANativeWindow = c_void;
 
-/// Who draws into a window.
+/// The producer of a window's pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Producer {
     Nobody,
@@ -25,13 +25,13 @@ enum Producer {
 
 struct Window {
     size: [u32; 2],
-    /// Of the buffers, where the app set it (`ANativeWindow_setBuffersGeometry`).
+    /// Size of the buffers, where the app has set it (`ANativeWindow_setBuffersGeometry`).
     geometry: Option<[u32; 2]>,
     format: i32,
     owners: u32,
     producer: Producer,
     is_taken_back: bool,
-    /// The buffer of the picture that is being drawn.
+    /// The buffer that the app has locked for drawing.
     locked: Option<Vec<u32>>,
 }
 
@@ -42,7 +42,7 @@ static WINDOWS: LazyLock<Mutex<HashMap<usize, Window>>> = LazyLock::new(Mutex::d
 static POSTED: Mutex<Option<Picture>> = Mutex::new(None);
 static POSTS: AtomicU64 = AtomicU64::new(0);
 
-/// A new window, held by the system.
+/// Creates a window, which the system holds.
 pub fn create(size: [u32; 2]) -> *mut ANativeWindow {
     static NEXT: AtomicU64 = AtomicU64::new(0x1000);
     let number = NEXT.fetch_add(0x10, Ordering::SeqCst) as usize;
@@ -59,38 +59,38 @@ pub fn create(size: [u32; 2]) -> *mut ANativeWindow {
     number as *mut ANativeWindow
 }
 
-/// The system changes the size.
+/// Changes the size of the window in pixels.
 pub fn resize(window: *mut ANativeWindow, size: [u32; 2]) {
     with(window, "resize", |window| window.size = size);
 }
 
-/// Whether the system took the window back.
+/// The system has released the window.
 pub fn is_taken_back(window: *mut ANativeWindow) -> bool {
     lock(&WINDOWS).get(&(window as usize)).is_none_or(|window| window.is_taken_back)
 }
 
-/// The system takes the window back; it lives on as long as the app holds it.
+/// Releases the window by the system; it exists as long as the app holds it.
 pub fn take_back(window: *mut ANativeWindow) {
     with(window, "take back", |window| window.is_taken_back = true);
     release(window);
 }
 
 fn release(window: *mut ANativeWindow) {
-    // SAFETY: the function looks the number up.
+    // SAFETY: the number is looked up, not dereferenced.
     unsafe { ANativeWindow_release(window) }
 }
 
-/// Number of windows that somebody holds.
+/// Number of windows with a holder.
 pub fn held() -> usize {
     lock(&WINDOWS).len()
 }
 
-/// In pixels, if the window still exists.
+/// Size in pixels, where the window still exists.
 pub fn size(window: *mut ANativeWindow) -> Option<[u32; 2]> {
     lock(&WINDOWS).get(&(window as usize)).map(|window| window.size)
 }
 
-/// Vulkan takes the window; says whether it may.
+/// Makes Vulkan the producer; returns whether that is possible.
 pub fn connect_vulkan(window: *mut ANativeWindow) -> bool {
     with(window, "vkCreateAndroidSurfaceKHR", |window| {
         let free = window.producer == Producer::Nobody;
@@ -103,13 +103,13 @@ pub fn connect_vulkan(window: *mut ANativeWindow) -> bool {
     .unwrap_or(false)
 }
 
-/// Vulkan gives the window back.
+/// Ends the production by Vulkan.
 pub fn disconnect_vulkan(window: *mut ANativeWindow) {
     with(window, "vkDestroySurfaceKHR", |window| window.producer = Producer::Nobody);
     release(window);
 }
 
-/// How many pictures were drawn without Vulkan.
+/// Number of pictures that were drawn without Vulkan.
 pub fn posts() -> u64 {
     POSTS.load(Ordering::SeqCst)
 }
@@ -159,7 +159,7 @@ unsafe extern "C" fn ANativeWindow_getFormat(window: *mut ANativeWindow) -> i32 
     with(window, "ANativeWindow_getFormat", |window| window.format).unwrap_or(-libc::EINVAL)
 }
 
-/// Zeros mean the window's own size and format.
+/// Sets the size and the format of buffers; zeros mean those of the window.
 #[unsafe(no_mangle)]
 unsafe extern "C" fn ANativeWindow_setBuffersGeometry(
     window: *mut ANativeWindow,
@@ -183,7 +183,7 @@ unsafe extern "C" fn ANativeWindow_setBuffersGeometry(
     .unwrap_or(-libc::EINVAL)
 }
 
-/// Only says yes: what is presented is read before it is turned.
+/// Accepts any transform: presented pictures are read before it is applied.
 #[unsafe(no_mangle)]
 extern "C" fn ANativeWindow_setBuffersTransform(_window: *mut ANativeWindow, _transform: i32) -> i32 {
     0
@@ -193,14 +193,14 @@ extern "C" fn ANativeWindow_setBuffersTransform(_window: *mut ANativeWindow, _tr
 struct ANativeWindow_Buffer {
     width: i32,
     height: i32,
-    /// In pixels.
+    /// Length of a row in pixels.
     stride: i32,
     format: i32,
     bits: *mut c_void,
     reserved: [u32; 6],
 }
 
-/// Rows of a locked buffer are longer than the picture, as the drivers' are.
+/// Length of a row for a width, both in pixels; longer than the picture, as with real drivers.
 fn stride(width: u32) -> u32 {
     width.next_multiple_of(16) + 16
 }

@@ -1,5 +1,5 @@
-//! What is around the app: a [`Session`] and a [`Surface`], which the desktop and Android have in common, and the desktop's
-//! window on winit. No logic but the shell: how a frame is made and what a gesture means is the app's.
+//! The layer around the app: [`Session`] and [`Surface`], which the desktop and Android share, and the desktop's window
+//! on winit. It has no logic beyond that: rendering and gestures are the app's.
 
 mod offscreen;
 mod session;
@@ -19,56 +19,56 @@ pub use surface::Surface;
 #[cfg(not(target_os = "android"))]
 pub use window::{Chosen, OpenDialog, Wakeup, run as run_window};
 
-/// Saves a picture under a name, or under one of its own; returns what to tell.
+/// Saves a picture under a name, or under one that it chooses; returns the confirmation to show.
 pub type Save = Box<dyn FnMut(Option<PathBuf>, &DisplayImage) -> Result<String>>;
 
-/// The first name in a folder that is free for a picture.
+/// The first unused name `glimpse-N.png` in a folder.
 #[must_use]
 pub fn free_name(folder: &Path) -> Option<PathBuf> {
     (1..).map(|i| folder.join(format!("glimpse-{i}.png"))).find(|path| !path.exists())
 }
 
-/// Keeps the names of files that were opened.
+/// Stores the names of recently opened files.
 pub type Remember = Box<dyn FnMut(&[String])>;
 
-/// What the platform lends.
+/// What a platform provides to a session.
 pub struct Setup {
-    /// Reads scenes.
+    /// Reads scenes by their names.
     pub files: Files,
-    /// The scene to begin with.
+    /// Name of the first scene.
     pub scene: String,
-    /// Files that were opened before.
+    /// Names of files that were opened before.
     pub recent: Vec<String>,
-    /// What is chosen at first.
+    /// The initial choices.
     pub choices: Choices,
-    /// Part of the name of the adapter to use.
+    /// Part of the name of the graphics adapter to use.
     pub adapter: Option<String>,
-    /// No limits of the device are higher.
+    /// Upper bounds of the device's limits.
     pub limits: Option<wgpu::Limits>,
-    /// The screen that is emulated, in portrait; else the window's own.
+    /// The screen that is emulated, in portrait; `None` for the window itself.
     pub screen: Option<Screen>,
-    /// Pixels of the frame of a view that rests, in landscape, whatever the screen has.
+    /// Size of frames at full resolution in pixels, in landscape; `None` for the size of the screen.
     pub view: Option<[u32; 2]>,
-    /// Pixels of the window at first.
+    /// Initial size of the window in pixels.
     pub size: [u32; 2],
-    /// What happens by itself.
+    /// A script to play.
     pub script: Option<Script>,
-    /// Saves a picture under a name, or under one of its own; returns what to tell.
+    /// Saves pictures.
     pub save: Save,
-    /// Remembers files that were opened.
+    /// Stores recently opened files.
     pub remember: Remember,
 }
 
 /// A screen that is emulated.
 #[derive(Clone, Copy, Debug)]
 pub struct Screen {
-    /// In portrait.
+    /// Width and height in pixels, in portrait.
     pub pixels: [u32; 2],
     /// Pixels for a point of the overlay.
     pub pixels_per_point: f32,
-    /// What the system and the shape of the screen take, in points: left, top, right, bottom, in portrait.
+    /// Insets at the left, top, right and bottom in points, in portrait, that cutouts or system bars cover.
     pub insets: [f32; 4],
 }
 
-/// What went wrong, in one line.
+/// The error is a message of one line.
 pub type Result<T> = std::result::Result<T, String>;

@@ -1,4 +1,4 @@
-//! Plays a script without a window: the same frames, into an image.
+//! Plays a script without a window: frames are drawn into an image.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// Plays the script of the setup to its end.
 ///
 /// # Errors
-/// No device, or a script that was not met: `FILE:LINE: expected ..., found ...`.
+/// There is no device, or a step of the script failed: `FILE:LINE: expected ..., found ...`.
 pub fn run(setup: Setup) -> Result<()> {
     let size = setup.screen.map_or(setup.size, |screen| screen.pixels);
     let mut stage =
@@ -27,7 +27,7 @@ pub fn run(setup: Setup) -> Result<()> {
 
 struct Stage {
     session: Session,
-    /// The device and the image that stands for the window's surface.
+    /// The device and the image that replaces the window's surface.
     target: Option<(Arc<Gpu>, wgpu::Texture)>,
     size: [u32; 2],
     paused: bool,
@@ -44,7 +44,7 @@ impl Stage {
         Ok(())
     }
 
-    /// Makes a frame; false at the end.
+    /// Updates the session and draws a frame; returns false at the end of the script.
     fn frame(&mut self) -> Result<bool> {
         let (mut update, leftover) = self.session.frame(egui::RawInput::default(), self.size, 1.0)?;
         let view = match &self.target {

@@ -1,4 +1,4 @@
-//! A frame of the app, whatever it is shown on: input in, picture out, and what was asked for done.
+//! A session: updates the app, plays scripts, and carries out the app's requests, on any kind of window.
 
 use std::{
     io::Write,
@@ -16,52 +16,53 @@ use glimpse_app::{
 
 use crate::{Result, Screen, Setup, Surface, surface::Acquired, touch::Finger};
 
-/// The app, the script that plays it, and what the platform lends.
+/// The app, the script that plays it, and the platform's setup.
 pub struct Session {
-    /// The app.
+    /// The application.
     pub app: App,
     player: Option<Player>,
     setup: Setup,
     started: Instant,
-    /// The mouse of a phone.
+    /// Converts the mouse into touches while a phone is emulated.
     finger: Finger,
-    /// The window is being turned: what is shown is as wide as the emulated screen is high.
+    /// The emulated screen is rotated by 90 degrees.
     turned: bool,
-    /// Files for what the window shows, as soon as it shows something.
+    /// Files to save the window's content in, once it shows something.
     shots: Vec<PathBuf>,
 }
 
-/// What became of a picture.
+/// The result of presenting a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
-    /// It is shown, or there is nothing to show it on.
+    /// It is presented, or there is no surface.
     Yes,
-    /// The surface takes none now: to be tried again after [`RETRY`].
+    /// The surface has no texture at present: try again after [`RETRY`].
     NotNow,
-    /// The surface is gone: a new one is to be made.
+    /// The surface is lost: create a new one.
     Lost,
 }
 
-/// How long a surface that takes no picture is left alone.
+/// Time to wait before a surface without a texture is tried again.
 pub const RETRY: Duration = Duration::from_millis(100);
 
-/// What a frame leaves to be done by what shows it.
+/// What the window's owner has to do after a frame.
 #[derive(Default)]
 pub struct Leftover {
-    /// What a script lets happen to the window.
+    /// An event that the script simulates.
     pub event: Option<ShellEvent>,
-    /// The window as large as the screen, or not.
+    /// Switch between full screen and window.
     pub full_screen: bool,
-    /// The device is lost.
+    /// Create a new device, as the last one is lost.
     pub new_device: bool,
-    /// A person wants to choose a file.
+    /// Show a file dialog.
     pub dialog: bool,
-    /// The end.
+    /// End the program.
     pub quit: bool,
 }
 
 impl Session {
-    /// Without a device: see [`Session::attach`]. `wake` is called from other threads when there is news.
+    /// Creates the app without a device: see [`Session::attach`]. `wake` is called on other threads when the session
+    /// has to be updated.
     #[must_use]
     pub fn new(mut setup: Setup, wake: Wake) -> Self {
         let recent = std::mem::take(&mut setup.recent);
@@ -78,28 +79,28 @@ impl Session {
         }
     }
 
-    /// What the platform lends.
+    /// The platform's setup.
     #[must_use]
     pub fn setup(&self) -> &Setup {
         &self.setup
     }
 
-    /// A script is being played: frames follow each other without pause.
+    /// A script is being played: frames follow each other without a pause.
     pub fn is_scripted(&self) -> bool {
         self.player.is_some()
     }
 
-    /// Takes a device, as [`App::attach`].
+    /// Takes a device and the format of targets, as [`App::attach`].
     pub fn attach(&mut self, gpu: &Arc<Gpu>, format: wgpu::TextureFormat) {
         self.app.attach(gpu.clone(), format);
     }
 
-    /// Turns the screen that is emulated.
+    /// Rotates the emulated screen by 90 degrees.
     pub fn turn(&mut self) {
         self.turned = !self.turned;
     }
 
-    /// The screen that is emulated, as it is held now.
+    /// The emulated screen in its present rotation.
     pub fn screen(&self) -> Option<Screen> {
         let screen = self.setup.screen?;
         if !self.turned {
@@ -109,10 +110,11 @@ impl Session {
         Some(Screen { pixels: [height, width], insets: [top, right, bottom, left], ..screen })
     }
 
-    /// Fills in what the input does not know of a view of that many pixels, plays the script, updates the app.
+    /// Completes the input for a view of `size` pixels, plays a step of the script, updates the app, and carries out
+    /// its requests.
     ///
     /// # Errors
-    /// A script that was not met.
+    /// A step of the script failed, or a picture that it requested could not be saved.
     pub fn frame(
         &mut self,
         mut input: egui::RawInput,
@@ -125,14 +127,14 @@ impl Session {
             self.setup.view.map(|[width, height]| if lying { [width, height] } else { [height, width] });
         self.app.set_view(chosen.or(screen.map(|screen| screen.pixels)));
         let native = match screen {
-            // As many points as on the phone, however large the window is.
+            // The view has as many points as the phone's, whatever the size of the window.
             Some(screen) => screen.pixels_per_point * size[0] as f32 / screen.pixels[0] as f32,
             None => pixels_per_point,
         };
         let points = native * self.app.context().zoom_factor();
         let view = Rect::from_min_size(pos2(0.0, 0.0), vec2(size[0] as f32, size[1] as f32) / points);
         if let Some(screen) = screen {
-            // Positions are in points of the window's own.
+            // Input positions are in points of the window, not of the emulated screen.
             self.finger.translate(&mut input.events, pixels_per_point / native, view.center());
             let [left, top, right, bottom] = screen.insets;
             input.safe_area_insets =
@@ -154,7 +156,7 @@ impl Session {
         Ok((update, leftover))
     }
 
-    /// The time of this frame.
+    /// Plays a step of the script; returns the time of this frame.
     fn play(&mut self, input: &mut egui::RawInput, view: Rect, leftover: &mut Leftover) -> Result<Duration> {
         let Some(player) = &mut self.player else { return Ok(self.started.elapsed()) };
         let app = &mut self.app;
@@ -197,10 +199,11 @@ impl Session {
         Ok(())
     }
 
-    /// Paints and presents. Without a surface the overlay is kept up to date.
+    /// Draws the painting on the surface and presents it. Without a surface, only changes of the overlay's textures are
+    /// applied.
     ///
     /// # Errors
-    /// A picture of the window that could not be saved.
+    /// The window's content could not be read or saved.
     pub fn show(&mut self, painting: &mut Painting, surface: Option<&mut Surface>) -> Result<Shown> {
         let Some(surface) = surface else {
             self.app.paint(painting, None, [1, 1]);
@@ -219,25 +222,25 @@ impl Session {
             self.shoot(&surface.read(&picture)?)?;
         }
         surface.present(picture);
-        // A device that is lost by that tells nobody else.
+        // Losing the device during presentation is reported nowhere else.
         Ok(if surface.is_lost() { Shown::NotNow } else { Shown::Yes })
     }
 
-    /// A picture of the window is wanted.
+    /// The window's content is to be saved.
     pub(crate) fn wants_shot(&self) -> bool {
         !self.shots.is_empty()
     }
 
-    /// Saves what the window shows where that is wanted.
+    /// Saves the window's content under all names that are waiting.
     pub(crate) fn shoot(&mut self, picture: &DisplayImage) -> Result<()> {
         for file in std::mem::take(&mut self.shots) {
-            // No notice: it would be in the next.
+            // A notice would be visible in the next picture of the window.
             (self.setup.save)(Some(file), picture)?;
         }
         Ok(())
     }
 
-    /// Saves a picture; a script ends where that fails.
+    /// Saves a picture. A failure ends a script; without one it is shown as an error message.
     fn save(&mut self, file: Option<PathBuf>, picture: &DisplayImage) -> Result<()> {
         match (self.setup.save)(file, picture) {
             Ok(text) => self.app.notify(text),

@@ -1,4 +1,4 @@
-//! What a window shows pictures on.
+//! The surface of a window.
 
 use std::{
     panic::{AssertUnwindSafe, catch_unwind, resume_unwind},
@@ -11,32 +11,32 @@ use wgpu::CurrentSurfaceTexture as Current;
 
 use crate::Result;
 
-/// A surface that is configured for the size of its window. What the window is, its owner knows.
+/// A surface that is configured for the size of its window. The window itself belongs to the caller.
 pub struct Surface {
     surface: wgpu::Surface<'static>,
     gpu: Arc<Gpu>,
     config: wgpu::SurfaceConfiguration,
     vsync: Vsync,
     modes: Vec<wgpu::PresentMode>,
-    /// It can be asked for pictures.
+    /// The last configuration succeeded.
     ready: bool,
 }
 
-/// What there is to paint on now.
+/// The result of acquiring a surface texture.
 pub(crate) enum Acquired {
-    /// A picture to be filled.
+    /// A texture to draw on.
     Picture(wgpu::SurfaceTexture),
-    /// None, for the time being: to be asked for again.
+    /// There is none at present; try again later.
     NotNow,
-    /// The surface is gone: a new one is to be made.
+    /// The surface is lost: create a new one.
     Lost,
 }
 
 impl Surface {
-    /// Takes a surface of a window that has that many pixels.
+    /// Configures a surface for a window of `size` pixels.
     ///
     /// # Errors
-    /// An adapter that cannot show pictures there.
+    /// The adapter does not support the surface.
     pub fn new(
         surface: wgpu::Surface<'static>,
         gpu: &Arc<Gpu>,
@@ -48,7 +48,7 @@ impl Surface {
         let mut config = surface
             .get_default_config(gpu.adapter(), width, height)
             .ok_or_else(|| format!("`{}` cannot show pictures in this window", gpu.facts().info.name))?;
-        // Frames and overlay are sRGB-encoded by themselves.
+        // The frame and the overlay are sRGB-encoded by shaders, so the format must not encode again.
         let plain = capabilities.formats.iter().copied().find(|format| !format.is_srgb());
         config.format = plain.unwrap_or(config.format);
         config.usage |= capabilities.usages & wgpu::TextureUsages::COPY_SRC;
@@ -60,17 +60,17 @@ impl Surface {
         Ok(made)
     }
 
-    /// The format of its pictures.
+    /// The format of its textures.
     pub fn format(&self) -> wgpu::TextureFormat {
         self.config.format
     }
 
-    /// Pixels.
+    /// Width and height in pixels.
     pub fn size(&self) -> [u32; 2] {
         [self.config.width, self.config.height]
     }
 
-    /// Follows the window and the choice of a present mode.
+    /// Configures the surface again where the window's size or the choice of vsync has changed.
     pub fn follow(&mut self, size: [u32; 2], vsync: Vsync) {
         let size = extent(size);
         if size != self.size() || vsync != self.vsync {
@@ -81,7 +81,7 @@ impl Surface {
         }
     }
 
-    /// The next picture. An outdated surface is configured again once; a storm of that is not waited for.
+    /// Acquires the next texture. An outdated surface is configured again once a call.
     pub(crate) fn acquire(&mut self) -> Acquired {
         for _ in 0..2 {
             if !self.ready {
@@ -102,7 +102,7 @@ impl Surface {
         Acquired::NotNow
     }
 
-    /// Shows a picture.
+    /// Presents a texture.
     pub(crate) fn present(&self, picture: wgpu::SurfaceTexture) {
         if self.is_lost() {
             release(picture);
@@ -111,15 +111,15 @@ impl Surface {
         }
     }
 
-    /// Whether its device is lost.
+    /// The device is lost.
     pub(crate) fn is_lost(&self) -> bool {
         self.gpu.lost().is_some()
     }
 
-    /// A picture in main memory, before it is shown.
+    /// Reads a texture into main memory, before it is presented.
     ///
     /// # Errors
-    /// A surface whose pictures cannot be read, or a device that failed.
+    /// The surface does not support copies, has another format than 8 bits a channel, or the device failed.
     pub(crate) fn read(&self, picture: &wgpu::SurfaceTexture) -> Result<DisplayImage> {
         if !self.config.usage.contains(wgpu::TextureUsages::COPY_SRC) {
             return Err("expected a window whose pictures can be read, found none".to_owned());
@@ -149,22 +149,22 @@ impl Surface {
             Vsync::Newest => wgpu::PresentMode::Mailbox,
             Vsync::Off => wgpu::PresentMode::Immediate,
         };
-        // Every surface has this one.
+        // Every surface supports FIFO.
         if self.modes.contains(&wanted) { wanted } else { wgpu::PresentMode::Fifo }
     }
 }
 
-/// Lets a picture of a lost device go. wgpu (30) neither presents nor discards it then, and panics when the surface is
-/// dropped that still counts it; while unwinding, and only then, it does let go.
+/// Drops a texture of a lost device. wgpu (30) then neither presents nor discards the texture, and panics when its
+/// surface is dropped later. It only releases the texture while unwinding, so a caught panic is used.
 fn release(picture: wgpu::SurfaceTexture) {
-    // No hook hears of it: nothing went wrong.
+    // `resume_unwind` does not call the panic hook, so nothing is printed.
     let _ = catch_unwind(AssertUnwindSafe(|| {
         let _held = picture;
         resume_unwind(Box::new("the device is lost"))
     }));
 }
 
-/// A window without pixels gets one.
+/// At least one pixel on each side, as a surface needs.
 fn extent(size: [u32; 2]) -> [u32; 2] {
     size.map(|side| side.max(1))
 }

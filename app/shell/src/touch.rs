@@ -1,18 +1,18 @@
-//! A mouse as the finger of the phone that is emulated.
+//! Emulates touches with a mouse.
 
 use egui::{Event, Pos2, TouchDeviceId, TouchId, TouchPhase};
 
-/// Makes touches of a mouse: the left button is a finger; with Ctrl there is a second one, opposite of it about the
-/// middle of the view. A mouse that only moves is no finger.
+/// Converts mouse events into touches: the left button is a finger; with Ctrl, a second finger mirrors it about the
+/// centre of the view. Without a button, the mouse is no finger.
 #[derive(Debug, Default)]
 pub struct Finger {
-    /// How many fingers are down.
+    /// Number of fingers that are down.
     down: u64,
 }
 
 impl Finger {
-    /// Replaces what a mouse does by what fingers do. Positions are multiplied by `scale`; `middle` is that of the view,
-    /// in points after it.
+    /// Replaces mouse events by touches. Positions are multiplied by `scale`; `middle` is the centre of the view in
+    /// scaled points.
     pub fn translate(&mut self, events: &mut Vec<Event>, scale: f32, middle: Pos2) {
         let events_before = std::mem::take(events);
         for event in events_before {

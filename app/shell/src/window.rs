@@ -1,4 +1,4 @@
-//! The window: winit's events to the app, the app's pictures to the window.
+//! The desktop's window: passes winit's events to the session, and presents its frames.
 
 use std::{path::PathBuf, sync::Arc, time::Instant};
 
@@ -18,29 +18,29 @@ use crate::{
     surface::Surface,
 };
 
-/// Calls back with the file that a person has chosen, from whatever thread.
+/// Called with the chosen file, on any thread.
 pub type Chosen = Box<dyn FnOnce(PathBuf) + Send>;
 
-/// Lets a person choose a file, without blocking.
+/// Shows a file dialog without blocking.
 pub type OpenDialog = Box<dyn FnMut(Chosen)>;
 
-/// What wakes the event loop from outside.
+/// Events from outside the event loop.
 #[derive(Debug)]
 pub enum Wakeup {
-    /// The worker has news.
+    /// The worker has sent a message.
     News,
-    /// A person has chosen a file.
+    /// A file was chosen in the dialog.
     Chosen(PathBuf),
 }
 
-/// Shows the window until it is closed or the script ends.
+/// Runs the window until it is closed or the script ends.
 ///
 /// # Errors
-/// No display, no device, or a script that was not met.
+/// There is no display or no device, or a step of the script failed.
 pub fn run(event_loop: EventLoop<Wakeup>, setup: Setup, open_dialog: OpenDialog) -> Result<()> {
     let proxy = event_loop.create_proxy();
     let waker = proxy.clone();
-    // A loop that has ended needs no news.
+    // The event loop has ended where sending fails.
     let wake: Wake = Arc::new(move || drop(waker.send_event(Wakeup::News)));
     let mut shell = Shell {
         session: Session::new(setup, wake),
@@ -67,10 +67,10 @@ struct Shell {
     window: Option<Arc<Window>>,
     gpu: Option<Arc<Gpu>>,
     surface: Option<Surface>,
-    /// Pixels of the surface, or of the last one.
+    /// Size of the surface in pixels, or of the last one.
     size: [u32; 2],
     input: Option<egui_winit::State>,
-    /// A script has taken the surface away.
+    /// A script has paused the app, which has no surface then.
     paused: bool,
     failed: Option<String>,
 }
@@ -113,7 +113,7 @@ impl ApplicationHandler<Wakeup> for Shell {
             WindowEvent::CloseRequested => return event_loop.exit(),
             _ => {}
         }
-        // A script is not disturbed by a mouse that happens to be there.
+        // Input of the real mouse is ignored while a script is played.
         let heard = self.session.is_scripted() || input.on_window_event(window, &event).repaint;
         if heard || matches!(event, WindowEvent::Resized(_)) {
             self.redraw();
@@ -155,7 +155,7 @@ impl Shell {
         Ok(())
     }
 
-    /// A surface of the window, and a device that can show pictures on it if there is none.
+    /// Creates a surface for the window, and a device that supports it where there is none.
     fn make_surface(&mut self) -> Result<()> {
         let (Some(window), Some(instance)) = (&self.window, &self.instance) else { return Ok(()) };
         self.surface = None;
@@ -249,7 +249,7 @@ impl Shell {
         }
         if leftover.dialog {
             let proxy = self.proxy.clone();
-            // A loop that has ended opens no files.
+            // The event loop has ended where sending fails.
             (self.open_dialog)(Box::new(move |file| drop(proxy.send_event(Wakeup::Chosen(file)))));
         }
         if leftover.new_device {
@@ -268,7 +268,8 @@ fn pixels(window: &Window) -> [u32; 2] {
 }
 
 fn resize(window: &Window, [width, height]: [u32; 2]) {
-    // Where the new size is known at once, winit tells it here and sends no event.
+    // Where the size changes at once, winit returns it here and sends no event; the next frame reads it from the
+    // window.
     let _ = window.request_inner_size(PhysicalSize::new(width, height));
 }
 
@@ -276,7 +277,7 @@ fn set_full_screen(window: &Window, on: bool) {
     window.set_fullscreen(on.then_some(Fullscreen::Borderless(None)));
 }
 
-/// A phone's screen as large as it fits on the monitor.
+/// The size of the phone's screen, reduced to fit on the monitor.
 fn fitting(event_loop: &ActiveEventLoop, pixels: [u32; 2]) -> [u32; 2] {
     let monitor = event_loop.primary_monitor().or_else(|| event_loop.available_monitors().next());
     let Some(monitor) = monitor.map(|monitor| monitor.size()) else { return pixels };

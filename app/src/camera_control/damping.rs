@@ -1,24 +1,24 @@
-//! Motion that comes to rest, the same at every frame rate.
+//! Exponentially damped motion, independent of the frame rate.
 
 use glam::DVec3;
 
-/// How fast what is owed is paid, in 1/s: 63 % within 60 ms, all but a thousandth within 0.4 s.
+/// Decay rate of the remaining motion in 1/s: 63 % is done within 60 ms, 99.9 % within 0.4 s.
 pub(super) const RATE: f64 = 17.0;
 
-/// What is owed at most when everything is paid at once: far below a pixel, in picture heights or radians.
+/// A remainder below this is done at once: far less than a pixel, in picture heights or radians.
 const SETTLED: f64 = 1e-5;
 
-/// A movement that was asked for and is done with a lag that decays exponentially.
+/// A motion that follows its input with an exponentially decaying lag.
 ///
-/// What was asked for since the last step counts as having come evenly during the step: the movement then solves the
-/// differential equation exactly, whatever the steps are.
+/// Input since the last step is treated as evenly distributed over the step, and the differential equation is solved
+/// exactly, so that the result does not depend on the steps.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Damped {
-    /// Asked for before this step and not done.
+    /// Input from before this step that is left to do.
     owed: DVec3,
-    /// Asked for in this step, per second.
+    /// Input of this step per second.
     slope: DVec3,
-    /// Asked for since the last step.
+    /// Input since the last step.
     asked: DVec3,
 }
 
@@ -35,12 +35,12 @@ impl Damped {
         self.owed != DVec3::ZERO || self.asked != DVec3::ZERO
     }
 
-    /// A step of that many seconds begins.
+    /// Begins a step of that many seconds.
     pub fn begin(&mut self, seconds: f64) {
         self.slope = std::mem::take(&mut self.asked) / seconds;
     }
 
-    /// What is to be done in a part of the step.
+    /// Advances by a part of the step; returns the motion to carry out.
     pub fn advance(&mut self, seconds: f64) -> DVec3 {
         let lag = self.slope / RATE;
         let left = lag + (self.owed - lag) * (-RATE * seconds).exp();
@@ -49,14 +49,15 @@ impl Damped {
         done
     }
 
-    /// The step is over: what else is to be done, where next to nothing is left. `unit` is what one is worth.
+    /// Ends the step; returns the remaining motion where it is negligible, else zero. `unit` converts picture
+    /// heights or radians into the unit of the motion.
     pub fn settle(&mut self, unit: f64) -> DVec3 {
         let at_rest = self.slope == DVec3::ZERO && self.owed.length() < SETTLED * unit;
         if at_rest { std::mem::take(&mut self.owed) } else { DVec3::ZERO }
     }
 }
 
-/// A speed that follows what is asked for with a lag that decays exponentially.
+/// A velocity that follows its input with an exponentially decaying lag.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Flight {
     now: DVec3,
@@ -64,7 +65,7 @@ pub(super) struct Flight {
 }
 
 impl Flight {
-    /// The velocity that is asked for until the next step.
+    /// Sets the target velocity until the next step.
     pub fn ask(&mut self, velocity: DVec3) {
         self.asked = velocity;
     }
@@ -73,7 +74,7 @@ impl Flight {
         self.now != DVec3::ZERO || self.asked != DVec3::ZERO
     }
 
-    /// The way in a part of the step.
+    /// Advances by a part of the step; returns the displacement.
     pub fn advance(&mut self, seconds: f64) -> DVec3 {
         let decay = (-RATE * seconds).exp();
         let behind = self.now - self.asked;
@@ -81,7 +82,7 @@ impl Flight {
         self.asked * seconds + behind * ((1.0 - decay) / RATE)
     }
 
-    /// The step is over. `unit` is the velocity of which a speed is measured.
+    /// Ends the step: a negligible velocity becomes zero. `unit` is the velocity that speeds are compared with.
     pub fn settle(&mut self, unit: f64) {
         if std::mem::take(&mut self.asked) == DVec3::ZERO && self.now.length() < SETTLED * unit {
             self.now = DVec3::ZERO;

@@ -1,31 +1,32 @@
-//! Where the camera stands, in `f64`: what moves it, exactly.
+//! Position, direction and lens of the camera in `f64`, and the exact motions of them.
 
 use glam::{DMat3, DQuat, DVec2, DVec3, Vec3};
 use glimpse::{Camera, Lens, Pose};
 
-/// What the size of a step is measured by.
+/// The size and centre of the scene, to which motions are relative.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Extent {
-    /// Middle of the scene.
+    /// Centre of the scene's bounding box.
     pub center: DVec3,
-    /// Its longest side.
+    /// Longest side of the bounding box.
     pub size: f64,
 }
 
-/// The least and the largest distance from the target, in longest sides of the scene.
+/// Limits of the distance to the target, in longest sides of the scene.
 const DISTANCES: [f64; 2] = [1e-4, 1e3];
 
-/// The least and the largest side of a scene that is believed: their products with [`DISTANCES`] are `f32`.
+/// Limits of the scene's longest side, so that products with [`DISTANCES`] are `f32`.
 const SIZES: [f64; 2] = [1e-18, 1e18];
 
-/// The least and the largest vertical field of view in degrees.
+/// Limits of the vertical field of view in degrees.
 const FOVS: [f32; 2] = [0.01, 179.0];
 
-/// The view stays so many degrees off the vertical, where left and right would change sides.
+/// The least angle between view direction and vertical in degrees; beyond the vertical, left and right would be
+/// swapped.
 const POLE_DEGREES: f64 = 0.5;
 
 impl Extent {
-    /// Of a box. One that holds nothing is a unit cube.
+    /// Of a bounding box; a unit cube for an empty one.
     pub fn of((low, high): (Vec3, Vec3)) -> Self {
         let (low, high) = (low.as_dvec3(), high.as_dvec3());
         let size = (high - low).max_element();
@@ -41,27 +42,27 @@ impl Extent {
         distance.clamp(DISTANCES[0] * self.size, DISTANCES[1] * self.size)
     }
 
-    /// The nearest place within the largest distance from the middle.
+    /// The nearest point within the largest distance from the centre.
     fn place(&self, place: DVec3) -> DVec3 {
         let far = DVec3::splat(DISTANCES[1] * self.size);
         place.clamp(self.center - far, self.center + far)
     }
 }
 
-/// An eye at a distance from its target, with a lens.
+/// An orbit: a target, an eye at a distance from it, and a lens.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Stance {
-    /// What the camera turns around.
+    /// Centre of the orbit, in world space.
     pub target: DVec3,
-    /// World from view: right, up and backward are its x, y and z.
+    /// Rotation from view space to world space: x is right, y is up, z is backward.
     pub view: DQuat,
-    /// From the eye to the target, in world units.
+    /// Distance between eye and target in world units.
     pub distance: f64,
-    /// The lens.
+    /// Projection of the camera.
     pub lens: Lens,
 }
 
-/// A lens that a pose can say after rounding.
+/// Clamps a lens to values that a pose can express after rounding to `f32`.
 fn believed(lens: Lens, extent: &Extent) -> Lens {
     match lens {
         Lens::Perspective { vertical_fov_degrees } => {
@@ -74,9 +75,9 @@ fn believed(lens: Lens, extent: &Extent) -> Lens {
 }
 
 impl Stance {
-    /// Of a camera, with the target in the middle of the picture where the middle of the scene is abreast of it.
+    /// The orbit of a camera. The target is the point on the optical axis at the depth of the scene's centre.
     pub fn of(camera: &Camera, extent: &Extent) -> Self {
-        // From the origin: the target is then the view direction, unrounded by the eye.
+        // With the origin at zero, the pose's target is the view direction, without rounding by the eye's position.
         let Pose { target, up, lens, .. } = Pose::of(&Camera { origin: Vec3::ZERO, ..*camera }, 1.0);
         let eye = extent.place(camera.origin.as_dvec3());
         let forward = target.as_dvec3().normalize_or(DVec3::NEG_Z);
@@ -103,7 +104,7 @@ impl Stance {
         self.target - self.forward() * self.distance
     }
 
-    /// World units from the lower to the upper edge of the picture, at the target.
+    /// Height of the picture at the target, in world units.
     pub fn height(&self) -> f64 {
         match self.lens {
             Lens::Perspective { vertical_fov_degrees } => {
@@ -113,39 +114,40 @@ impl Stance {
         }
     }
 
-    /// The place in the plane of the target that is seen there, in picture heights from the middle.
+    /// The point in the plane of the target that is seen at a position in picture heights from the centre.
     fn seen_at(&self, at: DVec2) -> DVec3 {
         self.target + (self.right() * at.x + self.up() * at.y) * self.height()
     }
 
-    /// The orbit: turns around the target by radians, about the vertical and about the right.
+    /// Rotates around the target by radians about the vertical and about the right axis.
     pub fn orbit(&mut self, by: DVec2) {
         let elevation = self.forward().y.clamp(-1.0, 1.0).asin();
         let most = (90.0 - POLE_DEGREES).to_radians();
-        // A camera that is nearer to the vertical from the start may stay there, but gets no nearer.
+        // A camera that starts nearer to the vertical may stay there, but gets no nearer.
         let pitched = (elevation + by.y).clamp(elevation.min(-most), elevation.max(most));
         let (yaw, pitch) = (DQuat::from_rotation_y(by.x), DQuat::from_rotation_x(pitched - elevation));
         self.view = (yaw * self.view * pitch).normalize();
     }
 
-    /// As [`Stance::orbit`], around the eye.
+    /// Rotates around the eye, by the same angles as [`Stance::orbit`].
     pub fn turn(&mut self, by: DVec2, extent: &Extent) {
         let eye = self.eye();
         self.orbit(by);
         self.target = extent.place(eye + self.forward() * self.distance);
     }
 
-    /// Moves by that much in the world.
+    /// Translates by a vector in world space.
     pub fn shift(&mut self, by: DVec3, extent: &Extent) {
         self.target = extent.place(self.target + by);
     }
 
-    /// Moves the picture by so many of its heights, right and up.
+    /// Moves the picture by picture heights, right and up.
     pub fn pan(&mut self, by: DVec2, extent: &Extent) {
         self.shift((self.right() * by.x + self.up() * by.y) * -self.height(), extent);
     }
 
-    /// Multiplies the distance (or what parallel rays show) by e to the power of that; what is seen at `at` stays there.
+    /// Multiplies the distance (or the height of an orthographic picture) by e^exponent; the point seen at `at` stays
+    /// fixed.
     pub fn dolly(&mut self, exponent: f64, at: DVec2, extent: &Extent) {
         let (before, held) = (self.height(), self.seen_at(at));
         match &mut self.lens {
@@ -158,7 +160,8 @@ impl Stance {
         self.target = extent.place(held + (self.target - held) * share);
     }
 
-    /// The same picture with the target abreast of a point; what is left to the point, in the world.
+    /// Moves the target along the optical axis to the depth of a point, without changing the picture; returns the
+    /// vector in world space from the target to the point.
     pub fn reach(&mut self, point: DVec3, extent: &Extent) -> DVec3 {
         let eye = self.eye();
         let depth = (point - eye).dot(self.forward());
@@ -169,7 +172,7 @@ impl Stance {
         extent.place(point) - self.target
     }
 
-    /// So much of the way to another one, 0 to 1. A lens of another kind is changed at once.
+    /// Interpolates to another stance, `share` from 0 to 1. A lens of another kind is replaced at once.
     pub fn towards(&self, end: &Self, share: f64) -> Self {
         let between =
             |from: f32, to: f32| (f64::from(from) + (f64::from(to) - f64::from(from)) * share) as f32;
@@ -191,8 +194,8 @@ impl Stance {
         }
     }
 
-    /// As the command line says it. The target of a pose gives a direction alone: it is no nearer than the eye is to the
-    /// origin, so that rounding of a near one does not turn the view.
+    /// The pose for the command line. The target of a pose only gives a direction: it is at least as far from the eye
+    /// as the eye is from the origin, so that rounding does not rotate the view.
     pub fn pose(&self) -> Pose {
         let eye = self.eye();
         let ahead = self.distance.max(eye.length());

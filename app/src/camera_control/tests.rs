@@ -27,7 +27,7 @@ fn settle(control: &mut CameraControl) {
     assert!(!control.is_moving(), "must settle within 10 s");
 }
 
-/// The numbers of a camera.
+/// All values of a camera.
 fn numbers(camera: &Camera) -> [f32; 12] {
     let [o, r, u, f] = [camera.origin, camera.right, camera.up, camera.forward].map(|v| v.to_array());
     std::array::from_fn(|i| [o, r, u, f][i / 3][i % 3])
@@ -42,7 +42,7 @@ fn distance(a: &Camera, b: &Camera) -> f32 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
 }
 
-/// Where a camera shows a point, in picture heights from the middle.
+/// The position at which a camera sees a point, in picture heights from the centre.
 fn seen(camera: &Camera, point: DVec3) -> DVec2 {
     let way = point - camera.origin.as_dvec3();
     let (right, up) = (camera.right.as_dvec3(), camera.up.as_dvec3());
@@ -50,7 +50,7 @@ fn seen(camera: &Camera, point: DVec3) -> DVec2 {
     DVec2::new(way.dot(right) / right.length_squared(), way.dot(up) / up.length_squared()) / (2.0 * depth)
 }
 
-/// The point in the plane of the target that is seen there.
+/// The point in the plane of the target that is seen at a position.
 fn point_at(control: &CameraControl, at: DVec2) -> DVec3 {
     let stance = &control.stance;
     stance.target + (stance.right() * at.x + stance.up() * at.y) * stance.height()
@@ -108,7 +108,7 @@ fn a_hand_on_the_way_back_stops_it() {
     assert!(distance(&control.camera(), &perspective()) > 0.1);
 }
 
-/// What one second of a script brings, at so many frames a second.
+/// The camera after one second of a script, at so many frames a second.
 fn after_a_second(frames: u32, script: impl Fn(f32, f32) -> Vec<Motion>, navigation: Navigation) -> Camera {
     let mut control = CameraControl::new(perspective(), BOUNDS);
     let seconds = 1.0 / frames as f32;
@@ -213,7 +213,7 @@ fn no_time_loses_no_motion() {
 fn the_orbit_keeps_its_distance_and_follows_the_hand() {
     let mut control = CameraControl::new(perspective(), BOUNDS);
     let (target, far) = (control.stance.target, control.stance.distance);
-    // What is in front of the target.
+    // A point in front of the target.
     let front = target - control.stance.forward() * 0.1;
     control.apply(Motion::Turn { by: Vec2::new(0.05, 0.05) }, Navigation::Orbit);
     settle(&mut control);
@@ -297,7 +297,7 @@ fn focus_brings_a_point_to_the_middle_without_turning_or_coming_nearer() {
         assert!(seen(&camera, point.as_dvec3()).length() < 1e-6);
         assert!((camera.forward - home.forward).length() < 1e-6);
         assert!((depth(&camera) - depth(&home)).abs() < 1e-5);
-        // It is what the orbit turns around.
+        // The orbit rotates around the point.
         control.apply(Motion::Turn { by: Vec2::new(0.7, 0.1) }, Navigation::Orbit);
         settle(&mut control);
         assert!(seen(&control.camera(), point.as_dvec3()).length() < 1e-6);
@@ -316,7 +316,7 @@ fn flight_is_measured_by_the_scene() {
         settle(&mut control);
         (control.camera().origin - perspective().origin).dot(perspective().forward)
     };
-    // The lag at the beginning is made good by that at the end.
+    // The distance lost to lag at the start is gained at the end.
     assert!((fly(BOUNDS, 0.0) - 1.0).abs() < 1e-3, "a quarter of four units: {}", fly(BOUNDS, 0.0));
     assert!((fly((BOUNDS.0 * 10.0, BOUNDS.1 * 10.0), 0.0) - 10.0).abs() < 1e-2);
     assert!((fly(BOUNDS, 2_f32.ln()) - 2.0).abs() < 1e-3);

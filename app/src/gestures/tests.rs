@@ -1,4 +1,4 @@
-//! Synthetic events through a real context without a window.
+//! Sends synthetic input through a real egui context without a window.
 
 use egui::{
     Context, Event, Modifiers, MouseWheelSource, MouseWheelUnit, RawInput, Rect, Sense, TouchDeviceId,
@@ -7,14 +7,14 @@ use egui::{
 
 use super::*;
 
-/// A view of that height and twice that width, at 60 frames a second.
+/// A simulated user of a view of that height and twice that width, at 60 frames a second.
 struct Hand {
     context: Context,
     gestures: Gestures,
     navigation: Navigation,
     height: f32,
     scale: f32,
-    /// The part of the screen's width that the view has, on the left.
+    /// The share of the screen's width that the view covers, from the left.
     part: f32,
     frame: u32,
     modifiers: Modifiers,
@@ -35,7 +35,7 @@ impl Hand {
             frame: 0,
             modifiers: Modifiers::NONE,
         };
-        // The view is known to the pointer from its second frame on.
+        // egui knows the view's rectangle from its second frame on.
         hand.frame([]);
         hand.frame([]);
         hand
@@ -62,7 +62,7 @@ impl Hand {
         motions
     }
 
-    /// A position by heights of the view from its middle.
+    /// Converts view heights from the centre into a position in points.
     fn at(&self, x: f32, y: f32) -> Pos2 {
         pos2((1.0 + x) * self.height, (0.5 - y) * self.height)
     }
@@ -99,7 +99,7 @@ impl Hand {
         }
     }
 
-    /// Drags from the middle by heights of the view in ten frames, and lets go.
+    /// Drags from the centre by view heights over ten frames, and releases.
     fn drag(&mut self, button: PointerButton, x: f32, y: f32) -> Vec<Motion> {
         let mut motions = self.frame([self.moved(0.0, 0.0), self.button(button, true, 0.0, 0.0)]);
         for i in 1..=10 {
@@ -112,7 +112,7 @@ impl Hand {
     }
 }
 
-/// What all of them turn, pan and dolly together.
+/// The sums of all rotations, pans and dollies.
 fn sum(motions: &[Motion]) -> (Vec2, Vec2, f32) {
     let mut sum = (Vec2::ZERO, Vec2::ZERO, 0.0);
     for motion in motions {
@@ -185,7 +185,7 @@ fn a_pinch_on_a_trackpad_dollies() {
     near(at, Vec2::new(0.1, 0.2), 1e-5);
 }
 
-/// As winit's shells do: the first finger is the pointer too.
+/// The first finger is reported as the pointer too, as winit does.
 #[test]
 fn two_fingers_pan_and_dolly_and_never_turn() {
     use TouchPhase::{End, Move, Start};
@@ -200,12 +200,12 @@ fn two_fingers_pan_and_dolly_and_never_turn() {
         alone.extend(hand.frame([hand.touch(1, Move, x, 0.0), hand.moved(x, 0.0)]));
     }
     near(sum(&alone).0, Vec2::new(-0.1, 0.0), 1e-4);
-    // The second finger comes, together with a move of the first.
+    // The second finger comes down in the same frame in which the first moves.
     let second = [hand.touch(2, Start, 0.2, 0.0), hand.touch(1, Move, -0.25, 0.0), hand.moved(-0.25, 0.0)];
     assert_eq!(hand.frame(second), [], "the second finger must not move anything");
     let mut both = Vec::new();
     for i in 1..=8 {
-        // Apart from 0.45 to 0.9 and up by 0.16.
+        // The distance of the fingers grows from 0.45 to 0.9, and both move up by 0.16.
         let share = i as f32 / 8.0;
         let (y, left, right) = (0.16 * share, -0.25 - 0.225 * share, 0.2 + 0.225 * share);
         let events = [hand.touch(1, Move, left, y), hand.touch(2, Move, right, y), hand.moved(left, y)];
@@ -215,7 +215,7 @@ fn two_fingers_pan_and_dolly_and_never_turn() {
     assert_eq!(turned, Vec2::ZERO);
     near(panned, Vec2::new(0.0, 0.16), 1e-4);
     assert!((dollied - 2_f32.ln()).abs() < 1e-4, "{dollied}");
-    // One leaves: the other may go where it likes until it has left too.
+    // One finger is lifted: the other moves nothing until it is lifted too.
     let mut leaving = hand.frame([hand.touch(2, End, 0.425, 0.16)]);
     for i in 1..=5 {
         let x = -0.475 + 0.05 * i as f32;
@@ -225,7 +225,7 @@ fn two_fingers_pan_and_dolly_and_never_turn() {
         [hand.touch(1, End, -0.225, 0.16), hand.button(primary, false, -0.225, 0.16), Event::PointerGone];
     leaving.extend(hand.frame(last));
     assert_eq!(leaving, [], "what is left of a pinch must not move anything");
-    // The next finger turns again.
+    // The next touch rotates again.
     hand.frame([hand.touch(3, Start, 0.0, 0.0), hand.moved(0.0, 0.0), hand.button(primary, true, 0.0, 0.0)]);
     let again = hand.frame([hand.touch(3, Move, 0.1, 0.0), hand.moved(0.1, 0.0)]);
     near(sum(&again).0, Vec2::new(0.1, 0.0), 1e-4);
@@ -284,7 +284,7 @@ fn keys_with_control_are_commands_and_letters_fly_alone() {
     assert_eq!(hand.frame([hand.key(Key::S, true)]), []);
 }
 
-/// They reach the pointer as two clicks of the first finger.
+/// egui sees two taps with two fingers as two clicks of the first finger.
 #[test]
 fn two_taps_with_two_fingers_are_no_double_tap() {
     use TouchPhase::{End, Start};

@@ -1,36 +1,38 @@
-//! The levels of quality, from the best to the fastest.
+//! The quality levels of the governor, from the best to the fastest.
 
 use glimpse::{Postcorrect, Settings, Tolerances};
 
-/// How a frame is to be made.
+/// How the quality of a frame is reduced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quality {
-    /// The level of the ladder, 0 the best; `None` at rest, where everything is as it was chosen.
+    /// Index of the level, 0 the best; `None` for a frame at rest, at the quality that was chosen.
     pub level: Option<usize>,
-    /// Pixels of the frame along a side, over those of the view: a multiple of 1/64 in (0, 1].
+    /// Ratio of the frame's side to the view's: a multiple of 1/64 in (0, 1].
     pub scale: f32,
-    /// The least side of a block.
+    /// The least block size.
     pub block: u32,
-    /// The tolerances are wider by this factor, at least 1.
+    /// The factor by which tolerances are relaxed, at least 1.
     pub relax: f32,
 }
 
 impl Quality {
-    /// Everything as it was chosen.
+    /// The quality that was chosen.
     pub const FULL: Self = Self { level: None, scale: 1.0, block: 2, relax: 1.0 };
 
-    /// What was chosen, as this quality changes it.
+    /// The chosen settings with this quality applied.
     #[must_use]
     pub fn settings(&self, chosen: &Settings) -> Settings {
         let t = &chosen.tolerances;
         if self.level.is_none() {
             return *chosen;
         }
-        // A bound on a cosine: its distance from 1 grows, as far as cosines go. One that is out of reach stays so.
+        // The tolerance is a lower bound of a cosine: its distance from 1 is scaled, down to -1. A bound below -1 is
+        // kept.
         let norm = (1.0 - (1.0 - t.norm) * self.relax).clamp(t.norm.min(-1.0), t.norm);
         Settings {
             block: chosen.block.max(self.block),
-            // What it repairs is gone with the next frame, and comes back at rest.
+            // Postcorrection repairs single frames, which are replaced at once in motion. It is back in the frame at
+            // rest.
             postcorrect: match chosen.postcorrect {
                 Postcorrect::Auto => Postcorrect::Off,
                 wished => wished,
@@ -38,7 +40,7 @@ impl Quality {
             tolerances: Tolerances {
                 pos: (t.pos * self.relax).min(f32::MAX),
                 norm,
-                // The border zone of a texture: narrower is looser.
+                // The width of the border zone of a texture: narrower is looser.
                 tex: t.tex / self.relax,
                 gcol: (t.gcol * self.relax).min(f32::MAX),
             },
@@ -46,19 +48,20 @@ impl Quality {
         }
     }
 
-    /// Pixels along a side of a view of so many: at least one.
+    /// The frame's side for a view's side, both in pixels: at least one.
     #[must_use]
     pub fn pixels(&self, view: u32) -> u32 {
         ((f64::from(view) * f64::from(self.scale)).round() as u32).max(1)
     }
 }
 
-/// A level of the ladder.
+/// A quality level.
 pub(super) struct Level {
     pub scale: f32,
     pub block: u32,
     pub relax: f32,
-    /// Time of a pixel over that of a pixel of the best level, as measured on average; the rest is learned from frames.
+    /// Time of a pixel relative to one at the best level, measured as a mean over scenes; the governor corrects it by
+    /// reports.
     pub work: f64,
 }
 
@@ -66,8 +69,8 @@ const fn level(scale: f32, block: u32, relax: f32, work: f64) -> Level {
     Level { scale, block, relax, work }
 }
 
-/// A level has 0.69 to 0.81 times the pixels of the one before it: a step is seldom seen. Blocks of 4 take 0.87 times the
-/// time of those of 2 and lose little (README, larger blocks); those of 8 take no less, so they are not here.
+/// Each level has 0.69 to 0.81 times the pixels of the previous one, a step that is seldom visible. A block size of 4
+/// takes 0.87 times the time of 2 and loses little quality; 8 is no faster than 4, so no level has it.
 pub(super) const LADDER: [Level; 16] = [
     level(1.0, 2, 1.0, 1.0),
     level(0.875, 2, 1.0, 1.0),
@@ -88,12 +91,12 @@ pub(super) const LADDER: [Level; 16] = [
 ];
 
 impl Level {
-    /// Pixels of a frame over those of the view.
+    /// Ratio of the frame's pixels to the view's.
     pub fn area(&self) -> f64 {
         f64::from(self.scale).powi(2)
     }
 
-    /// Time of a frame over that of a frame of the best level.
+    /// Time of a frame relative to one at the best level.
     pub fn share(&self) -> f64 {
         self.area() * self.work
     }

@@ -1,4 +1,4 @@
-//! Replayed loads under a clock of our own.
+//! Replays of synthetic loads with a simulated clock.
 
 use std::f64::consts::TAU;
 
@@ -6,19 +6,20 @@ use glimpse::{Postcorrect, Settings, Tolerances};
 
 use super::{ladder::Level, *};
 
-/// Pixels of an FHD+ view.
+/// Pixels of a view of 1080x2400.
 const VIEW: f64 = 1080.0 * 2400.0;
 
 const BUDGETS: [f64; 2] = [1000.0 / 30.0, 1000.0 / 60.0];
 
-/// Nanoseconds a pixel of the best level: 5 fit into 60 frames a second on FHD+ as they are, 300 do by the last levels.
+/// Costs of scenes in ns a pixel at the best level: 5 fits 60 frames a second at full size, 300 at the last levels
+/// only.
 const SCENES: [f64; 6] = [5.0, 12.0, 30.0, 75.0, 150.0, 300.0];
 
-/// Marsaglia's xorshift, so that noise is the same everywhere.
+/// Marsaglia's xorshift generator, which gives the same noise on every platform.
 struct Noise(u64);
 
 impl Noise {
-    /// Even in [-1, 1).
+    /// Uniformly distributed in [-1, 1).
     fn even(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -27,26 +28,27 @@ impl Noise {
     }
 }
 
-/// What the device takes for a frame. It is not what the ladder believes: blocks of 4 gain less, and every frame has a cost
-/// of its own.
+/// Time of a frame on the simulated device. It differs from the governor's model: blocks of 4 gain less, and each frame
+/// has a constant cost.
 fn frame_ms(level: usize, ns: f64, slower: f64) -> f64 {
     let Level { scale, block, .. } = LADDER[level];
     let work = if block > 2 { 0.92 } else { 1.0 };
     slower * (0.4 + ns * 1e-6 * VIEW * f64::from(scale).powi(2) * work)
 }
 
-/// How many times slower the device is, by seconds. The amounts are those of published stress tests (3DMark Wild Life
-/// Extreme, 20 runs of a minute: a Galaxy S23 Ultra falls from 3,886 to 2,794 points, an iPhone 15 Pro Max from 3,608 to
-/// 2,681), the shapes those of step-wise thermal governors: clocks fall by steps of their table, rise when it is cool again.
+/// Slowdown of the device after so many seconds. The amounts follow published stress tests (3DMark Wild Life Extreme,
+/// 20 runs of a minute: a Galaxy S23 Ultra falls from 3,886 to 2,794 points, an iPhone 15 Pro Max from 3,608 to 2,681),
+/// the shapes stepwise thermal governors, which lower clocks by steps of a table and raise them once the device is cool
+/// again.
 fn load(trace: &str, seconds: f64) -> f64 {
     match trace {
         "cool" => 1.0,
-        // A minute and a half to a sustained 72 %, by clocks of a table.
+        // Falls to a sustained 72 % within a minute and a half, in steps.
         "steps" => [1.0, 1.1, 1.24, 1.39][(seconds / 22.0) as usize % 4],
         "ramp" => 1.0 + 0.9 * (seconds / 90.0).min(1.0),
-        // A trip point that is reached every 20 s, and left again.
+        // Heats up to a trip point every 20 s.
         "saw tooth" => 1.0 + 0.6 * (seconds / 20.0).fract(),
-        // Every 12 s something else has the device for a third of a second.
+        // Something else uses the device for a third of a second, every 12 s.
         "other load" => {
             if seconds % 12.0 > 11.65 {
                 1.6
@@ -54,7 +56,7 @@ fn load(trace: &str, seconds: f64) -> f64 {
                 1.0
             }
         }
-        // Single frames, three times as long.
+        // Single frames take three times as long.
         "hiccups" => {
             if (seconds % 9.0) > 9.0 - 0.016 {
                 3.0
@@ -69,13 +71,13 @@ fn load(trace: &str, seconds: f64) -> f64 {
 
 const TRACES: [&str; 7] = ["cool", "steps", "ramp", "saw tooth", "other load", "hiccups", "breathing"];
 
-/// What a run came to.
+/// Statistics of a replay.
 #[derive(Debug, Default)]
 struct Run {
     frames: u32,
     late: u32,
     scale: f64,
-    /// When the level changed, in seconds.
+    /// Times of level changes in seconds.
     changes: Vec<f64>,
 }
 
@@ -89,7 +91,7 @@ impl Run {
     }
 }
 
-/// Ninety seconds of a trace, with noise of 15 %, by what chooses the level.
+/// Replays 90 seconds of a load with 15 % noise, with the level chosen by `choose`.
 fn replay(
     budget_ms: f64,
     ns: f64,
@@ -113,7 +115,7 @@ fn replay(
             run.changes.push(now.as_secs_f64());
         }
         before = Some(level);
-        // The display takes whole periods.
+        // A frame is displayed for whole refresh periods.
         now += Duration::from_secs_f64((ms / budget_ms).ceil() * budget_ms * 1e-3);
     }
     run
@@ -126,7 +128,7 @@ fn governed(budget_ms: f64, ns: f64, trace: &str, seed: u64) -> Run {
     })
 }
 
-/// The best level that would be in time all along, if there is one.
+/// The best fixed level that is in time throughout, if there is one.
 fn best_fixed(budget_ms: f64, ns: f64, trace: &str, seed: u64) -> Option<f64> {
     (0..LADDER.len())
         .map(|level| replay(budget_ms, ns, trace, seed, |_, _| level))
@@ -158,7 +160,7 @@ fn frames_are_in_time_and_no_smaller_than_they_must_be() {
 #[test]
 fn a_constant_load_settles() {
     for budget_ms in BUDGETS {
-        // In small steps, so that some come to lie where two levels are both possible.
+        // Small steps of cost, so that for some of them two levels are both feasible.
         for step in 0..60 {
             let ns = 5.0 * 1.07_f64.powi(step);
             let run = governed(budget_ms, ns, "cool", step as u64 + 1);
@@ -169,7 +171,8 @@ fn a_constant_load_settles() {
     }
 }
 
-/// A frame every 20 ms of a view of a million pixels, by what a frame of a level takes.
+/// The levels of a number of frames, one every 20 ms, of a view of a million pixels; `ms` gives the time of a frame of
+/// a level.
 fn levels(governor: &mut Governor, frames: u32, ms: impl Fn(u32, usize) -> f64) -> Vec<usize> {
     let mut last = None;
     (0..frames)
@@ -185,7 +188,7 @@ fn levels(governor: &mut Governor, frames: u32, ms: impl Fn(u32, usize) -> f64) 
 
 #[test]
 fn a_level_that_was_tried_in_vain_is_left_alone() {
-    // Levels with blocks of 2 take twice what the ladder believes: the best that fits is 5, and 4 looks as if it would.
+    // Levels with blocks of 2 take twice the modelled time: level 5 is the best that fits, and level 4 seems to.
     let dear =
         |_, level: usize| 30.0 * LADDER[level].share() * if LADDER[level].block == 2 { 3.0 } else { 1.0 };
     let levels = levels(&mut Governor::new(20.0), 90 * 50, dear);
@@ -215,7 +218,7 @@ fn a_single_hiccup_changes_nothing_and_a_second_one_is_believed() {
     assert!(after > before, "two slow frames");
 }
 
-/// What reports say is believed at once where it is bad, and slowly where it is good.
+/// Slow frames lower the level at once, fast ones raise it slowly.
 #[test]
 fn down_at_once_and_up_by_single_levels() {
     let mut governor = Governor::new(20.0);
@@ -280,7 +283,7 @@ fn rest_is_refined_and_motion_goes_on_where_it_was() {
     assert_eq!((rest.level, rest.scale), (None, 1.0));
     let chosen = Settings { block: 8, ..Settings::default() };
     assert_eq!(rest.settings(&chosen), chosen);
-    // A frame at rest may take as long as it likes.
+    // A frame at rest has no time limit.
     let slow = FrameReport { level: None, pixels: 2_592_000, ms: 9000.0 };
     for i in 0..5 {
         assert_eq!(governor.next(Duration::from_secs(10 + i), Some(slow), true), moving);
@@ -368,7 +371,7 @@ fn every_level_is_valid_and_looser_than_what_was_chosen() {
             assert!(index > 0 || repaired == chosen, "the best level is what was chosen");
         }
     }
-    // What traces everything still does.
+    // Tolerances that make every check fail still do so when they are relaxed.
     let quality = Quality { level: Some(10), scale: 0.25, block: 4, relax: 2.0 };
     let settings = quality.settings(&Settings { tolerances: strictest, ..Settings::default() });
     assert_eq!(

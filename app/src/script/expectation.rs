@@ -1,8 +1,8 @@
-//! What a script may demand of what is known.
+//! Expectations of a script about values of the app.
 
 use std::{cmp::Ordering, fmt};
 
-/// A demand.
+/// A comparison of the value of a name with a number or a text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expectation {
     pub(super) name: String,
@@ -37,12 +37,12 @@ impl Operator {
     }
 }
 
-/// Something that is known by a name.
+/// The value of a name.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// A number.
+    /// Compared as a number.
     Number(f64),
-    /// A text.
+    /// Compared as a text.
     Text(String),
 }
 
@@ -56,16 +56,16 @@ impl fmt::Display for Value {
 }
 
 impl Expectation {
-    /// The name of what is to be looked at.
+    /// The name whose value is compared.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Fails with what was expected and what was found. A number that is not known is none that is expected.
+    /// Compares a value. A number that is missing meets no expectation.
     ///
     /// # Errors
-    /// A line without place.
+    /// The comparison does not hold: what was expected and what was found, without the line number.
     pub fn check(&self, found: Option<&Value>) -> Result<(), String> {
         let holds = match (found, self.operator) {
             (None, _) => false,

@@ -36,101 +36,101 @@ use std::path::PathBuf;
 
 use crate::Change;
 
-/// A script: what happens, in order.
+/// A parsed script: steps in their order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Script {
-    /// For messages.
+    /// Name of the file, for messages.
     pub(crate) file: String,
-    /// The line of each, from 1, and the step.
+    /// Line number, from 1, and step.
     pub(crate) steps: Vec<(usize, Step)>,
 }
 
-/// Something that happens.
+/// A step of a script.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
-    /// A scene is opened.
+    /// Opens a scene by its name.
     Open(String),
-    /// A file is dropped on the window.
+    /// Drops a file on the window.
     Drop(PathBuf),
-    /// The pointer moves to a share of the view within seconds.
+    /// Moves the pointer to a position within seconds. Positions are shares of the view's width and height.
     Move([f32; 2], f64),
-    /// A button goes down or up.
+    /// Presses or releases a mouse button.
     Button(egui::PointerButton, bool),
-    /// Wheel notches.
+    /// Scrolls by notches of the wheel, positive upwards.
     Scroll(f32),
-    /// A trackpad's pinch.
+    /// Pinches on a trackpad, by a factor on the distance of the fingers.
     Pinch(f32),
-    /// A finger.
+    /// Moves a finger, identified by its number.
     Touch(u64, Finger),
-    /// A key goes down, up, or both.
+    /// Presses or releases a key, or both.
     Key(egui::Key, egui::Modifiers, Stroke),
-    /// Something is chosen.
+    /// Applies a change of the choices.
     Set(Change),
-    /// Something befalls the window or the phone.
+    /// Simulates an event of the window or the phone.
     Shell(ShellEvent),
-    /// Nanoseconds a pixel that frames are taken to need.
+    /// Takes frames to need that many nanoseconds a pixel.
     Cost(f64),
-    /// Seconds pass.
+    /// Lets seconds pass.
     Wait(f64),
-    /// Until everything rests.
+    /// Waits until the view is at rest with its frame complete.
     Settle,
-    /// The frame into a file.
+    /// Saves the frame.
     Screenshot(PathBuf),
-    /// The window into a file.
+    /// Saves the window's content.
     Window(PathBuf),
-    /// Something must be so.
+    /// Compares a value with an expectation; the script fails where it does not hold.
     Expect(Expectation),
-    /// What is known by a name is told.
+    /// Prints the value of a name.
     Print(String),
-    /// The end.
+    /// Ends the program.
     Quit,
 }
 
 /// What a finger does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Finger {
-    /// It comes down there.
+    /// It touches a position.
     Begin([f32; 2]),
-    /// It goes there within seconds.
+    /// It moves to a position within seconds.
     Move([f32; 2], f64),
-    /// It leaves.
+    /// It is lifted.
     End,
 }
 
-/// What a key does.
+/// What happens to a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stroke {
-    /// Down and up.
+    /// It is pressed and released.
     Tap,
-    /// Down.
+    /// It is pressed.
     Hold,
-    /// Up.
+    /// It is released.
     Let,
 }
 
-/// What befalls the window or the phone.
+/// An event of the window or the phone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ShellEvent {
-    /// The window gets that size in pixels.
+    /// The window is resized to that width and height in pixels.
     Size([u32; 2]),
-    /// The window goes away and stays an icon.
+    /// The window is minimised to an icon.
     Minimise,
-    /// It comes back.
+    /// The window is restored from an icon.
     Restore,
-    /// It covers the screen, or not.
+    /// The window enters or leaves full screen.
     FullScreen(bool),
-    /// The phone is turned.
+    /// The phone is rotated by 90 degrees.
     Rotate,
-    /// Another app is in front: the surface goes.
+    /// Another app comes to the front, and the surface is destroyed.
     Pause,
-    /// The app is in front again.
+    /// The app comes to the front again.
     Resume,
-    /// The surface is lost and made again.
+    /// The surface is lost and has to be created again.
     LoseSurface,
     /// The device is lost.
     LoseDevice,
-    /// The system wants memory back.
+    /// The system asks for memory.
     LowMemory,
-    /// The device is hot: a factor on the time that a frame may take, 1 when cool.
+    /// The device is hot: a factor on the time limit of frames, 1 when cool.
     Thermal(f32),
 }

@@ -1,4 +1,4 @@
-//! The lines of a script.
+//! Parses scripts.
 
 use std::str::FromStr;
 
@@ -7,17 +7,17 @@ use egui::{Key, Modifiers, PointerButton};
 use super::{Expectation, Finger, Script, ShellEvent, Step, Stroke, expectation::Operator};
 use crate::Change;
 
-/// The largest side of a window that a script may ask for.
+/// The largest side of a window in pixels.
 const MAX_SIDE: u32 = 16384;
 
-/// The longest that a step may last, in seconds.
+/// The longest duration of a step in seconds.
 const MAX_SECONDS: f64 = 3600.0;
 
 impl Script {
-    /// Reads a script; `file` is its name in messages.
+    /// Parses a script; `file` is its name in messages.
     ///
     /// # Errors
-    /// `FILE:LINE: expected ..., found ...`.
+    /// An invalid line, as `FILE:LINE: expected ..., found ...`.
     pub fn parse(file: &str, text: &str) -> Result<Self, String> {
         let mut steps = Vec::new();
         for (index, line) in text.lines().enumerate() {
@@ -68,7 +68,7 @@ fn step(line: &str) -> Result<Step, String> {
     })
 }
 
-/// Steps of one word.
+/// Parses steps without arguments.
 fn bare(word: &str, rest: &str) -> Result<Step, String> {
     let step = match word {
         "minimise" => Step::Shell(ShellEvent::Minimise),
@@ -106,7 +106,7 @@ fn point(text: &str) -> Result<[f32; 2], String> {
     Ok([number(x.trim(), -1.0, 2.0)? as f32, number(y.trim(), -1.0, 2.0)? as f32])
 }
 
-/// A point and the seconds to get there.
+/// Parses a point and an optional duration in seconds.
 fn motion(rest: &str) -> Result<([f32; 2], f64), String> {
     match rest.split_once(" over ") {
         None => Ok((point(rest)?, 0.0)),
@@ -180,7 +180,7 @@ fn expectation(rest: &str) -> Result<Expectation, String> {
         let all: Vec<_> = Operator::ALL.iter().map(|(text, _)| *text).collect();
         format!("expected one of {}, found `{sign}`", all.join(" "))
     })?;
-    // A text may be expected to be empty.
+    // The expected text may be empty.
     let value = words.next().unwrap_or_default().to_owned();
     if value.is_empty() && !matches!(operator, Operator::Equal | Operator::NotEqual) {
         return Err(format!("expected NAME OP VALUE, found `{rest}`"));

@@ -1,4 +1,4 @@
-//! Plays a script: a step each frame, at 60 frames a second of a clock of its own.
+//! Plays a script: one step a frame, at 60 frames a second of simulated time.
 
 use std::{
     collections::BTreeMap,
@@ -12,43 +12,43 @@ use egui::{Event, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase};
 use super::{Finger, Script, ShellEvent, Step, Stroke, Value};
 use crate::Change;
 
-/// Between two frames.
+/// Time between two frames.
 const FRAME: Duration = Duration::from_nanos(16_666_667);
 
-/// A view that has not come to rest after so many seconds never will.
+/// Seconds after which a view that has not come to rest fails the script.
 const PATIENCE: f64 = 120.0;
 
-/// What a step asks of the app or of the shell.
+/// A request of a step to the app or to the shell.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Ask {
-    /// To open a scene.
+    /// To open a scene by its name.
     Open(String),
-    /// To choose something.
+    /// To apply a change of the choices.
     Set(Change),
     /// To take frames to need that many nanoseconds a pixel.
     Cost(f64),
     /// To save the frame.
     Screenshot(PathBuf),
-    /// To save what the window shows.
+    /// To save the window's content.
     Window(PathBuf),
-    /// Something befalls the window or the phone.
+    /// To simulate an event of the window or the phone.
     Shell(ShellEvent),
-    /// To tell that line.
+    /// To print that line.
     Print(String),
-    /// The end.
+    /// To end the program.
     Quit,
 }
 
-/// A script that is being played.
+/// A script in progress.
 pub struct Player {
     script: Script,
     next: usize,
     now: Duration,
-    /// What lasts until when.
+    /// The step that lasts several frames.
     lasting: Option<Lasting>,
     pointer: [f32; 2],
     fingers: BTreeMap<u64, [f32; 2]>,
-    /// The finger that is a pointer too: the first that came down.
+    /// The finger that is reported as the pointer too: the first that came down.
     pointing: Option<u64>,
 }
 
@@ -73,7 +73,7 @@ enum Lasting {
 }
 
 impl Player {
-    /// From the first step.
+    /// Starts at the first step.
     #[must_use]
     pub fn new(script: Script) -> Self {
         Self {
@@ -87,17 +87,16 @@ impl Player {
         }
     }
 
-    /// The time of this frame.
+    /// The time of the present frame.
     #[must_use]
     pub fn now(&self) -> Duration {
         self.now
     }
 
-    /// Plays a frame: fills in the input of a view that large in points, and returns what else the step asks for.
-    /// `rests` tells whether the view rests with its frame complete, `look` what is known by a name.
+    /// Plays a frame: adds events to `input` for a view of that rectangle in points, and returns what else the step
+    /// requests. `rests` tells whether the view is at rest with its frame complete; `look` returns the value of a name.
     ///
-    /// # Errors
-    /// `FILE:LINE: expected ..., found ...`.
+    /// A step failed: `FILE:LINE: expected ..., found ...`.
     pub fn frame(
         &mut self,
         input: &mut egui::RawInput,
@@ -119,7 +118,7 @@ impl Player {
         self.step(step, input, view, look).map_err(|reason| format!("{}:{line}: {reason}", self.script.file))
     }
 
-    /// The place of the step that was played last, for messages: `FILE:LINE`.
+    /// The position of the last step, for messages: `FILE:LINE`.
     #[must_use]
     pub fn place(&self) -> String {
         let line =
@@ -201,7 +200,7 @@ impl Player {
         Lasting::Motion { finger, from, to, began: self.now, seconds }
     }
 
-    /// What is left of what lasts.
+    /// Continues a step that lasts several frames.
     fn go_on(
         &mut self,
         lasting: Lasting,
@@ -299,10 +298,10 @@ mod tests {
         Player::new(Script::parse("a.script", text).expect("a script"))
     }
 
-    /// A frame's events and ask.
+    /// The events and the request of a frame.
     type Played = (Vec<Event>, Option<Ask>);
 
-    /// Plays to the end.
+    /// Plays a script to its end.
     fn played(text: &str, rests: bool) -> Result<Vec<Played>, String> {
         let mut player = player(text);
         let mut frames = Vec::new();
@@ -359,7 +358,7 @@ mod tests {
             touch 0 move 0.25,0.5\ntouch 0 end";
         let frames = played(script, true).expect("played");
         let counts: Vec<_> = frames.iter().map(|(events, _)| events.len()).collect();
-        // A motion arrives in the frame of the step that follows.
+        // A motion arrives in the frame of the following step.
         assert_eq!(counts, [3, 1, 0, 2, 0, 6, 0]);
         assert_eq!(frames[5].0[1], Event::PointerMoved(egui::pos2(50.0, 50.0)));
         assert!(played("touch 0 end", true).unwrap_err().contains("expected finger 0 down"));

@@ -15,18 +15,21 @@ pub(super) struct Health {
 }
 
 impl Health {
-    /// Registers callbacks for loss and uncaptured errors of the device.
-    pub fn watch(device: &wgpu::Device) -> Arc<Self> {
-        let health = Arc::new(Self::default());
-        let sink = Arc::clone(&health);
+    /// Registers callbacks for loss and uncaptured errors of a device that this crate made.
+    pub fn watch(self: &Arc<Self>, device: &wgpu::Device) {
+        let sink = Arc::clone(self);
         device.on_uncaptured_error(Arc::new(move |error| {
             sink.uncaught.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
         }));
-        let sink = Arc::clone(&health);
-        device.set_device_lost_callback(move |reason, message| {
+        device.set_device_lost_callback(self.on_lost());
+    }
+
+    /// What is called when the device is lost.
+    pub fn on_lost(self: &Arc<Self>) -> impl Fn(wgpu::DeviceLostReason, String) + Send + Sync + use<> {
+        let sink = Arc::clone(self);
+        move |reason, message| {
             sink.lose(if message.is_empty() { format!("{reason:?}") } else { message });
-        });
-        health
+        }
     }
 
     /// Takes the device for lost; the first reason stays.

@@ -22,6 +22,15 @@ pub(super) fn check_cache(driver: &str, is_set: impl Fn(&str) -> bool) -> Result
     })
 }
 
+/// Whether a variable of the environment is set.
+#[expect(
+    clippy::disallowed_methods,
+    reason = "the driver reads it there too, so no argument can stand for it"
+)]
+pub(super) fn is_set(name: &str) -> bool {
+    std::env::var_os(name).is_some_and(|value| !value.is_empty())
+}
+
 #[cfg(test)]
 mod tests {
     use super::{DIRECTORY, DISABLE, WIDTH, check_cache};

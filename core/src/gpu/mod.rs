@@ -1,5 +1,6 @@
 //! The device: which adapter, what it can, how memory comes back from it.
 
+mod adapter;
 mod health;
 mod kernel;
 mod lavapipe;
@@ -25,46 +26,30 @@ pub use timer::Timer;
 pub(crate) use words::{TEXEL_ROW, Words};
 
 use crate::{Error, Result};
+use adapter::{best_adapter, check_limits, used_limits};
+
+pub use adapter::{AdapterFacts, instance};
 
 /// The longest wait for a frame or a readback unless set otherwise. A device that needs more is taken for hung: the
 /// slowest frame that is still useful (a software driver, 16384x16384) takes a few minutes.
 pub const PATIENCE: Duration = Duration::from_secs(600);
 
-/// What an adapter reports of itself.
-#[derive(Clone, Debug)]
-pub struct AdapterFacts {
-    /// Name, backend, driver, as wgpu reports them.
-    pub info: wgpu::AdapterInfo,
-    /// The limits that the adapter supports.
-    pub limits: wgpu::Limits,
-    /// Whether frames are timed on the GPU.
-    pub timestamps: bool,
-}
-
-impl AdapterFacts {
-    fn of(adapter: &wgpu::Adapter) -> Self {
-        Self {
-            info: adapter.get_info(),
-            limits: adapter.limits(),
-            timestamps: adapter.features().contains(wgpu::Features::TIMESTAMP_QUERY),
-        }
-    }
-}
-
-/// A device and its queue. Threads may share it; they take turns at waiting for it.
+/// A device and its queue. Threads may share it; they take turns at waiting for it. A clone is another handle to the same
+/// device.
 ///
 /// A device that is lost stays lost: every call on what was made from it gives [`Error::Lost`]. A program recovers by a
 /// new `Gpu`, [`crate::GpuScene::upload`] and [`crate::Renderer::new`], which make the same pictures again.
+#[derive(Clone)]
 pub struct Gpu {
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
     adapter: wgpu::Adapter,
-    facts: AdapterFacts,
+    facts: Arc<AdapterFacts>,
     health: Arc<Health>,
     patience: Duration,
     /// Held from a submission until its result has been copied: whoever polls a lost device frees its buffers, those
     /// that another thread has mapped included.
-    turn: Mutex<()>,
+    turn: Arc<Mutex<()>>,
     /// Pipelines that the driver compiled in earlier runs.
     compiled: Option<wgpu::PipelineCache>,
     /// Whether the device is a CPU, for which other kernels are linked.
@@ -105,51 +90,86 @@ impl Gpu {
 
     fn from_adapter(adapter: wgpu::Adapter, most: Option<&wgpu::Limits>) -> Result<Self> {
         let facts = AdapterFacts::of(&adapter);
-        lavapipe::check_cache(&facts.info.driver, |name| {
-            std::env::var_os(name).is_some_and(|v| !v.is_empty())
-        })?;
         let offered = match most {
             Some(most) => facts.limits.clone().or_worse_values_from(most),
             None => facts.limits.clone(),
         };
-        // The WebGPU defaults, with as much memory as there is: large scenes and frames are checked against it.
-        let limits = wgpu::Limits {
-            max_buffer_size: offered.max_buffer_size,
-            max_storage_buffer_binding_size: offered.max_storage_buffer_binding_size,
-            max_texture_dimension_2d: offered.max_texture_dimension_2d,
-            max_texture_array_layers: offered.max_texture_array_layers,
-            ..wgpu::Limits::default()
-        };
-        let failed: Vec<_> = missing_limits(&limits, &offered);
-        if let Some((what, need, have)) = failed.first() {
-            return Err(Error::Missing {
-                what: format!("Glimpse ({what})"),
-                need: need.to_string(),
-                have: have.to_string(),
-                adapter: facts.info.name.clone(),
-            });
-        }
-        let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
-            label: Some("glimpse"),
-            required_features: adapter.features()
-                & (wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::PIPELINE_CACHE),
-            required_limits: limits,
-            ..Default::default()
-        }))
-        .map_err(|error| {
+        check_limits(&facts, &offered)?;
+        let descriptor =
+            wgpu::DeviceDescriptor { required_limits: used_limits(&offered), ..Self::requirements(&adapter) };
+        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).map_err(|error| {
             let name = &facts.info.name;
             Error::NoAdapter(format!("`{name}` gives no device ({error}); try another --adapter"))
         })?;
-        log::debug!(
-            "adapter {} ({}), driver {}",
-            facts.info.name,
-            facts.info.backend,
-            facts.info.driver_info
-        );
-        let health = Health::watch(&device);
-        let turn = Mutex::new(());
-        let on_cpu = facts.info.device_type == wgpu::DeviceType::Cpu;
-        Ok(Self { device, queue, adapter, facts, health, patience: PATIENCE, turn, compiled: None, on_cpu })
+        let gpu = Self::new(adapter, device, queue, facts)?;
+        gpu.health.watch(&gpu.device);
+        Ok(gpu)
+    }
+
+    /// Renders on a device of the caller's, made with at least what [`Gpu::requirements`] asks for, beside whatever else it
+    /// does. Frames are timed if it has [`wgpu::Features::TIMESTAMP_QUERY`]. The handles are cloned.
+    ///
+    /// Its callbacks stay the caller's: an error of a call of this crate's is caught by an error scope and returned, and
+    /// does not come to the handler of uncaptured errors. A loss is told to one callback alone, which the caller passes on:
+    ///
+    /// ```no_run
+    /// # use glimpse::{Gpu, wgpu};
+    /// # fn example(adapter: wgpu::Adapter, device: wgpu::Device, queue: wgpu::Queue) -> glimpse::Result<()> {
+    /// let gpu = Gpu::from_device(&adapter, &device, &queue)?;
+    /// let on_lost = gpu.on_lost();
+    /// device.set_device_lost_callback(move |reason, message| {
+    ///     on_lost(reason, message);
+    ///     // What else there is to do.
+    /// });
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// Without it a loss is noticed late, and some calls give [`Error::Device`] in place of [`Error::Lost`].
+    ///
+    /// # Errors
+    /// [`Error::Missing`] names every limit of the device that is too low.
+    pub fn from_device(adapter: &wgpu::Adapter, device: &wgpu::Device, queue: &wgpu::Queue) -> Result<Self> {
+        let timestamps = device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
+        let facts = AdapterFacts { timestamps, ..AdapterFacts::of(adapter) };
+        check_limits(&facts, &device.limits())?;
+        Self::new(adapter.clone(), device.clone(), queue.clone(), facts)
+    }
+
+    /// What a device of this adapter's should have for [`Gpu::from_device`]: WebGPU's default limits, with buffers and images
+    /// as large as the adapter lets them be, for large scenes and frames; timestamps and a cache of pipelines if it can. A
+    /// caller adds what else it needs.
+    #[must_use]
+    pub fn requirements(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
+        wgpu::DeviceDescriptor {
+            label: Some("glimpse"),
+            required_features: adapter.features()
+                & (wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::PIPELINE_CACHE),
+            required_limits: used_limits(&adapter.limits()),
+            ..Default::default()
+        }
+    }
+
+    fn new(
+        adapter: wgpu::Adapter,
+        device: wgpu::Device,
+        queue: wgpu::Queue,
+        facts: AdapterFacts,
+    ) -> Result<Self> {
+        lavapipe::check_cache(&facts.info.driver, lavapipe::is_set)?;
+        let wgpu::AdapterInfo { name, backend, driver_info, .. } = &facts.info;
+        log::debug!("adapter {name} ({backend}), driver {driver_info}");
+        Ok(Self {
+            on_cpu: facts.info.device_type == wgpu::DeviceType::Cpu,
+            device,
+            queue,
+            adapter,
+            facts: Arc::new(facts),
+            health: Arc::default(),
+            patience: PATIENCE,
+            turn: Arc::default(),
+            compiled: None,
+        })
     }
 
     /// With the kernels that a GPU gets, even if it is none: for tests of them where there is no GPU.
@@ -169,6 +189,11 @@ impl Gpu {
     pub fn destroy(&self) {
         self.health.lose("it was destroyed".to_owned());
         self.device.destroy();
+    }
+
+    /// What a caller with a device of its own tells of its loss: see [`Gpu::from_device`]. It holds no handle to the device.
+    pub fn on_lost(&self) -> impl Fn(wgpu::DeviceLostReason, String) + Send + Sync + use<> {
+        self.health.on_lost()
     }
 
     /// Why the device is lost, if it is. It may be lost the moment after.
@@ -213,46 +238,4 @@ impl Gpu {
     pub fn limits(&self) -> wgpu::Limits {
         self.device.limits()
     }
-}
-
-/// Of the backends that are Vulkan's kind: others' compute is not enough.
-#[must_use]
-pub fn instance() -> wgpu::Instance {
-    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
-    descriptor.backends &= wgpu::Backends::PRIMARY;
-    wgpu::Instance::new(descriptor)
-}
-
-/// Hardware before software, among those whose name contains `wanted` and that `serve`.
-fn best_adapter(
-    instance: &wgpu::Instance,
-    wanted: Option<&str>,
-    serves: impl Fn(&wgpu::Adapter) -> bool,
-) -> Result<wgpu::Adapter> {
-    let mut adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
-    adapters.retain(serves);
-    let names: Vec<_> = adapters.iter().map(|a| a.get_info().name).collect();
-    adapters.retain(|a| wanted.is_none_or(|w| a.get_info().name.to_lowercase().contains(&w.to_lowercase())));
-    adapters.sort_by_key(|a| match a.get_info().device_type {
-        wgpu::DeviceType::DiscreteGpu => 0,
-        wgpu::DeviceType::IntegratedGpu => 1,
-        wgpu::DeviceType::VirtualGpu => 2,
-        wgpu::DeviceType::Cpu => 3,
-        wgpu::DeviceType::Other => 4,
-    });
-    adapters.into_iter().next().ok_or_else(|| {
-        Error::NoAdapter(match wanted {
-            Some(wanted) if !names.is_empty() => {
-                format!("none has `{wanted}` in its name; there is {}", names.join(", "))
-            }
-            _ => "no Vulkan driver was found; `sh desktop/setup.sh` installs a software one".to_owned(),
-        })
-    })
-}
-
-/// The limits that an adapter does not reach: name, needed, had.
-fn missing_limits(need: &wgpu::Limits, have: &wgpu::Limits) -> Vec<(&'static str, u64, u64)> {
-    let mut missing = Vec::new();
-    need.check_limits_with_fail_fn(have, false, |name, need, have| missing.push((name, need, have)));
-    missing
 }

@@ -23,6 +23,7 @@ pub struct Source {
 
 /// A kernel that does not compile or is bound wrongly: a bug of this crate or of the driver.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum ShaderError {
     /// The compiler's message at its place in the file.
     #[error("{file}:{line}:{column}: {message}")]

@@ -1,12 +1,17 @@
 //! What only the inside of this crate can provoke, on a device without a driver.
 
+use std::sync::{
+    Arc,
+    atomic::{AtomicU32, Ordering},
+};
+
 use super::{
     Gpu, Kernel,
     shader::{ShaderError, Source},
 };
 use crate::{Error, Result};
 
-fn device() -> Gpu {
+fn instance() -> wgpu::Instance {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     descriptor.backends = wgpu::Backends::NOOP;
     // The check of indirect dispatches would lower the limits below.
@@ -20,24 +25,87 @@ fn device() -> Gpu {
         features: Some(wgpu::Features::empty()),
         ..wgpu::NoopBackendOptions::enabled()
     };
-    Gpu::from_instance(&wgpu::Instance::new(descriptor), None).expect("the noop adapter")
+    wgpu::Instance::new(descriptor)
 }
 
-fn encoder(gpu: &Gpu) -> wgpu::CommandEncoder {
-    gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default())
+fn device() -> Gpu {
+    Gpu::from_instance(&instance(), None).expect("the noop adapter")
+}
+
+/// A device of the caller's with these limits.
+fn foreign(limits: wgpu::Limits) -> (wgpu::Adapter, wgpu::Device, wgpu::Queue) {
+    let adapters = pollster::block_on(instance().enumerate_adapters(wgpu::Backends::NOOP));
+    let adapter = adapters.into_iter().next().expect("the noop adapter");
+    let descriptor = wgpu::DeviceDescriptor { required_limits: limits, ..Gpu::requirements(&adapter) };
+    let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).expect("a device");
+    (adapter, device, queue)
+}
+
+#[test]
+fn a_callers_device_keeps_its_handler_and_tells_of_its_loss() {
+    let (adapter, device, queue) = foreign(wgpu::Limits::default());
+    let uncaught = Arc::new(AtomicU32::new(0));
+    let count = uncaught.clone();
+    device.on_uncaptured_error(Arc::new(move |_| {
+        count.fetch_add(1, Ordering::Relaxed);
+    }));
+    let gpu = Gpu::from_device(&adapter, &device, &queue).expect("WebGPU's defaults suffice");
+    device.set_device_lost_callback(gpu.on_lost());
+
+    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+        label: None,
+        size: 16,
+        usage: wgpu::BufferUsages::STORAGE,
+        mapped_at_creation: false,
+    });
+    let invalid = || {
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        // It lacks the usage for that.
+        encoder.clear_buffer(&buffer, 0, None);
+        encoder
+    };
+    let error = gpu.submit_and_wait(invalid()).expect_err("invalid commands");
+    assert!(matches!(error, Error::Device(_)), "{error}");
+    assert_eq!(uncaught.load(Ordering::Relaxed), 0, "an error of this crate's calls came to the caller");
+    drop(invalid().finish());
+    assert_eq!(uncaught.load(Ordering::Relaxed), 1, "an error of the caller's did not come to it");
+
+    gpu.submit_all_and_wait([commands(&gpu)]).expect("the device is still usable");
+    device.destroy();
+    let result = gpu.submit_all_and_wait([commands(&gpu)]);
+    assert!(matches!(result, Err(Error::Lost { .. })), "{result:?}");
+}
+
+#[test]
+fn a_callers_device_that_lacks_something_is_refused_with_all_of_it() {
+    let limits = wgpu::Limits {
+        max_storage_buffers_per_shader_stage: 4,
+        max_compute_invocations_per_workgroup: 128,
+        ..wgpu::Limits::default()
+    };
+    let (adapter, device, queue) = foreign(limits);
+    let error = Gpu::from_device(&adapter, &device, &queue).map(drop).expect_err("it lacks two limits");
+    let Error::Missing { need, have, .. } = &error else { panic!("{error}") };
+    assert!(need.contains("max_storage_buffers_per_shader_stage 8"), "{need}");
+    assert!(need.contains("max_compute_invocations_per_workgroup 256"), "{need}");
+    assert!(have.contains('4') && have.contains("128"), "{have}");
+}
+
+fn commands(gpu: &Gpu) -> wgpu::CommandBuffer {
+    gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default()).finish()
 }
 
 #[test]
 fn nothing_is_submitted_after_a_loss_between_submissions() {
     let gpu = device();
-    gpu.submit_all_and_wait((0..3).map(|_| encoder(&gpu))).expect("a healthy device");
+    gpu.submit_all_and_wait((0..3).map(|_| commands(&gpu))).expect("a healthy device");
     let mut recorded = 0;
     let result = gpu.submit_all_and_wait((0..3).map(|i| {
         recorded = i;
         if i == 1 {
             gpu.destroy();
         }
-        encoder(&gpu)
+        commands(&gpu)
     }));
     assert!(matches!(&result, Err(Error::Lost { reason, .. }) if reason == "it was destroyed"), "{result:?}");
     assert_eq!(recorded, 1);

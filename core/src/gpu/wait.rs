@@ -1,6 +1,7 @@
 //! Submissions, the wait for them, and readback.
 
 use std::{
+    iter, mem,
     panic::{AssertUnwindSafe, catch_unwind, resume_unwind},
     sync::{MutexGuard, PoisonError, mpsc},
 };
@@ -30,39 +31,38 @@ impl Gpu {
 
     /// Submits and waits until the device is done.
     pub(crate) fn submit_and_wait(&self, encoder: wgpu::CommandEncoder) -> Result<()> {
-        self.submit_all_and_wait([encoder])
+        self.submit_all_and_wait(iter::once(encoder).map(wgpu::CommandEncoder::finish))
     }
 
     /// Submits each by itself, in order, and waits until the device is done with all. The device works on what has been
     /// submitted while the next is being recorded.
     pub(crate) fn submit_all_and_wait(
         &self,
-        encoders: impl IntoIterator<Item = wgpu::CommandEncoder>,
+        commands: impl IntoIterator<Item = wgpu::CommandBuffer>,
     ) -> Result<()> {
-        self.submitted(encoders, &self.turn())
+        self.submitted(commands, &self.turn())
     }
 
     /// As [`Gpu::submit_all_and_wait`] with at most two submissions before the device at a time; submits no more once
     /// `cancelled` says so, and tells whether all were.
     pub(crate) fn submit_until(
         &self,
-        encoders: impl IntoIterator<Item = wgpu::CommandEncoder>,
+        mut commands: impl ExactSizeIterator<Item = wgpu::CommandBuffer>,
         cancelled: &dyn Fn() -> bool,
     ) -> Result<bool> {
-        let turn = self.turn();
-        let mut before = None;
-        for encoder in encoders {
+        let _turn = self.turn();
+        let mut last = None;
+        while commands.len() > 0 {
             if cancelled() {
-                self.wait_for(None)?;
+                self.wait_for(last)?;
                 return Ok(false);
             }
-            let last = self.queue.submit([encoder.finish()]);
-            self.check_health()?;
-            if let Some(before) = before.replace(last) {
+            let next = self.submit_next(&mut commands)?;
+            if let Some(before) = mem::replace(&mut last, next) {
                 self.wait_for(Some(before))?;
             }
         }
-        self.submitted([], &turn)?;
+        self.wait_for(last)?;
         Ok(true)
     }
 
@@ -125,7 +125,7 @@ impl Gpu {
             let _ = done.send(result);
         });
         let turn = self.turn();
-        self.submitted([encoder], &turn)?;
+        self.submitted(iter::once(encoder).map(wgpu::CommandEncoder::finish), &turn)?;
         match mapped.recv_timeout(self.patience) {
             Ok(Ok(())) => {}
             Ok(Err(error)) => return Err(self.failed(error)),
@@ -141,15 +141,23 @@ impl Gpu {
 
     fn submitted(
         &self,
-        encoders: impl IntoIterator<Item = wgpu::CommandEncoder>,
+        commands: impl IntoIterator<Item = wgpu::CommandBuffer>,
         _turn: &MutexGuard<'_, ()>,
     ) -> Result<()> {
+        let mut commands = commands.into_iter();
         let mut last = None;
-        for encoder in encoders {
-            last = Some(self.queue.submit([encoder.finish()]));
-            self.check_health()?;
+        while let Some(next) = self.submit_next(&mut commands)? {
+            last = Some(next);
         }
         self.wait_for(last)
+    }
+
+    /// Records and submits the next of the commands, if there are more.
+    fn submit_next(
+        &self,
+        commands: &mut impl Iterator<Item = wgpu::CommandBuffer>,
+    ) -> Result<Option<wgpu::SubmissionIndex>> {
+        self.checked("a frame's commands", None, |_| commands.next().map(|next| self.queue.submit([next])))
     }
 
     /// Waits for a submission, or for all.
@@ -163,13 +171,17 @@ impl Gpu {
             Ok(Ok(_)) => Ok(()),
             Ok(Err(wgpu::PollError::Timeout)) => Err(self.out_of_patience()),
             Ok(Err(error)) => Err(Error::Device(error.to_string())),
-            Err(panic) => resume_unwind(panic),
+            // wgpu's own message; a caller who does not pass the loss on (Gpu::on_lost) gets no other.
+            Err(panic) => match panic.downcast::<String>() {
+                Ok(message) => Err(Error::Device(*message)),
+                Err(panic) => resume_unwind(panic),
+            },
         }
     }
 
     fn out_of_patience(&self) -> Error {
         // The last handle of a queue waits for the device without bound when it goes. This one never goes.
-        std::mem::forget(self.queue.clone());
+        mem::forget(self.queue.clone());
         Error::Timeout { adapter: self.facts.info.name.clone(), waited: self.patience }
     }
 }

@@ -9,6 +9,7 @@ pub const TEXEL_ROW: u32 = 4096;
 const TEXEL_BYTES: u32 = 16;
 
 /// 32-bit words in a storage buffer or an image.
+#[derive(Clone)]
 pub enum Words {
     /// A storage buffer.
     Buffer(wgpu::Buffer),

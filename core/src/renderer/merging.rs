@@ -8,7 +8,7 @@ use crate::{
     targets::texture,
 };
 
-impl Renderer<'_> {
+impl Renderer {
     /// Adds what cores have finished of the last frame's view to what it shows; has them work on that view if it is new to
     /// them. Waits for no core.
     ///
@@ -31,33 +31,33 @@ impl Renderer<'_> {
         self.sequence.merge(plane.samples);
         let step = self.sequence.again(&camera);
         let constants = self.constants(&camera, &step)?;
-        let done = pass.run(self.gpu, &constants, &plane.rgb);
+        let done = pass.run(&self.gpu, &constants, &plane.rgb);
         self.merging = Some(pass);
         done?;
         if self.settings.denoise() == Denoise::Off {
             return Ok(());
         }
-        self.passes.remove_noise(self.gpu, &self.targets, &constants, &self.settings.tolerances)
+        self.passes.remove_noise(&self.gpu, &self.targets, &constants, &self.settings.tolerances)
     }
 
     /// The last frame in linear radiance, from the sums that are there: cores' samples cannot be made again.
     pub(super) fn merged_image(&mut self, camera: &Camera) -> Result<LinearImage> {
         let constants = self.constants(camera, &self.sequence.again(camera))?;
         if self.settings.denoise() == Denoise::Off {
-            let target = texture(self.gpu, "linear", self.targets.size, wgpu::TextureFormat::Rgba32Float)?;
+            let target = texture(&self.gpu, "linear", self.targets.size, wgpu::TextureFormat::Rgba32Float)?;
             // The buffer of planes is new, and zero.
-            self.merge_pass(Output::Linear, &target)?.run(self.gpu, &constants, &[])?;
+            self.merge_pass(Output::Linear, &target)?.run(&self.gpu, &constants, &[])?;
             return self.read_linear(&target);
         }
         let (passes, target) = self.linear()?;
-        passes.remove_noise(self.gpu, &self.targets, &constants, &self.settings.tolerances)?;
+        passes.remove_noise(&self.gpu, &self.targets, &constants, &self.settings.tolerances)?;
         let image = self.read_linear(&target)?;
         self.linear = Some((passes, target));
         Ok(image)
     }
 
     fn merge_pass(&mut self, output: Output, color: &wgpu::Texture) -> Result<MergePass> {
-        let variant = Variant { output, ..Variant::new(self.scene, &self.settings) };
-        MergePass::new(self.gpu, &self.targets, &variant, &mut self.kernels, color)
+        let variant = Variant { output, ..Variant::new(&self.scene, &self.settings) };
+        MergePass::new(&self.gpu, &self.targets, &variant, &mut self.kernels, color)
     }
 }

@@ -3,9 +3,11 @@
 //! One mesh primitive of one node is one *object*; its index is the object identification number (OID) of
 //! Kim 2016, section 3.2. Instances are flattened: every triangle is stored where it stands.
 
+mod build;
 mod builtin;
 mod emitters;
 mod features;
+#[cfg(feature = "gltf")]
 mod gltf;
 mod material;
 mod octahedral;

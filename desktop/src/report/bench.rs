@@ -183,13 +183,7 @@ impl Bench<'_> {
     }
 
     /// Compiled, and past its first frame, in which drivers finish compiling.
-    fn warm<'s>(
-        &'s self,
-        subject: &'s Subject,
-        scene: &Prepared,
-        job: &Job,
-        rung: &Rung,
-    ) -> anyhow::Result<Renderer<'s>> {
+    fn warm(&self, subject: &Subject, scene: &Prepared, job: &Job, rung: &Rung) -> anyhow::Result<Renderer> {
         let name = || format!("{}: {}", scene.name, rung.name);
         let mut renderer =
             Renderer::new(self.gpu, &subject.scene, rung.rendered, &rung.settings).with_context(name)?;

@@ -92,7 +92,7 @@ fn leaving_out_and_counting_change_nothing() {
     for renderer in [&mut counting, &mut plain] {
         renderer.render(&stage.camera).expect("a frame");
     }
-    let shown = |renderer: &Renderer<'_>| renderer.display_image().expect("a picture");
+    let shown = |renderer: &Renderer| renderer.display_image().expect("a picture");
     assert!(shown(&counting) == shown(&plain));
 }
 

@@ -129,7 +129,7 @@ fn in_a_furnace_every_path_brings_the_same() {
 fn samples_add_up_while_the_camera_rests() {
     let stage = Stage::builtin("cornell");
     let make = || Renderer::new(gpu(), &stage.scene, SIZE, &with(|p| p.samples = 3)).expect("a renderer");
-    let shown = |renderer: &Renderer<'_>| renderer.display_image().expect("a picture");
+    let shown = |renderer: &Renderer| renderer.display_image().expect("a picture");
     let mut renderer = make();
     let mut first = Vec::new();
     for samples in 1..=3 {

@@ -46,7 +46,7 @@ impl Fixture {
         Self { reference, stage, settings, view }
     }
 
-    fn renderer(&self) -> Renderer<'_> {
+    fn renderer(&self) -> Renderer {
         Renderer::new(gpu(), &self.stage.scene, SIZE, &self.settings).expect("a renderer")
     }
 
@@ -212,7 +212,7 @@ fn noise_is_removed_from_the_sum_of_both_sides() {
 }
 
 /// The second renderer's picture is that of the first without its noise, as the reference removes it.
-fn assert_filtered(fixture: &Fixture, renderers: &mut [Renderer<'_>; 2], denoise: Denoise, samples: u32) {
+fn assert_filtered(fixture: &Fixture, renderers: &mut [Renderer; 2], denoise: Denoise, samples: u32) {
     let (camera, settings) = (fixture.stage.camera, fixture.settings);
     assert!(renderers.iter().all(|renderer| renderer.samples() == samples));
     let [means, found] =
@@ -248,7 +248,7 @@ fn methods_that_add_nothing_up_merge_nothing() {
 }
 
 /// Up to a step of the last bit.
-fn assert_shown(renderer: &Renderer<'_>, linear: &LinearImage) {
+fn assert_shown(renderer: &Renderer, linear: &LinearImage) {
     let shown = renderer.display_image().expect("a picture");
     let expected = encode_display(linear);
     let off = shown.as_raw().iter().zip(expected.as_raw()).map(|(a, b)| a.abs_diff(*b));

@@ -19,13 +19,13 @@ fn settings(method: Method, share: f32) -> Settings {
 }
 
 /// A sequence, and the frames of `full` beside it.
-struct Pair<'a> {
-    renderer: Renderer<'a>,
-    full: Renderer<'a>,
+struct Pair {
+    renderer: Renderer,
+    full: Renderer,
 }
 
-impl<'a> Pair<'a> {
-    fn new(stage: &'a Stage, method: Method, share: f32) -> Self {
+impl Pair {
+    fn new(stage: &Stage, method: Method, share: f32) -> Self {
         let make = |settings| Renderer::new(gpu(), &stage.scene, SIZE, &settings).expect("a renderer");
         Self { renderer: make(settings(method, share)), full: make(settings(Method::Full, share)) }
     }
@@ -323,7 +323,7 @@ fn what_begins_anew_keeps_nothing() {
     let other = stage.camera.panned(5.0);
     for method in [Method::Frameless, Method::Reproject] {
         let mut pair = Pair::new(&stage, method, 0.1);
-        let whole = |pair: &mut Pair<'_>, what: &str| {
+        let whole = |pair: &mut Pair, what: &str| {
             let [found, right] = pair.frame(&other);
             assert!(found == right, "{method:?}: {what}");
             pair.frame(&stage.camera);

@@ -5,7 +5,7 @@ use std::f32::consts::TAU;
 use glam::{Affine3A, Quat, Vec2, Vec3, vec2};
 use libm::sincosf;
 
-use crate::scene::{Image8, Material, Object, Scene, Sphere, Texture, Wrap, octahedral_encode};
+use crate::scene::{Image8, Material, Scene, Texture, Wrap, octahedral_encode};
 
 /// Adds shapes to a scene; they belong to the object that was begun last.
 #[derive(Default)]
@@ -18,13 +18,11 @@ pub(super) struct Builder {
 impl Builder {
     /// Adds an object with this material and returns its OID; the triangles and spheres that follow belong to it.
     pub fn object(&mut self, name: impl Into<String>, material: u32) -> u32 {
-        self.scene.objects.push(Object { name: name.into(), material });
-        (self.scene.objects.len() - 1) as u32
+        self.scene.add_object(name, material)
     }
 
     pub fn material(&mut self, name: &str, material: Material) -> u32 {
-        self.scene.materials.push(Material { name: name.to_owned(), ..material });
-        (self.scene.materials.len() - 1) as u32
+        self.scene.add_material(Material { name: name.to_owned(), ..material })
     }
 
     /// Adds a texture that repeats in both directions and is filtered bilinearly; returns its index.
@@ -37,9 +35,7 @@ impl Builder {
 
     /// An analytic sphere as an object of its own.
     pub fn sphere(&mut self, name: impl Into<String>, material: u32, center: Vec3, radius: f32) {
-        let object = self.object(name, material);
-        let center = self.place.transform_point3(center);
-        self.scene.spheres.push(Sphere { center, radius, object });
+        self.scene.add_sphere(name, material, self.place.transform_point3(center), radius);
     }
 
     /// One triangle, counter-clockwise; without normals, or where they turn away from the face, it is flat.

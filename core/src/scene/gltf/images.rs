@@ -108,6 +108,9 @@ impl Textures {
     /// that size is allocated before.
     fn decode(&mut self, bytes: &[u8], what: &str) -> Result<Image8> {
         let fail = |reason: String| Error::scene(what, reason);
+        if !cfg!(feature = "images") {
+            return Err(fail("cannot be decoded: glimpse was built without its feature `images`".to_owned()));
+        }
         let undecodable = |e: ImageError| fail(format!("cannot be decoded as PNG or JPEG: {e}"));
         let format = match image::guess_format(bytes) {
             Ok(format @ (ImageFormat::Png | ImageFormat::Jpeg)) => format,

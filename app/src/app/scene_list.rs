@@ -1,0 +1,121 @@
+//! The scenes that can be opened, and the one that is.
+
+use crate::SceneFacts;
+
+/// How many scenes from files are remembered.
+const MOST_RECENT: usize = 8;
+
+/// The scene that is shown, the one that was asked for last, and those that are offered.
+pub(crate) struct SceneList {
+    shown: Option<SceneFacts>,
+    wanted: String,
+    /// Names of files, the one that was opened last first; at most [`MOST_RECENT`] are kept when one is opened.
+    recent: Vec<String>,
+    /// Names of the built-in scenes, then of the recent files.
+    offered: Vec<String>,
+}
+
+impl SceneList {
+    /// Nothing is shown yet; `wanted` is asked for.
+    pub fn new(wanted: &str, recent: Vec<String>) -> Self {
+        let mut list = Self { shown: None, wanted: wanted.to_owned(), recent, offered: Vec::new() };
+        list.offer();
+        list
+    }
+
+    /// The scenes that are offered, by their names.
+    pub fn offered(&self) -> &[String] {
+        &self.offered
+    }
+
+    /// The scene that is shown.
+    pub fn shown(&self) -> Option<&SceneFacts> {
+        self.shown.as_ref()
+    }
+
+    /// The name of the scene that was asked for last.
+    pub fn wanted(&self) -> &str {
+        &self.wanted
+    }
+
+    /// Another scene is asked for.
+    pub fn want(&mut self, name: &str) {
+        name.clone_into(&mut self.wanted);
+    }
+
+    /// A scene is shown. For one from a file, returns the files to remember, this one first.
+    pub fn opened(&mut self, facts: SceneFacts) -> Option<&[String]> {
+        let from_file = !facts.name.starts_with("builtin:");
+        if from_file {
+            self.recent.retain(|known| *known != facts.name);
+            self.recent.insert(0, facts.name.clone());
+            self.recent.truncate(MOST_RECENT);
+            self.offer();
+        }
+        self.shown = Some(facts);
+        from_file.then_some(&*self.recent)
+    }
+
+    /// The scene that was asked for cannot be opened: the one that is shown is wanted again. Where none is shown yet, returns
+    /// the name of one to load instead, the first of the built-in ones unless that is what failed.
+    pub fn not_opened(&mut self) -> Option<String> {
+        if let Some(shown) = &self.shown {
+            self.wanted.clone_from(&shown.name);
+            return None;
+        }
+        let first = crate::scenes().next().filter(|first| *first != self.wanted)?;
+        self.wanted.clone_from(&first);
+        Some(first)
+    }
+
+    fn offer(&mut self) {
+        self.offered = crate::scenes().chain(self.recent.iter().cloned()).collect();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+
+    use super::*;
+
+    fn facts(name: &str) -> SceneFacts {
+        SceneFacts {
+            name: name.to_owned(),
+            primitives: 0,
+            cameras: Vec::new(),
+            bounds: (Vec3::ZERO, Vec3::ONE),
+            warnings: Vec::new(),
+            features: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn files_are_remembered_once_the_last_one_first() {
+        let mut list = SceneList::new("builtin:room", Vec::new());
+        assert_eq!(list.opened(facts("builtin:room")), None);
+        for name in ["a.glb", "b.glb", "a.glb"] {
+            assert!(list.opened(facts(name)).is_some());
+        }
+        assert_eq!(list.opened(facts("c.glb")), Some(&["c.glb", "a.glb", "b.glb"].map(str::to_owned)[..]));
+        assert!(list.offered().ends_with(&["c.glb", "a.glb", "b.glb"].map(str::to_owned)));
+        assert_eq!(list.offered().len(), crate::scenes().count() + 3);
+        for file in 0..2 * MOST_RECENT {
+            list.opened(facts(&format!("{file}.glb")));
+        }
+        assert_eq!(list.offered().len(), crate::scenes().count() + MOST_RECENT);
+    }
+
+    #[test]
+    fn where_a_scene_cannot_be_opened_the_one_before_stays_or_the_first_comes() {
+        let first = crate::scenes().next().expect("a built-in scene");
+        let mut list = SceneList::new("missing.glb", Vec::new());
+        assert_eq!(list.not_opened().as_ref(), Some(&first));
+        assert_eq!(list.wanted(), first);
+        assert_eq!(list.not_opened(), None, "the first one itself cannot be opened");
+        list.opened(facts("a.glb"));
+        list.want("missing.glb");
+        assert_eq!(list.not_opened(), None);
+        assert_eq!(list.wanted(), "a.glb");
+    }
+}
