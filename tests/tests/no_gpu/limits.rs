@@ -48,7 +48,7 @@ fn every_phone_takes_every_pass_at_qhd() {
     let (first, second) = devices.split_at(devices.len() / 2);
     thread::scope(|scope| {
         for devices in [first, second] {
-            scope.spawn(|| {
+            scope.spawn(move || {
                 for (limits, names) in devices {
                     let gpu = device(limits.clone()).unwrap_or_else(|error| panic!("{names}: {error}"));
                     takes_every_pass(&gpu, &["room"]).unwrap_or_else(|error| panic!("{names}: {error}"));
