@@ -18,8 +18,9 @@ use crate::{
     files::Names,
     input::Input,
     insets::Insets,
+    intent_extras,
     java::{self, Intent},
-    lend, screen, wishes,
+    lend, screen,
 };
 
 /// Size of frames at full resolution in pixels, in landscape, on any display.
@@ -62,7 +63,7 @@ impl Shell {
             Ok(intent) => (intent, None),
             Err(reason) => (Intent::default(), Some(format!("the intent cannot be read: {reason}"))),
         };
-        let view = intent.view.as_deref().map_or(Ok(QHD), wishes::pixels);
+        let view = intent.view.as_deref().map_or(Ok(QHD), intent_extras::pixels);
         let view = view.unwrap_or_else(|line| {
             problem.get_or_insert(line);
             QHD
@@ -71,7 +72,7 @@ impl Shell {
         let waker = android.create_waker();
         let mut session = Session::new(setup, Arc::new(move || waker.wake()));
         if let Some(words) = &intent.set
-            && let Err(line) = wishes::choose(&mut session.app, words)
+            && let Err(line) = intent_extras::choose(&mut session.app, words)
         {
             problem.get_or_insert(line);
         }

@@ -1,7 +1,7 @@
 //! Interactive camera: orbit, pan, dolly and flight, with damping that is independent of the frame rate.
 
 mod damping;
-mod stance;
+mod orbit_state;
 #[cfg(test)]
 mod tests;
 
@@ -12,7 +12,7 @@ use glimpse::{Camera, Lens, Pose};
 
 use self::{
     damping::{Damped, Flight, RATE},
-    stance::{Extent, Stance},
+    orbit_state::{Extent, Stance},
 };
 use crate::{Motion, Navigation};
 

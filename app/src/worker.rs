@@ -15,8 +15,8 @@ use glimpse::{Camera, DisplayImage, Gpu, Scene};
 
 use crate::{
     loading::{Loaded, SceneFacts, load},
-    office::Office,
-    studio::{Counted, Frame, Job, Studio},
+    mailbox::Office,
+    scene_renderer::{Counted, Frame, Job, Studio},
 };
 
 /// Reads the scene of a name: `builtin:NAME`, or a name that the shell gives to a file. Called on loader threads.

@@ -41,7 +41,7 @@ pub enum Error {
     },
     /// A kernel does not compile or is bound wrongly.
     #[error(transparent)]
-    Shader(#[from] crate::gpu::shader::ShaderError),
+    Shader(#[from] crate::device::shader::ShaderError),
     /// The device is gone: its driver reset it, it was unplugged, or [`crate::Gpu::destroy`] was called. Everything
     /// made from it is gone too; a new [`crate::Gpu`], upload and renderer make the same pictures again.
     #[error("the graphics device `{adapter}` was lost ({reason})")]

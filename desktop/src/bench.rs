@@ -3,7 +3,7 @@
 use glimpse::{Gpu, Method, options};
 
 use crate::args::{BenchOptions, FrameOptions, Size};
-use crate::cores;
+use crate::cpu_tracer;
 use crate::errors::Usage;
 use crate::focus::Wish;
 use crate::measure::{Plan, Run, Stage};
@@ -18,7 +18,7 @@ use crate::summary;
 pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> {
     let rows = rows(options)?;
     let wishes: Vec<_> = rows.iter().map(|row| row.wish.clone()).collect();
-    cores::check(&wishes, options.frames)?;
+    cpu_tracer::check(&wishes, options.frames)?;
     options.scenes.iter().try_for_each(|name| scene_file::check(name))?;
     let Size(size) = options.frame.size;
     let against = rows.iter().map(|row| rows.iter().position(|full| full.wish == row.baseline)).collect();

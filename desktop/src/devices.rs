@@ -1,7 +1,7 @@
 //! `glimpse devices`: the adapters and what matters of their limits.
 
 use glimpse::Gpu;
-use glimpse::gpu::AdapterFacts;
+use glimpse::device::AdapterFacts;
 use glimpse_measure::statistics::AdapterStatistics;
 use serde::Serialize;
 

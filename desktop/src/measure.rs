@@ -8,7 +8,7 @@ use glimpse::{
 use glimpse_measure::statistics::{SceneStatistics, timed};
 
 use crate::args::FrameOptions;
-use crate::cores::{Sides, Unfinished};
+use crate::cpu_tracer::{Sides, Unfinished};
 use crate::focus::Wish;
 use crate::pan::{Pan, Panned};
 use crate::progress::Progress;

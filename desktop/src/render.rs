@@ -12,7 +12,7 @@ use crate::measure::{Plan, Run, Stage};
 use crate::output;
 use crate::progress::Progress;
 use crate::statistics::Statistics;
-use crate::{cores, files, scene_file, summary};
+use crate::{cpu_tracer, files, scene_file, summary};
 
 const VIEW_PICTURE: &str = "glimpse.png";
 
@@ -50,7 +50,7 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
         wishes.push(Wish::beside(&options.frame, Method::Full)?);
     }
     let Size(size) = options.frame.size;
-    cores::check(&wishes, options.frames)?;
+    cpu_tracer::check(&wishes, options.frames)?;
     let plan = Plan { size, frames: options.frames, linear: options.output.linear, pan: None };
     let progress = Progress::new(plan.steps(wishes.len()));
     let gpu = Gpu::headless(adapter)?;

@@ -5,7 +5,7 @@ use glimpse::{Cost, FailedChecks, FrameTime, Memory, Missing, Rays, Samples, Set
 use glimpse_measure::statistics::{AdapterStatistics, SceneStatistics, Spread};
 use serde::Serialize;
 
-use crate::cores::Sides;
+use crate::cpu_tracer::Sides;
 use crate::measure::{Run, Stage};
 use crate::pan::PanStatistics;
 

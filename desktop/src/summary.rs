@@ -6,7 +6,7 @@ use glimpse::metrics::ErrorReport;
 use glimpse::{Method, Missing, Rays};
 use glimpse_measure::statistics::SceneStatistics;
 
-use crate::cores::{Side, Sides};
+use crate::cpu_tracer::{Side, Sides};
 use crate::output::{bytes, counted, grouped, listed};
 use crate::statistics::Statistics;
 

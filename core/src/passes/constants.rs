@@ -4,12 +4,13 @@ use std::fmt::Write as _;
 
 use super::{FrameSpec, PATH_TILE, postcorrect, spec::PLANES};
 use crate::{
-    Crossing, Direct, Linking, MAX_RAYS, Postcorrect, Roulette, SAMPLES_PER_SUBMISSION, Stopping, atlas,
-    counters::{COUNTER_WORDS, GROUPS, Group},
-    gpu::{self, shader::Source},
-    gpu_scene,
+    Crossing, Direct, Linking, MAX_RAYS, Postcorrect, Roulette, SAMPLES_PER_SUBMISSION, Stopping,
+    device::atlas,
+    device::gpu_scene,
+    device::{self, shader::Source},
+    frame::counters::{COUNTER_WORDS, GROUPS, Group},
+    frame::sequence::{RANK_TILE, RANKS},
     scene::OCTAHEDRAL_ERROR,
-    sequence::{RANK_TILE, RANKS},
 };
 
 /// Threads of a workgroup that works through a list.
@@ -124,7 +125,7 @@ impl FrameSpec {
             ("OBJECT_MASK", self.shadow_shift().map_or(u32::MAX, |shift| (1 << shift) - 1)),
             ("TRACE_GROUP", TRACE_GROUP),
             ("TRACE_ROW", TRACE_ROW),
-            ("TEXEL_ROW", gpu::TEXEL_ROW),
+            ("TEXEL_ROW", device::TEXEL_ROW),
             ("CHUNK_SAMPLES", SAMPLES_PER_SUBMISSION),
             ("EDGES_FIRST", planes.len() as u32),
             ("EDGE_PLANES", self.edge_planes()),

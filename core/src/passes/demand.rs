@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::{FrameSpec, Recipe, operations::count, recipe::Loops};
 use crate::{
     GpuScene, Result, Settings,
-    gpu::{
+    device::{
         Tier,
         shader::{Linked, link},
     },

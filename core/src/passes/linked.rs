@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use super::{FrameSpec, stages};
 use crate::{
-    Linking, Postcorrect, Result, Scene, Settings, gpu::shader::link, gpu_scene::SceneFacts, plan::Plan,
-    scene::Thinness,
+    Linking, Postcorrect, Result, Scene, Settings, device::gpu_scene::SceneFacts, device::shader::link,
+    frame::plan::Plan, scene::Thinness,
 };
 
 /// The frame that is asked about; its size matters to `postcorrect auto` alone.
@@ -68,10 +68,10 @@ mod tests {
         assert!(auto.bindings.is_subset(&all.bindings));
         assert_eq!((auto.attribute_bytes, all.attribute_bytes), (16, 44));
         for file in [
-            "wgsl/texture_atlas.wgsl",
-            "wgsl/cone.wgsl",
-            "wgsl/bounce_glass.wgsl",
-            "wgsl/sphere_analytic.wgsl",
+            "wgsl/scene/texture_atlas.wgsl",
+            "wgsl/trace/ray_cone.wgsl",
+            "wgsl/shade/scatter_dielectric.wgsl",
+            "wgsl/trace/sphere_analytic.wgsl",
         ] {
             assert!(all.files.contains(file) && !auto.files.contains(file), "{file}");
         }
@@ -80,7 +80,8 @@ mod tests {
     #[test]
     fn postcorrection_is_linked_where_it_is_on() {
         let files = |name, linking| Linked::of(&builtin(name).expect(name), linking).expect("links").files;
-        let of_postcorrection = ["passes/postcorrect.wgsl", "passes/postcorrect_seed.wgsl"];
+        let of_postcorrection =
+            ["passes/postcorrect/postcorrect.wgsl", "passes/postcorrect/postcorrect_seed.wgsl"];
         for (name, linking, corrects) in [
             ("wires", Linking::Auto, true),
             ("cornell", Linking::Auto, false),

@@ -14,7 +14,7 @@ use wgpu::naga::{
 };
 
 use super::Demand;
-use crate::gpu::shader::Linked;
+use crate::device::shader::Linked;
 
 /// Demands by the number of loops around them; what lies deeper counts with the deepest.
 pub type ByLoops = [Demand; 3];

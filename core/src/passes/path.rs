@@ -3,23 +3,23 @@
 use super::{Output, Recipe, recipe::Storage, FrameSpec, denoise, sources::pick, stage::*, stereo, wgsl};
 use crate::{
     Denoise, Direct, Sampler, Shining, Stopping,
-    gpu::shader::Source,
-    plan::{Band, Plan, tiles},
+    device::shader::Source,
+    frame::plan::{Band, Plan, tiles},
 };
 
 stages! {
     /// Traces a path through every pixel.
     PATH = {
-        name: "path", wgsl: "passes/path.wgsl", paper: "Kajiya 1986; Kim & Sung 2021, equation 7",
+        name: "path", wgsl: "passes/path/path.wgsl", paper: "Kajiya 1986; Kim & Sung 2021, equation 7",
         work: Work::Tiles(PATH_TILE), tracing: Tracing::Neighbours, clears: [],
         sources: |spec, entry| spec.path_sources(entry),
     }
     /// Adds samples that were traced elsewhere to the sums of the pixels; it runs between frames.
     MERGE_PLANES = {
-        name: "merge_planes", wgsl: "passes/merge_planes.wgsl", paper: "Kim & Sung 2021, Algorithm 5",
+        name: "merge_planes", wgsl: "passes/path/accumulate.wgsl", paper: "Kim & Sung 2021, Algorithm 5",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| {
-            let mut sources = vec![spec.constants(), wgsl!("wgsl/frame.wgsl"), spec.jitter()];
+            let mut sources = vec![spec.constants(), wgsl!("wgsl/trace/frame.wgsl"), spec.jitter()];
             sources.extend(spec.path_sums());
             sources.extend(spec.output_before_noise().sources());
             sources.push(entry);
@@ -46,26 +46,26 @@ impl FrameSpec {
         let f = &self.features;
         let guides = self.settings.paths.denoise != Denoise::Off;
         let one = Self { output: self.output_before_noise(), ..self.one_sample() };
-        let mut sources = one.scene_sources(wgsl!("wgsl/attributes_planes.wgsl"), self.hit());
+        let mut sources = one.scene_sources(wgsl!("wgsl/adaptive/attributes_channels.wgsl"), self.hit());
         sources.extend(self.numbers());
         sources.extend([
-            wgsl!("wgsl/channels.wgsl"),
+            wgsl!("wgsl/path/max_component.wgsl"),
             self.lobes(),
             pick(
                 f.lights && self.settings.paths.shining != Shining::Emitters,
-                wgsl!("wgsl/punctual.wgsl"),
-                wgsl!("wgsl/punctual_none.wgsl"),
+                wgsl!("wgsl/path/punctual_nee.wgsl"),
+                wgsl!("wgsl/path/punctual_none.wgsl"),
             ),
             match (self.settings.paths.direct, self.settings.paths.shining) {
-                (_, Shining::Punctual) => wgsl!("wgsl/emitters_dark.wgsl"),
-                (Direct::Light | Direct::Mis, _) if self.scene.emits => wgsl!("wgsl/emitters.wgsl"),
-                _ => wgsl!("wgsl/emitters_met.wgsl"),
+                (_, Shining::Punctual) => wgsl!("wgsl/path/emitters_unlit.wgsl"),
+                (Direct::Light | Direct::Mis, _) if self.scene.emits => wgsl!("wgsl/path/emitters_nee.wgsl"),
+                _ => wgsl!("wgsl/path/emitters_bsdf.wgsl"),
             },
             self.stopping(),
             self.eyes(),
-            wgsl!("wgsl/guides.wgsl"),
-            pick(guides && !self.inspect, wgsl!("wgsl/guides_kept.wgsl"), wgsl!("wgsl/guides_none.wgsl")),
-            wgsl!("wgsl/path.wgsl"),
+            wgsl!("wgsl/denoise/gbuffer.wgsl"),
+            pick(guides && !self.inspect, wgsl!("wgsl/denoise/gbuffer_record.wgsl"), wgsl!("wgsl/denoise/gbuffer_none.wgsl")),
+            wgsl!("wgsl/path/path.wgsl"),
         ]);
         sources.extend(self.path_samples());
         sources.extend([self.order(), entry]);
@@ -80,20 +80,20 @@ impl FrameSpec {
     pub(super) fn stopping(&self) -> Source {
         pick(
             self.settings.paths.stopping == Stopping::Off,
-            wgsl!("wgsl/stopping_none.wgsl"),
-            wgsl!("wgsl/stopping.wgsl"),
+            wgsl!("wgsl/path/foveation_none.wgsl"),
+            wgsl!("wgsl/path/foveation.wgsl"),
         )
     }
 
     pub(super) fn numbers(&self) -> [Source; 2] {
         let source = match self.settings.paths.sampler {
-            Sampler::Random => wgsl!("wgsl/numbers_random.wgsl"),
-            Sampler::Sobol => wgsl!("wgsl/numbers_sobol.wgsl"),
+            Sampler::Random => wgsl!("wgsl/path/rng_independent.wgsl"),
+            Sampler::Sobol => wgsl!("wgsl/path/rng_sobol.wgsl"),
         };
-        [wgsl!("wgsl/numbers.wgsl"), source]
+        [wgsl!("wgsl/path/rng.wgsl"), source]
     }
 
     pub(super) fn lobes(&self) -> Source {
-        pick(self.features.glossy, wgsl!("wgsl/lobes.wgsl"), wgsl!("wgsl/lobes_matte.wgsl"))
+        pick(self.features.glossy, wgsl!("wgsl/path/lobes.wgsl"), wgsl!("wgsl/path/lobes_matte.wgsl"))
     }
 }

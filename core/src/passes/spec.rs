@@ -2,9 +2,9 @@
 
 use crate::{
     Features, GpuScene, Linking, Method, Mip, Postcorrect, Robustness, Scene, Settings,
-    bvh::MAX_STACK,
-    gpu::Tier,
-    gpu_scene::SceneFacts,
+    acceleration::MAX_STACK,
+    device::Tier,
+    device::gpu_scene::SceneFacts,
     scene::{Emitters, Thinness},
 };
 

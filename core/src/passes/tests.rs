@@ -7,11 +7,11 @@ use super::{
 };
 use crate::{
     Crossing, Denoise, Direct, Features, Filter, Inactive, Jitter, Linking, Method, Mip, Paths, Postcorrect,
-    Refine, Robustness, Roulette, Sampler, Settings, Shining, Stopping,
-    counters::GROUPS,
-    frame, gpu,
-    gpu::{Tier, mirror::differences, shader::link},
-    gpu_scene::{self, SceneFacts},
+    Refine, Robustness, Roulette, Sampler, Settings, Shining, Stopping, device,
+    device::gpu_scene::{self, SceneFacts},
+    device::{Tier, mirror::differences, shader::link},
+    frame::counters::GROUPS,
+    frame::recorder,
     probe,
 };
 
@@ -114,12 +114,12 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
             assert!(invocations <= 256, "{stage:?}: {invocations} invocations");
             assert!(workgroup_bytes(&linked.module) <= 16_384, "{stage:?}: workgroup memory");
             for mirror in [
-                frame::Frame::MIRROR,
-                frame::FrameCamera::MIRROR,
-                frame::FramePart::MIRROR,
-                frame::FrameTolerances::MIRROR,
-                frame::FramePaths::MIRROR,
-                frame::PixelRecord::MIRROR,
+                recorder::Frame::MIRROR,
+                recorder::FrameCamera::MIRROR,
+                recorder::FramePart::MIRROR,
+                recorder::FrameTolerances::MIRROR,
+                recorder::FramePaths::MIRROR,
+                recorder::PixelRecord::MIRROR,
                 gpu_scene::Object::MIRROR,
                 gpu_scene::Light::MIRROR,
             ] {
@@ -260,10 +260,10 @@ fn the_fresnel_probe_is_declared_alike_on_both_sides() {
 
 #[test]
 fn a_swapped_field_is_noticed() {
-    let mirror = gpu::mirror::Mirror {
+    let mirror = device::mirror::Mirror {
         name: "FrameCamera",
-        size: size_of::<frame::FrameCamera>(),
-        fields: &[gpu::mirror::Field { name: "orthographic", offset: 0 }],
+        size: size_of::<recorder::FrameCamera>(),
+        fields: &[device::mirror::Field { name: "orthographic", offset: 0 }],
     };
     let variant = variants().next().expect("one");
     let linked = link(&variant.sources(&adaptive::BASE)).expect("links");

@@ -12,8 +12,8 @@ pub use ray::ProbeRay;
 
 use crate::{
     Camera, Gpu, GpuScene, Result, Robustness, SAMPLES_PER_SUBMISSION, Settings,
-    frame::Frame,
-    gpu::{Kernel, Timer, mirror::gpu_struct, shader::Source},
+    device::{Kernel, Timer, mirror::gpu_struct, shader::Source},
+    frame::recorder::Frame,
     passes::{FrameSpec, TRACE_GROUP, TRACE_ROW, Tracing, wgsl},
 };
 
@@ -216,18 +216,18 @@ pub(crate) fn dispatch<I: bytemuck::NoUninit, O: bytemuck::Pod>(
 
 /// The sources of the probe's tracing kernel.
 pub(crate) fn trace_sources(spec: &FrameSpec) -> Vec<Source> {
-    spec.tracing_sources([wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_trace.wgsl")])
+    spec.tracing_sources([wgsl!("wgsl/probe/probe_ray.wgsl"), wgsl!("wgsl/probe/probe_trace.wgsl")])
 }
 
 pub(crate) fn count_sources(spec: &FrameSpec) -> Vec<Source> {
-    let entry = [wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_count.wgsl")];
-    spec.tracing_sources_with(wgsl!("wgsl/hit_count.wgsl"), entry)
+    let entry = [wgsl!("wgsl/probe/probe_ray.wgsl"), wgsl!("wgsl/probe/probe_count.wgsl")];
+    spec.tracing_sources_with(wgsl!("wgsl/probe/any_hit_count.wgsl"), entry)
 }
 
 pub(crate) fn spawn_sources(spec: &FrameSpec) -> Vec<Source> {
-    spec.tracing_sources([wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_spawn.wgsl")])
+    spec.tracing_sources([wgsl!("wgsl/probe/probe_ray.wgsl"), wgsl!("wgsl/probe/probe_spawn.wgsl")])
 }
 
 pub(crate) fn shade_sources(spec: &FrameSpec) -> Vec<Source> {
-    spec.tracing_sources([wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_shade.wgsl")])
+    spec.tracing_sources([wgsl!("wgsl/probe/probe_ray.wgsl"), wgsl!("wgsl/probe/probe_shade.wgsl")])
 }

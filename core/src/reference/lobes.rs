@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 
-use super::{Cause, Material, Reference, Rounding, Surface, bounce::Leaving};
+use super::{Cause, Material, Reference, Rounding, Surface, scatter::Leaving};
 
 /// Weights of the three lobes of a surface.
 pub(super) struct Lobes {

@@ -11,9 +11,9 @@ use glam::DVec3;
 
 use super::{
     Cause, Frame, Guide, Numbers, Ray, Rounding, Surface,
-    crossing::{Landing, Mirror},
-    guides::Search,
+    gbuffer::Search,
     lobes::{Chosen, Lobes, cosine_weighted},
+    stereo_reuse::{Landing, Mirror},
 };
 use crate::{Direct, Roulette, Shining, Stopping};
 

@@ -1,4 +1,4 @@
-//! Extra samples for whole pixels, step by step: `refine.wgsl` and `cell_test.wgsl` in f64.
+//! Extra samples for whole pixels, step by step: `refine.wgsl` and `stratum_test.wgsl` in f64.
 
 use glam::DVec3;
 

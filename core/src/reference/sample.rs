@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{
-    Attributes, Cause, Crossing, Ray, Reference, Rounding, attributes, bounce::Branch, material::Shading,
+    Attributes, Cause, Crossing, Ray, Reference, Rounding, attributes, material::Shading, scatter::Branch,
     texture::Encoding,
 };
 use crate::Settings;

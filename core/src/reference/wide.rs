@@ -8,7 +8,7 @@ use glam::{DVec3, Vec3, Vec3A};
 use obvhs::{aabb::Aabb, cwbvh::CwBvh, ray};
 
 use super::intersection::{Primitive, Ray};
-use crate::bvh::Bvh;
+use crate::acceleration::Bvh;
 
 /// Groups that wait on obvhs' stack at most.
 const STACK: u32 = 32;

@@ -5,10 +5,12 @@
 
 mod build;
 mod builtin;
+pub(crate) mod camera;
 mod emitters;
 mod features;
 #[cfg(feature = "gltf")]
 mod gltf;
+pub(crate) mod look_at;
 mod material;
 mod octahedral;
 mod thinness;
@@ -28,7 +30,7 @@ pub use octahedral::{
 };
 pub use thinness::Thinness;
 
-use crate::camera::Camera;
+use crate::scene::camera::Camera;
 
 /// The most lights a scene may have: one bit each in a pixel's shadow mask (SHDBIT).
 pub const MAX_LIGHTS: usize = 32;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::stage::Stage;
+use crate::harness::Stage;
 
 /// The program's memory is looked at after so many events.
 const SAMPLE: usize = 10;

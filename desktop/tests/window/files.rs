@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::json;
 
-use crate::stage::Stage;
+use crate::harness::Stage;
 
 /// A triangle in front of the camera.
 fn glb() -> Vec<u8> {

@@ -1,6 +1,6 @@
 //! What is shown and saved is what `glimpse render` makes.
 
-use crate::stage::Stage;
+use crate::harness::Stage;
 
 /// Plays the script in a window of 160x90 and renders its last frame by the command that it tells: all three are equal.
 fn is_rendered_again(scene: &str, script: &str) -> String {

@@ -1,6 +1,6 @@
 //! The governor in the program itself, on heat that comes and goes.
 
-use crate::stage::Stage;
+use crate::harness::Stage;
 
 /// A factor on the time of a frame, every four seconds: heat as phones have it in stress tests, by steps of their clocks.
 const HEAT: [f64; 9] = [1.0, 0.9, 0.8, 0.72, 0.6, 0.5, 0.72, 0.9, 1.0];

@@ -1,6 +1,6 @@
 //! What a person does in the window, and what comes of it.
 
-use crate::stage::Stage;
+use crate::harness::Stage;
 
 #[test]
 fn a_window_shows_its_first_picture() {

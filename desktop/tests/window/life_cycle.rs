@@ -1,6 +1,6 @@
 //! What befalls a window and a phone: the picture comes back.
 
-use crate::stage::Stage;
+use crate::harness::Stage;
 
 /// Plays what happens between two pictures of a window of 160x90, which must be equal.
 fn comes_back(script: &str) {

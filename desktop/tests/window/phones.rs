@@ -1,6 +1,6 @@
 //! Every phone that the window can be.
 
-use crate::stage::Stage;
+use crate::harness::Stage;
 
 /// The names, as the program lists them.
 fn names(stage: &Stage) -> Vec<String> {

@@ -1,6 +1,6 @@
 //! Scripts themselves: how they fail, and that they give the same every time and everywhere.
 
-use crate::stage::Stage;
+use crate::harness::Stage;
 
 #[test]
 fn what_is_not_met_fails_with_its_line() {

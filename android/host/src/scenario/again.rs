@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::Outcome;
-use super::stage::{Stage, destroy};
+use super::harness::{Stage, destroy};
 use crate::{java, process, vulkan, window};
 
 /// Plays it.

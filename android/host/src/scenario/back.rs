@@ -1,7 +1,7 @@
 //! The back key ends the app.
 
 use super::Outcome;
-use super::stage::Stage;
+use super::harness::Stage;
 
 /// Plays it.
 pub fn play(stage: &mut Stage) -> Outcome {

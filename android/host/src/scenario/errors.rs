@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use super::Outcome;
-use super::stage::Stage;
+use super::harness::Stage;
 use super::view::problem;
 use crate::life::pump;
 use crate::vulkan::{self, faults};

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::stage::Stage;
+use super::harness::Stage;
 use crate::input::{KEY_BACK, Pointer, action};
 
 /// Time between two events of a gesture.

@@ -1,7 +1,7 @@
 //! To the background and back, in the ways that Android has.
 
 use super::Outcome;
-use super::stage::Stage;
+use super::harness::Stage;
 use crate::picture::Picture;
 use crate::vulkan;
 

@@ -6,7 +6,7 @@ mod errors;
 mod hand;
 mod life;
 mod rotate;
-mod stage;
+mod harness;
 mod start;
 mod storm;
 mod thermal;
@@ -18,7 +18,7 @@ use std::time::{Duration, Instant};
 use crate::bionic::API_LEVEL;
 use crate::options::Options;
 use crate::{assets, looper, report};
-use stage::Stage;
+use harness::Stage;
 
 /// What a step answers: what it found, or what was expected and found instead.
 type Outcome<T = ()> = Result<T, String>;

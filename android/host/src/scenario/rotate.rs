@@ -1,7 +1,7 @@
 //! The display turns; surfaces become out of date, suboptimal, lost.
 
 use super::Outcome;
-use super::stage::Stage;
+use super::harness::Stage;
 use crate::vulkan::{self, faults};
 
 const TURNS: usize = 3;

@@ -1,7 +1,7 @@
 //! The app starts and shows its picture.
 
 use super::Outcome;
-use super::stage::Stage;
+use super::harness::Stage;
 use crate::{activity, java, vulkan};
 use std::time::Duration;
 

@@ -1,6 +1,6 @@
 //! A storm of random events: no panic, a correct picture after each resume, no growth.
 
-use super::stage::Stage;
+use super::harness::Stage;
 use super::{Outcome, hand};
 use crate::input::KEY_VOLUME_UP;
 use crate::life::{Activity, pump};

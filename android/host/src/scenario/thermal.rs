@@ -1,6 +1,6 @@
 //! The device gets hot while the camera moves, and cools down.
 
-use super::stage::Stage;
+use super::harness::Stage;
 use super::{Outcome, hand};
 use crate::life::pump;
 use crate::{hint, log, thermal, vulkan};

@@ -1,6 +1,6 @@
 //! Fingers move the camera.
 
-use super::stage::Stage;
+use super::harness::Stage;
 use super::{Outcome, hand};
 use crate::life::{Activity, pump};
 use std::time::Duration;

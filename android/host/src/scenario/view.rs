@@ -1,7 +1,7 @@
 //! Files from other apps: content URIs that lead to a scene, to nothing, to something that is no scene.
 
 use super::Outcome;
-use super::stage::Stage;
+use super::harness::Stage;
 use crate::java::{self, Content, Intent};
 use crate::{log, vulkan};
 

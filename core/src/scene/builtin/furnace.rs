@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3, vec3};
 
 use super::shapes::Builder;
-use crate::camera::Camera;
+use crate::scene::camera::Camera;
 use crate::scene::{Environment, Material, Scene, Weights};
 
 pub(super) fn scene() -> Option<Scene> {

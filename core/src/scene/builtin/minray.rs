@@ -9,7 +9,7 @@ use glam::Vec3;
 use libm::tan;
 
 use super::shapes::Builder;
-use crate::camera::Camera;
+use crate::scene::camera::Camera;
 use crate::scene::{Environment, Light, LightKind, Material, Scene, Weights};
 
 struct Ball {

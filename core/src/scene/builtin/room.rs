@@ -6,7 +6,7 @@ use glam::{Affine3A, Vec2, Vec3, vec2, vec3};
 
 use super::shapes::{Builder, turned};
 use super::{furniture, textures};
-use crate::camera::Camera;
+use crate::scene::camera::Camera;
 use crate::scene::{Environment, Light, LightKind, Material, Scene};
 
 /// The corner of the room's box with the least coordinates, in metres.
