@@ -1,7 +1,7 @@
 //! `glimpse info`: what a scene holds, and what is left out because of it.
 
 use glimpse::scene::{Light, LightKind, Material};
-use glimpse::{Linked, Linking, Scene};
+use glimpse::{Linked, Scene, Specialize};
 use glimpse_measure::statistics::SceneStatistics;
 use serde::Serialize;
 
@@ -120,7 +120,7 @@ impl Info {
                 total: scene.images.len(),
                 bytes: scene.images.iter().map(|i| i.rgba.len() as u64).sum(),
             },
-            scene: SceneStatistics::of(name, &scene, Linking::Auto),
+            scene: SceneStatistics::of(name, &scene, Specialize::Auto),
             warnings: scene.warnings,
         })
     }
@@ -159,7 +159,7 @@ impl Info {
 
 impl Saved {
     fn of(scene: &Scene) -> glimpse::Result<Self> {
-        let [auto, all] = [Linked::of(scene, Linking::Auto)?, Linked::of(scene, Linking::All)?];
+        let [auto, all] = [Linked::of(scene, Specialize::Auto)?, Linked::of(scene, Specialize::All)?];
         Ok(Self {
             files: all.files.difference(&auto.files).copied().collect(),
             files_of: all.files.len(),

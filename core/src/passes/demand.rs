@@ -144,10 +144,10 @@ fn between(spec: &FrameSpec, recipe: &Recipe) -> Result<(Demand, Demand)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Linking, Method, scene::builtin};
+    use crate::{Method, Specialize, scene::builtin};
 
     fn demands(scene: &str, method: Method) -> Demands {
-        let settings = Settings { method, features: Linking::Auto, ..Settings::default() };
+        let settings = Settings { method, specialize: Specialize::Auto, ..Settings::default() };
         let spec = FrameSpec::of_scene(&builtin(scene).expect(scene), &settings);
         Demands::of_spec(&spec).expect("links")
     }
@@ -176,18 +176,21 @@ mod tests {
         let full = demands("room", Method::Full);
         assert_eq!((full.sample.frame_bytes, full.interpolated), (4.0, Demand::default()), "a pixel");
         let adaptive = demands("room", Method::Adaptive);
-        let planes = 4.0 * f64::from(u8::try_from(adaptive_planes()).expect("few"));
+        let channels = 4.0 * f64::from(u8::try_from(adaptive_channels()).expect("few"));
         // A pixel, its attributes, its entry in the list and the three numbers at the list's head.
-        assert!(adaptive.sample.frame_bytes >= 4.0 + planes + 4.0, "{adaptive:?}");
-        assert!(adaptive.interpolated.frame_bytes >= 4.0 + 3.0 * planes, "two references read, one written");
+        assert!(adaptive.sample.frame_bytes >= 4.0 + channels + 4.0, "{adaptive:?}");
+        assert!(
+            adaptive.interpolated.frame_bytes >= 4.0 + 3.0 * channels,
+            "two references read, one written"
+        );
         assert_eq!(adaptive.node_visit, full.node_visit);
         let checkerboard = demands("room", Method::Checkerboard);
         // Four neighbours (12 bytes each) and the pixel, and what the other half does beside it: its own sample, its pixel.
         assert_eq!(checkerboard.interpolated.frame_bytes, (4.0 * 12.0 + 4.0) + (12.0 + 4.0));
     }
 
-    fn adaptive_planes() -> usize {
-        FrameSpec::of_scene(&builtin("room").expect("room"), &Settings::default()).planes().len()
+    fn adaptive_channels() -> usize {
+        FrameSpec::of_scene(&builtin("room").expect("room"), &Settings::default()).channels().len()
     }
 
     #[test]
