@@ -27,9 +27,16 @@ pub fn choose(app: &mut App, text: &str) -> Result<(), String> {
 mod tests {
     use std::sync::Arc;
 
+    use glimpse::Method;
+    use glimpse::options::OPTIONS;
     use glimpse_app::{Choices, Overlay};
 
     use super::*;
+
+    fn app() -> App {
+        let files: glimpse_app::Files = Arc::new(|_| Err("none".to_owned()));
+        App::new(files, Arc::new(|| ()), "builtin:room", Vec::new(), Choices::default())
+    }
 
     #[test]
     fn sizes_are_two_numbers_of_pixels() {
@@ -42,12 +49,38 @@ mod tests {
 
     #[test]
     fn choices_are_made_in_turn_until_one_is_wrong() {
-        let files: glimpse_app::Files = Arc::new(|_| Err("none".to_owned()));
-        let mut app = App::new(files, Arc::new(|| ()), "builtin:room", Vec::new(), Choices::default());
+        let mut app = app();
         assert_eq!(choose(&mut app, " overlay hidden; ;block 4 "), Ok(()));
         assert_eq!((app.choices().overlay, app.choices().settings.block), (Overlay::Hidden, 4));
         let line = choose(&mut app, "overlay full; block 3; method full").expect_err("a block of 3");
         assert!(line.starts_with("set: block 3:"), "{line}");
         assert_eq!(app.choices().overlay, Overlay::Full);
+    }
+
+    #[test]
+    fn every_option_can_be_chosen_and_is_told_back() {
+        for option in OPTIONS {
+            for value in option.kind.examples() {
+                let told: Vec<_> = Method::ALL
+                    .into_iter()
+                    .filter_map(|method| {
+                        let mut app = app();
+                        let words = format!("method {}; {} {value}", method.name(), option.name);
+                        choose(&mut app, &words).ok()?;
+                        assert!(app.look(option.name).is_some(), "{}", option.name);
+                        Some(option.get(&app.choices().settings).to_string())
+                    })
+                    .collect();
+                assert!(!told.is_empty(), "{} {value} goes with no method", option.name);
+                assert!(told.iter().all(|text| *text == value), "{} {value}: {told:?}", option.name);
+            }
+        }
+    }
+
+    #[test]
+    fn a_method_brings_its_depth() {
+        let mut app = app();
+        assert_eq!(choose(&mut app, "method path"), Ok(()));
+        assert_eq!(app.choices().settings.depth, 64);
     }
 }

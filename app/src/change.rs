@@ -1,16 +1,17 @@
-//! A choice as text: what scripts set.
+//! A choice as text: what scripts and start intents set.
 
 use std::str::FromStr;
 
-use glimpse::{Denoise, Method, Mip, Postcorrect, Preset, Settings, Show, Stopping};
+use glimpse::Show;
+use glimpse::options::{self, OptionSpec};
 
 use crate::{Choices, FrameRate, Lenses, Overlay, SCALES};
 
 /// One thing that is chosen.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
-    /// Of a frame's settings: those after the change, of which one is taken.
-    Setting(Setting),
+    /// An option of a frame's settings, and its value as text.
+    Option(&'static OptionSpec, String),
     /// What the picture shows.
     Show(Show),
     /// Full ray tracing beside it.
@@ -25,73 +26,6 @@ pub enum Change {
     Overlay(Overlay),
 }
 
-/// A setting and its value.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Setting {
-    /// `method`
-    Method(Method),
-    /// `postcorrect`
-    Postcorrect(Postcorrect),
-    /// `mip`
-    Mip(Mip),
-    /// `block`
-    Block(u32),
-    /// `sampling`
-    Sampling(u32),
-    /// `depth`
-    Depth(u32),
-    /// `t-pos`
-    Pos(f32),
-    /// `t-norm`
-    Norm(f32),
-    /// `t-tex`
-    Tex(f32),
-    /// `t-gcol`
-    Gcol(f32),
-    /// `min-weight`
-    MinWeight(f32),
-    /// `supersample`
-    Supersample(bool),
-    /// `preset`
-    Preset(Preset),
-    /// `similar`
-    Similar(f32),
-    /// `share`
-    Share(f32),
-    /// `samples`
-    Samples(u32),
-    /// `stopping`
-    Stopping(Stopping),
-    /// `denoise`
-    Denoise(Denoise),
-}
-
-impl Setting {
-    fn apply(self, settings: &mut Settings) {
-        let tolerances = &mut settings.tolerances;
-        match self {
-            Self::Method(method) => settings.method = method,
-            Self::Postcorrect(postcorrect) => settings.postcorrect = postcorrect,
-            Self::Mip(mip) => settings.mip = mip,
-            Self::Block(block) => settings.block = block,
-            Self::Sampling(sampling) => settings.sampling = sampling,
-            Self::Depth(depth) => settings.depth = depth,
-            Self::Pos(value) => tolerances.pos = value,
-            Self::Norm(value) => tolerances.norm = value,
-            Self::Tex(value) => tolerances.tex = value,
-            Self::Gcol(value) => tolerances.gcol = value,
-            Self::MinWeight(value) => settings.min_weight = value,
-            Self::Share(value) => settings.share = value,
-            Self::Supersample(supersample) => settings.supersample = supersample,
-            Self::Preset(preset) => settings.thresholds = preset.thresholds(),
-            Self::Similar(value) => settings.similar = value,
-            Self::Samples(samples) => settings.paths.samples = samples,
-            Self::Stopping(stopping) => settings.paths.stopping = stopping,
-            Self::Denoise(denoise) => settings.paths.denoise = denoise,
-        }
-    }
-}
-
 impl Change {
     /// Makes it.
     ///
@@ -99,9 +33,9 @@ impl Change {
     /// A setting that does not go with the others; nothing is changed then.
     pub fn apply(&self, choices: &mut Choices) -> Result<(), String> {
         match self {
-            Self::Setting(setting) => {
+            Self::Option(option, value) => {
                 let mut settings = choices.settings;
-                setting.apply(&mut settings);
+                option.set(&mut settings, value).map_err(|error| error.to_string())?;
                 settings.validate().map_err(|error| error.to_string())?;
                 choices.settings = settings;
             }
@@ -121,7 +55,7 @@ impl FromStr for Change {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let (name, value) = text.split_once(' ').map_or((text, ""), |(name, value)| (name, value.trim()));
-        let change = match name {
+        Ok(match name {
             "show" => Self::Show(value.parse()?),
             "split" if value == "off" => Self::Split(None),
             "split" => Self::Split(Some(number_within(value, [0.0, 1.0])?)),
@@ -140,52 +74,25 @@ impl FromStr for Change {
                 value,
                 &[("hidden", Overlay::Hidden), ("brief", Overlay::Brief), ("full", Overlay::Full)],
             )?),
-            _ => Self::Setting(setting(name, value)?),
-        };
-        // What no other choice could make right is wrong now.
-        change.apply(&mut Choices::default())?;
-        Ok(change)
+            _ => option(name, value).map_err(|error| error.to_string())?,
+        })
     }
 }
 
-fn setting(name: &str, value: &str) -> Result<Setting, String> {
-    Ok(match name {
-        "method" => Setting::Method(one_of(value, &Method::ALL.map(|method| (method.name(), method)))?),
-        "postcorrect" => {
-            Setting::Postcorrect(one_of(value, &Postcorrect::ALL.map(|wish| (wish.name(), wish)))?)
-        }
-        "mip" => Setting::Mip(one_of(value, &Mip::ALL.map(|mip| (mip.name(), mip)))?),
-        "block" => Setting::Block(number(value)?),
-        "sampling" => Setting::Sampling(number(value)?),
-        "depth" => Setting::Depth(number(value)?),
-        "t-pos" => Setting::Pos(number(value)?),
-        "t-norm" => Setting::Norm(number(value)?),
-        "t-tex" => Setting::Tex(number(value)?),
-        "t-gcol" => Setting::Gcol(number(value)?),
-        "min-weight" => Setting::MinWeight(number(value)?),
-        "supersample" => Setting::Supersample(one_of(value, &[("off", false), ("on", true)])?),
-        "preset" => Setting::Preset(one_of(value, &Preset::ALL.map(|preset| (preset.name(), preset)))?),
-        "similar" => Setting::Similar(number(value)?),
-        "share" => Setting::Share(number(value)?),
-        "samples" => Setting::Samples(number(value)?),
-        "stopping" => {
-            Setting::Stopping(one_of(value, &Stopping::ALL.map(|stopping| (stopping.name(), stopping)))?)
-        }
-        "denoise" => Setting::Denoise(one_of(value, &Denoise::ALL.map(|denoise| (denoise.name(), denoise)))?),
-        _ => return Err(format!("expected the name of a choice, found `{name}`")),
-    })
-}
-
-fn number<T: FromStr>(text: &str) -> Result<T, String> {
-    text.parse().map_err(|_| format!("expected a number, found `{text}`"))
+/// An option with a value that some frame can have: whether it goes with other choices shows when it is made.
+fn option(name: &str, value: &str) -> glimpse::Result<Change> {
+    let option = options::find(name)?;
+    let mut settings = Choices::default().settings;
+    option.set(&mut settings, value)?;
+    option.check(&settings)?;
+    Ok(Change::Option(option, value.to_owned()))
 }
 
 fn number_within(text: &str, [low, high]: [f32; 2]) -> Result<f32, String> {
-    let value = number(text)?;
-    if (low..=high).contains(&value) {
-        return Ok(value);
-    }
-    Err(format!("expected a number from {low} to {high}, found `{text}`"))
+    let value: Option<f32> = text.parse().ok();
+    value
+        .filter(|value| (low..=high).contains(value))
+        .ok_or_else(|| format!("expected a number from {low} to {high}, found `{text}`"))
 }
 
 fn one_of<T: Copy>(text: &str, values: &[(&str, T)]) -> Result<T, String> {
@@ -197,6 +104,9 @@ fn one_of<T: Copy>(text: &str, values: &[(&str, T)]) -> Result<T, String> {
 
 #[cfg(test)]
 mod tests {
+    use glimpse::options::OPTIONS;
+    use glimpse::{Method, Settings};
+
     use super::*;
 
     #[test]
@@ -204,15 +114,15 @@ mod tests {
         for (text, expected) in [
             ("block 3", "2, 4 or 8"),
             ("depth 0", "1 to 64"),
-            ("t-norm x", "expected a number, found `x`"),
+            ("t-norm x", "expected a number from -1 to 2, found x"),
             (
                 "method maybe",
-                "expected full, adaptive, checkerboard, supersample, quincunx, frameless, reproject, path, vr, found `maybe`",
+                "expected full, adaptive, checkerboard, supersample, quincunx, frameless, reproject, path, vr, found maybe",
             ),
-            ("share 0", "above 0 and at most 1"),
+            ("refresh-fraction 0", "above 0 and at most 1"),
             ("split 1.5", "expected a number from 0 to 1, found `1.5`"),
-            ("mip maybe", "expected off, on, found `maybe`"),
-            ("color red", "expected the name of a choice, found `color`"),
+            ("mip maybe", "expected off, on, found maybe"),
+            ("color red", "expected one of method, sampling"),
             ("show everything", "expected one of final, origin"),
         ] {
             let error = text.parse::<Change>().unwrap_err();
@@ -220,12 +130,47 @@ mod tests {
         }
     }
 
+    fn change(choices: &mut Choices, text: &str) -> Result<(), String> {
+        text.parse::<Change>().expect(text).apply(choices)
+    }
+
     #[test]
     fn a_change_that_does_not_go_with_the_others_changes_nothing() {
         let mut choices = Choices::default();
-        "method checkerboard".parse::<Change>().expect("a change").apply(&mut choices).expect("changed");
+        change(&mut choices, "method checkerboard").expect("changed");
         let before = choices;
-        assert!("sampling 2".parse::<Change>().expect("a change").apply(&mut choices).is_err());
+        assert!(change(&mut choices, "sampling 2").is_err());
         assert_eq!(choices, before);
+    }
+
+    #[test]
+    fn every_option_can_be_set_by_its_present_and_by_its_old_name() {
+        for option in OPTIONS {
+            for value in option.kind.examples() {
+                for name in [Some(option.name), option.old_name].into_iter().flatten() {
+                    let changes: Vec<_> = Method::ALL
+                        .into_iter()
+                        .filter_map(|method| {
+                            let mut choices = Choices::default();
+                            change(&mut choices, &format!("method {}", method.name())).expect(name);
+                            change(&mut choices, &format!("{name} {value}")).ok()?;
+                            Some(option.get(&choices.settings).to_string())
+                        })
+                        .collect();
+                    assert!(!changes.is_empty(), "{name} {value} goes with no method");
+                    assert!(changes.iter().all(|text| *text == value), "{name} {value}: {changes:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_method_brings_its_depth_as_on_the_command_line() {
+        let mut choices = Choices::default();
+        change(&mut choices, "method path").expect("changed");
+        assert_eq!(choices.settings.depth, Settings::for_method(Method::Path).depth);
+        assert_eq!(choices.settings.depth, 64);
+        change(&mut choices, "method full").expect("changed");
+        assert_eq!(choices.settings.depth, 3);
     }
 }

@@ -1,6 +1,6 @@
 //! The `glimpse render` command that makes a frame again.
 
-use glimpse::{Settings, Show, THRESHOLD_NAMES};
+use glimpse::{Settings, Show};
 
 use crate::Job;
 
@@ -18,77 +18,10 @@ pub fn command(scene: &str, camera: &str, job: &Job) -> String {
     words.join(" ")
 }
 
-/// The options whose values are not the defaults.
+/// The options that make these settings, of those that change the frame.
 fn options(settings: &Settings) -> Vec<String> {
-    let usual = Settings::default();
-    let (tolerances, usual_tolerances) = (settings.tolerances, usual.tolerances);
-    let words = [
-        (settings.method != usual.method, "method", settings.method.name().to_owned()),
-        (settings.sampling != usual.sampling, "sampling", settings.sampling.to_string()),
-        (settings.block != usual.block, "block", settings.block.to_string()),
-        (settings.postcorrect != usual.postcorrect, "postcorrect", settings.postcorrect.name().to_owned()),
-        (settings.mip != usual.mip, "mip", settings.mip.name().to_owned()),
-        (tolerances.pos != usual_tolerances.pos, "t-pos", tolerances.pos.to_string()),
-        (tolerances.norm != usual_tolerances.norm, "t-norm", tolerances.norm.to_string()),
-        (tolerances.tex != usual_tolerances.tex, "t-tex", tolerances.tex.to_string()),
-        (tolerances.gcol != usual_tolerances.gcol, "t-gcol", tolerances.gcol.to_string()),
-        (settings.depth != settings.method.usual_depth(), "depth", settings.depth.to_string()),
-        (settings.min_weight != usual.min_weight, "min-weight", settings.min_weight.to_string()),
-        (settings.share != usual.share, "share", settings.share.to_string()),
-    ];
-    words
-        .into_iter()
-        .map(owned)
-        .chain(samples(settings, &usual))
-        .chain(paths(settings, &usual))
-        .filter(|(differs, ..)| *differs)
-        .map(|(_, name, value)| format!("--{name}={value}"))
-        .collect()
-}
-
-/// Those about where samples go.
-fn samples(settings: &Settings, usual: &Settings) -> Vec<(bool, String, String)> {
-    let focus = settings.focus.map_or_else(String::new, |focus| format!("{}-{}", focus.first, focus.last));
-    let words = [
-        (settings.supersample != usual.supersample, "supersample", settings.supersample.to_string()),
-        (settings.focus.is_some(), "focus", focus),
-        (settings.refine != usual.refine, "refine", settings.refine.name().to_owned()),
-        (settings.inactive != usual.inactive, "inactive", settings.inactive.name().to_owned()),
-        (settings.jitter != usual.jitter, "jitter", settings.jitter.name().to_owned()),
-        (settings.filter != usual.filter, "filter", settings.filter.name().to_owned()),
-        (settings.similar != usual.similar, "similar", settings.similar.to_string()),
-        (settings.seed != usual.seed, "seed", settings.seed.to_string()),
-    ];
-    let mut words: Vec<_> = words.into_iter().map(owned).collect();
-    if let Some(preset) = settings.thresholds.preset() {
-        let differs = settings.thresholds != usual.thresholds;
-        words.push((differs, "preset".to_owned(), preset.name().to_owned()));
-    } else {
-        let thresholds = THRESHOLD_NAMES.into_iter().zip(settings.thresholds.values());
-        words.extend(thresholds.map(|(name, value)| (true, format!("tau-{name}"), value.to_string())));
-    }
-    words
-}
-
-/// Those about paths, where there are any.
-fn paths(settings: &Settings, usual: &Settings) -> Vec<(bool, String, String)> {
-    if !settings.method.follows_paths() {
-        return Vec::new();
-    }
-    let (paths, usual) = (&settings.paths, &usual.paths);
-    let [x, y] = paths.gaze;
-    let words = [
-        (paths.samples != usual.samples, "samples", paths.samples.to_string()),
-        (paths.stopping != usual.stopping, "stopping", paths.stopping.name().to_owned()),
-        (paths.gaze != usual.gaze, "gaze", format!("{x},{y}")),
-        (paths.crossing != usual.crossing, "crossing", paths.crossing.name().to_owned()),
-        (paths.denoise != usual.denoise, "denoise", paths.denoise.name().to_owned()),
-    ];
-    words.into_iter().map(owned).collect()
-}
-
-fn owned((differs, name, value): (bool, &str, String)) -> (bool, String, String) {
-    (differs, name.to_owned(), value)
+    let told = settings.differences().into_iter().filter(|(option, _)| option.applies(settings));
+    told.map(|(option, value)| format!("--{}={value}", option.name)).collect()
 }
 
 /// As a shell takes it for one word.
@@ -103,6 +36,7 @@ fn quoted(word: &str) -> String {
 #[cfg(test)]
 mod tests {
     use glam::Vec3;
+    use glimpse::options::OPTIONS;
     use glimpse::{Camera, Method, Tolerances};
 
     use super::*;
@@ -127,11 +61,35 @@ mod tests {
             "glimpse render builtin:room -o glimpse.png --size 64x32"
         );
         job.settings.tolerances = Tolerances { norm: -0.5, ..settings.tolerances };
-        job.settings.method = Method::Full;
         job.show = Show::Check(1);
         assert_eq!(
             command("it's my scene.glb", "--camera 2", &job),
-            r"glimpse render 'it'\''s my scene.glb' -o glimpse.png --size 64x32 --camera 2 --method=full --t-norm=-0.5 --show check:pos"
+            r"glimpse render 'it'\''s my scene.glb' -o glimpse.png --size 64x32 --camera 2 --t-norm=-0.5 --show check:pos"
         );
+        // Full tracing has no tolerances.
+        job.settings.method = Method::Full;
+        assert!(command("a", "", &job).ends_with("--size 64x32 --method=full --show check:pos"));
+    }
+
+    #[test]
+    fn every_option_is_copied_where_it_changes_the_frame() {
+        for option in OPTIONS {
+            for value in option.kind.examples() {
+                for method in Method::ALL {
+                    let supersample = method == Method::Adaptive;
+                    let mut settings = Settings { supersample, ..Settings::for_method(method) };
+                    option.set(&mut settings, &value).unwrap();
+                    if settings.validate().is_err() || !option.applies(&settings) {
+                        continue;
+                    }
+                    let mut made = Settings::default();
+                    for word in options(&settings) {
+                        let (name, value) = word.trim_start_matches("--").split_once('=').unwrap();
+                        made.set(name, value).unwrap();
+                    }
+                    assert_eq!(made, settings, "{} {value}", option.name);
+                }
+            }
+        }
     }
 }

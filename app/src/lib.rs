@@ -14,6 +14,7 @@ mod gestures;
 mod governor;
 mod hud;
 mod lenses;
+mod loading;
 mod look;
 mod news;
 mod office;
@@ -27,18 +28,19 @@ mod worker;
 
 pub use app::{App, Request, Update};
 pub use camera_control::CameraControl;
-pub use change::{Change, Setting};
+pub use change::Change;
 pub use choices::{Choices, FrameRate, Navigation, Overlay, SCALES, TEXT_SCALES, Vsync};
 pub use gestures::{Gestures, Motion};
 pub use glimpse::Show;
 pub use governor::{FrameReport, Governor, Quality};
 pub use hud::{FLY_KEYS, Hud, Wish};
 pub use lenses::Lenses;
+pub use loading::SceneFacts;
 pub use painter::{Painter, Painting};
 pub use phones::{Phone, Sourced};
 pub use readings::{Busy, HISTORY, Readings};
 pub use studio::{Counted, Frame, Job};
-pub use worker::{Files, News, SceneFacts, Wake, Worker};
+pub use worker::{Files, News, Wake, Worker};
 
 /// The names of the built-in scenes, as `builtin:NAME`, in the order in which they are offered.
 pub fn scenes() -> impl Iterator<Item = String> {

@@ -1,5 +1,7 @@
 //! Values of the app that scripts can read, and the command line of the present frame.
 
+use glimpse::options;
+
 use crate::{App, command::command, script::Value};
 
 impl App {
@@ -15,9 +17,7 @@ impl App {
             "problem" => Some(Value::Text(readings.problem.clone().unwrap_or_default())),
             "notice" => Some(Value::Text(readings.notice.clone().unwrap_or_default())),
             "legend" => Some(Value::Text(readings.legend.clone())),
-            "method" => Some(Value::Text(self.choices.settings.method.name().to_owned())),
             "show" => Some(Value::Text(self.choices.show.name())),
-            "block" => number(self.choices.settings.block.into()),
             "split" => self.choices.split.map(|split| Value::Number(split.into())),
             "primitives" => number(readings.primitives as f64),
             "cameras" => number(readings.cameras.len() as f64),
@@ -35,7 +35,7 @@ impl App {
                 let moved = self.control.as_ref().is_some_and(|control| control.command_line().is_some());
                 number(f64::from(u8::from(moved)))
             }
-            _ => None,
+            _ => options::find(name).ok().map(|option| option.get(&self.choices.settings).into()),
         }
     }
 

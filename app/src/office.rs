@@ -2,9 +2,9 @@
 
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
-use glimpse::{Camera, GpuScene};
+use glimpse::Camera;
 
-use crate::{Job, SceneFacts};
+use crate::{Job, loading::Loaded};
 
 /// The slots of the mailbox, one for each kind of request. A newer request replaces an older one of its kind.
 #[derive(Default)]
@@ -19,11 +19,6 @@ pub(crate) struct Desk {
     pub stop: bool,
     /// The view is hidden: frames at rest are cancelled.
     pub hidden: bool,
-}
-
-pub(crate) struct Loaded {
-    pub scene: GpuScene,
-    pub facts: SceneFacts,
 }
 
 /// The mailbox: slots under a lock, and the condition variable that wakes the worker.

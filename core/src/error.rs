@@ -13,22 +13,22 @@ pub enum Error {
         /// What was expected and what was found.
         reason: String,
     },
-    /// A wish that cannot be granted (`--size 0x0`).
-    #[error("{what}: {reason}")]
+    /// An option, or another input of a call, has a value that it cannot have: `depth: expected a whole number, 1 to 64,
+    /// found 0`.
+    #[error("{option}: expected {expected}, found {found}")]
     Setting {
-        /// The setting.
-        what: String,
-        /// What was expected and what was found.
-        reason: String,
+        /// The name of the option, as in [`crate::options::OPTIONS`], or of the input.
+        option: String,
+        /// What it can be.
+        expected: String,
+        /// What it is.
+        found: String,
     },
     /// No adapter fits; the text lists those that are there.
     #[error("no graphics adapter: {0}")]
     NoAdapter(String),
     /// The adapter lacks something that this scene or frame needs.
-    #[error(
-        "{what} needs {need}, the adapter `{adapter}` has {have}: try another --adapter, a smaller --size or a smaller \
-         scene"
-    )]
+    #[error("{what} needs {need}, the adapter `{adapter}` has {have}")]
     Missing {
         /// What needs it.
         what: String,
@@ -44,10 +44,7 @@ pub enum Error {
     Shader(#[from] crate::gpu::shader::ShaderError),
     /// The device is gone: its driver reset it, it was unplugged, or [`crate::Gpu::destroy`] was called. Everything
     /// made from it is gone too; a new [`crate::Gpu`], upload and renderer make the same pictures again.
-    #[error(
-        "the graphics device `{adapter}` was lost ({reason}): try again; if it is lost again, try a smaller --size or \
-         another --adapter"
-    )]
+    #[error("the graphics device `{adapter}` was lost ({reason})")]
     Lost {
         /// The adapter's name.
         adapter: String,
@@ -56,8 +53,7 @@ pub enum Error {
     },
     /// The device has no memory left for this. What was there before is still usable.
     #[error(
-        "the graphics device `{adapter}` is out of memory for {what}{}: try a smaller --size, a smaller scene or \
-         another --adapter",
+        "the graphics device `{adapter}` is out of memory for {what}{}",
         .bytes.map_or_else(String::new, |bytes| format!(" ({bytes} bytes)"))
     )]
     OutOfMemory {
@@ -69,11 +65,7 @@ pub enum Error {
         adapter: String,
     },
     /// The device was not done in time; see [`crate::Gpu::with_patience`]. It may be slow or hung.
-    #[error(
-        "the graphics device `{adapter}` was not done after {} s: try a smaller --size, a smaller --depth or another \
-         --adapter",
-        .waited.as_secs_f32()
-    )]
+    #[error("the graphics device `{adapter}` was not done after {} s", .waited.as_secs_f32())]
     Timeout {
         /// The adapter's name.
         adapter: String,
@@ -94,9 +86,9 @@ impl Error {
         Self::Scene { what: what.into(), reason: reason.into() }
     }
 
-    /// An error about a setting.
-    pub fn setting(what: impl Into<String>, reason: impl Into<String>) -> Self {
-        Self::Setting { what: what.into(), reason: reason.into() }
+    /// An error about an option or another input.
+    pub fn setting(option: impl Into<String>, expected: impl Into<String>, found: impl Into<String>) -> Self {
+        Self::Setting { option: option.into(), expected: expected.into(), found: found.into() }
     }
 }
 

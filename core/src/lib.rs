@@ -142,9 +142,10 @@ pub use pose::{Lens, Pose};
 pub use renderer::{FrameCommands, Renderer};
 pub use scene::{Features, Scene};
 pub use settings::{
-    Crossing, Denoise, Direct, Filter, Focus, Inactive, Jitter, Linking, MAX_DEPTH, MAX_GAZE,
-    MAX_LIGHT_SAMPLES, MAX_RAYS, MAX_SAMPLING, Method, Mip, Paths, Postcorrect, Preset, Refine, Robustness,
-    Roulette, Sampler, Settings, Shining, Stopping, THRESHOLD_NAMES, Thresholds, Tolerances,
+    Crossing, Denoise, Direct, Filter, Focus, Inactive, Jitter, Linking, MAX_CPU_THREADS, MAX_DEPTH,
+    MAX_GAZE, MAX_LIGHT_SAMPLES, MAX_RAYS, MAX_SAMPLING, Method, Mip, Paths, Postcorrect, Preset, Refine,
+    Robustness, Roulette, Sampler, Settings, Shining, Stopping, THRESHOLD_NAMES, Thresholds, Tolerances,
+    options,
 };
 pub use show::Show;
 pub use stats::{

@@ -36,22 +36,22 @@ impl Pose {
     /// The camera of this pose: the same bits for the same pose.
     ///
     /// # Errors
-    /// [`Error::Setting`] names `--eye`, `--target`, `--up`, `--fov` or `--ortho` where a number is not finite, the target
+    /// [`Error::Setting`] names `eye`, `target`, `up`, `fov` or `ortho` where a number is not finite, the target
     /// is the eye, the view is along `up` (no other axis is guessed: the picture would turn by as much as the guess), or
     /// the lens is out of its range.
     pub fn camera(&self) -> Result<Camera> {
-        for (option, point) in [("--eye", self.eye), ("--target", self.target), ("--up", self.up)] {
+        for (option, point) in [("eye", self.eye), ("target", self.target), ("up", self.up)] {
             if !point.is_finite() {
                 return Err(refused(option, "finite numbers", point));
             }
         }
         let eye = self.eye.as_dvec3();
         let Some(forward) = (self.target.as_dvec3() - eye).try_normalize() else {
-            return Err(refused("--target", "a point other than the eye", self.target));
+            return Err(refused("target", "a point other than the eye", self.target));
         };
         let aside = self.up.as_dvec3().try_normalize().map_or(DVec3::ZERO, |up| forward.cross(up));
         if aside.length() < LEAST_SINE {
-            return Err(refused("--up", "a direction that is not along the view", self.up));
+            return Err(refused("up", "a direction that is not along the view", self.up));
         }
         let right = aside.normalize();
         let (half_height, orthographic) = self.lens.half_height()?;
@@ -97,22 +97,22 @@ impl Lens {
             Self::Perspective { vertical_fov_degrees: fov } => {
                 let inside = fov > 0.0 && fov < 180.0;
                 let half = if inside { (0.5 * f64::from(fov)).to_radians().tan() } else { 0.0 };
-                ("--fov", "degrees between 0 and 180", fov, half)
+                ("fov", "degrees between 0 and 180", fov, half)
             }
             Self::Orthographic { height } => {
-                ("--ortho", "a positive finite height", height, 0.5 * f64::from(height))
+                ("ortho", "a positive finite height", height, 0.5 * f64::from(height))
             }
         };
         let half_as_held = half as f32;
         if !(half_as_held.is_normal() && half_as_held > 0.0) {
-            return Err(Error::setting(option, format!("expected {expected}, found {found}")));
+            return Err(Error::setting(option, expected, found.to_string()));
         }
         Ok((half, matches!(self, Self::Orthographic { .. })))
     }
 }
 
 fn refused(option: &str, expected: &str, found: Vec3) -> Error {
-    Error::setting(option, format!("expected {expected}, found {},{},{}", found.x, found.y, found.z))
+    Error::setting(option, expected, format!("{},{},{}", found.x, found.y, found.z))
 }
 
 #[cfg(test)]
@@ -188,19 +188,19 @@ mod tests {
         let lens = |vertical_fov_degrees| Pose { lens: Lens::Perspective { vertical_fov_degrees }, ..good };
         let ortho = |height| Pose { lens: Lens::Orthographic { height }, ..good };
         let cases = [
-            (Pose { eye: Vec3::NAN, ..good }, "--eye"),
-            (Pose { target: Vec3::splat(f32::INFINITY), ..good }, "--target"),
-            (Pose { target: good.eye, ..good }, "--target"),
-            (Pose { up: Vec3::NAN, ..good }, "--up"),
-            (Pose { up: Vec3::ZERO, ..good }, "--up"),
-            (Pose { up: Vec3::NEG_Z, ..good }, "--up"),
-            (lens(0.0), "--fov"),
-            (lens(180.0), "--fov"),
-            (lens(f32::NAN), "--fov"),
-            (lens(1e-44), "--fov"),
-            (ortho(0.0), "--ortho"),
-            (ortho(-1.0), "--ortho"),
-            (ortho(f32::INFINITY), "--ortho"),
+            (Pose { eye: Vec3::NAN, ..good }, "eye"),
+            (Pose { target: Vec3::splat(f32::INFINITY), ..good }, "target"),
+            (Pose { target: good.eye, ..good }, "target"),
+            (Pose { up: Vec3::NAN, ..good }, "up"),
+            (Pose { up: Vec3::ZERO, ..good }, "up"),
+            (Pose { up: Vec3::NEG_Z, ..good }, "up"),
+            (lens(0.0), "fov"),
+            (lens(180.0), "fov"),
+            (lens(f32::NAN), "fov"),
+            (lens(1e-44), "fov"),
+            (ortho(0.0), "ortho"),
+            (ortho(-1.0), "ortho"),
+            (ortho(f32::INFINITY), "ortho"),
         ];
         for (pose, option) in cases {
             let error = pose.camera().expect_err("must be refused").to_string();

@@ -365,8 +365,8 @@ impl Renderer {
 
     fn constants(&self, camera: &Camera, step: &Step) -> Result<Frame> {
         if self.settings.method == Method::Vr && camera.orthographic {
-            let expected = "expected a perspective camera, found an orthographic one, which has no eyes";
-            return Err(Error::setting("--method vr", expected));
+            let expected = "a perspective camera with method vr";
+            return Err(Error::setting("camera", expected, "an orthographic one, which has no eyes"));
         }
         Ok(Frame {
             renewed_from: step.first,

@@ -1,6 +1,6 @@
 //! Pictures of what is known about the pixels, made from an inspection.
 
-use crate::{CHECK_NAMES, DisplayImage, Error, PixelRecord, Result, THRESHOLD_NAMES};
+use crate::{CHECK_NAMES, DisplayImage, Error, Method, PixelRecord, Result, Settings, THRESHOLD_NAMES};
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,7 +36,7 @@ impl Show {
             .chain((0..THRESHOLD_NAMES.len()).map(Self::Attribute))
     }
 
-    /// Its name on the command line.
+    /// Its name as a value of the option `show`.
     #[must_use]
     pub fn name(self) -> String {
         match self {
@@ -49,6 +49,33 @@ impl Show {
             Self::Depth => "depth".to_owned(),
             Self::Normal => "normal".to_owned(),
             Self::Oid => "oid".to_owned(),
+        }
+    }
+}
+
+impl Show {
+    /// Why a frame of these settings knows nothing to show, as a sentence; `None` if it does.
+    #[must_use]
+    pub fn conflict(self, settings: &Settings) -> Option<&'static str> {
+        let method = settings.method;
+        match self {
+            Self::Final => None,
+            _ if settings.sampling > 1 => {
+                Some("What is shown instead of the frame is about pixels of one sample.")
+            }
+            Self::Active if !settings.supersamples() && method != Method::Quincunx => {
+                Some("Active pixels are those of the methods supersample and quincunx, and of supersample.")
+            }
+            Self::Attribute(_) if !settings.supersamples() => Some(
+                "Attributes are compared where there are extra samples: method supersample, or supersample.",
+            ),
+            Self::Check(_) | Self::Depth | Self::Normal | Self::Oid if method == Method::Checkerboard => {
+                Some("A checkerboard averages every second pixel: no surface belongs to an average.")
+            }
+            Self::Check(_) | Self::Depth | Self::Normal | Self::Oid if method.keeps_frames() => {
+                Some("Of pixels that are kept only the colour is known.")
+            }
+            _ => None,
         }
     }
 }
@@ -94,9 +121,8 @@ const RAMP: [Rgb; 5] = [[10, 10, 40], [60, 40, 160], [200, 50, 110], [250, 150, 
 pub fn picture(show: Show, frame: &DisplayImage, pixels: &[PixelRecord]) -> Result<(DisplayImage, String)> {
     let (width, height) = frame.dimensions();
     if show != Show::Final && pixels.len() as u64 != u64::from(width) * u64::from(height) {
-        let expected =
-            format!("expected final: records of {width}x{height} pixels exceed a binding of the device");
-        return Err(Error::setting(format!("--show {}", show.name()), expected));
+        let expected = format!("final: records of {width}x{height} pixels exceed a binding of the device");
+        return Err(Error::setting("show", expected, show.name()));
     }
     Ok(match show {
         Show::Final => (frame.clone(), String::new()),
@@ -344,6 +370,6 @@ mod tests {
         let frame = DisplayImage::from_raw(1, 1, vec![9; 4]).unwrap();
         assert!(picture(Show::Depth, &frame, &[MISS]).unwrap().1.contains("no ray hits"));
         let without = picture(Show::Depth, &frame, &[]).unwrap_err().to_string();
-        assert!(without.contains("--show depth: expected final"), "{without}");
+        assert!(without.contains("show: expected final"), "{without}");
     }
 }

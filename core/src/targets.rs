@@ -88,9 +88,8 @@ impl Targets {
         if (settings.supersamples() || settings.method == Method::Quincunx)
             && size.iter().any(|side| *side > MAX_SUPERSAMPLED_SIDE)
         {
-            let expected =
-                format!("expected at most {MAX_SUPERSAMPLED_SIDE} pixels a side with extra samples");
-            return Err(Error::setting(format!("--size {}x{}", size[0], size[1]), expected));
+            let expected = format!("at most {MAX_SUPERSAMPLED_SIDE} pixels a side with extra samples");
+            return Err(Error::setting("size", expected, format!("{}x{}", size[0], size[1])));
         }
         let supersamples = settings.supersamples();
         // Of two rows.
@@ -202,12 +201,12 @@ fn grid(gpu: &Gpu, size: [u32; 2], sampling: u32) -> Result<[u32; 2]> {
     let limit = gpu.limits().max_texture_dimension_2d;
     let grid = size.map(|side| side.saturating_mul(sampling));
     if size.iter().any(|side| !(1..=limit).contains(side)) {
-        let expected = format!("expected 1 to {limit} pixels a side");
-        return Err(Error::setting(format!("--size {width}x{height}"), expected));
+        let expected = format!("1 to {limit} pixels a side");
+        return Err(Error::setting("size", expected, format!("{width}x{height}")));
     }
     if grid.iter().any(|side| *side > MAX_SIDE) {
-        let expected = format!("expected at most {MAX_SIDE} samples a side of {width}x{height} pixels");
-        return Err(Error::setting(format!("--sampling {sampling}"), expected));
+        let expected = format!("at most {MAX_SIDE} samples a side of {width}x{height} pixels");
+        return Err(Error::setting("sampling", expected, sampling.to_string()));
     }
     Ok(grid)
 }

@@ -4,34 +4,20 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use glimpse::{Linking, Method, Mip, Postcorrect, Settings, Show, Tolerances};
+use glimpse::{Method, Show};
 
-/// What is typed for a setting, by the setting's own names.
-macro_rules! same_names {
-    ($($name:ident => $kind:ident: $($variant:ident),+;)+) => {$(
-        impl From<$name> for $kind {
-            fn from(name: $name) -> Self {
-                match name {
-                    $($name::$variant => Self::$variant,)+
-                }
-            }
-        }
-    )+};
-}
-
-#[path = "paths.rs"]
-mod paths;
+#[path = "frame_options.rs"]
+mod frame_options;
 #[path = "pose.rs"]
 mod pose;
-#[path = "samples.rs"]
-mod samples;
 #[path = "vary.rs"]
 mod vary;
 
-pub use paths::PathOptions;
+#[cfg(test)]
+pub use frame_options::default_text;
+pub use frame_options::{FrameOptions, Recursion, TypedOptions, method_parser};
 pub use pose::PoseOptions;
-pub use samples::{SampleOptions, focus_by_index};
-pub use vary::{Variation, typed};
+pub use vary::Variation;
 
 /// The largest side of a frame.
 pub const MAX_SIDE: u32 = 16384;
@@ -110,11 +96,9 @@ pub struct RenderOptions {
     #[command(flatten)]
     pub frame: FrameOptions,
     /// How the frame is made
-    #[arg(long, value_enum, default_value = "adaptive", ignore_case = true)]
-    pub method: MethodName,
-    /// What the picture shows: final, origin, check:NAME (oid, pos, norm, convex, tex, shadow, gcol), cost, depth,
-    /// normal, oid, active, attr:NAME (col, poid, psn, psc, pte, soid, ssn, ssc, ste)
-    #[arg(long, value_name = "WHAT", default_value = "final")]
+    #[arg(long, value_name = "NAME", value_parser = method_parser(), default_value = "adaptive", ignore_case = true)]
+    pub method: Method,
+    #[arg(long, value_name = "WHAT", help = show_help(), default_value = "final")]
     pub show: Show,
     /// Render that many warm frames and report medians
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
@@ -166,8 +150,9 @@ pub struct BenchOptions {
     #[command(flatten)]
     pub frame: FrameOptions,
     /// The methods to compare
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "full,adaptive", ignore_case = true)]
-    pub methods: Vec<MethodName>,
+    #[arg(long, value_name = "NAME", value_parser = method_parser(), value_delimiter = ',',
+        default_value = "full,adaptive", ignore_case = true)]
+    pub methods: Vec<Method>,
     /// Compare these values of an option too; several --vary give every combination
     #[arg(long, value_name = "OPTION=V1,V2,...")]
     pub vary: Vec<Variation>,
@@ -202,70 +187,18 @@ pub struct ReportOptions {
     /// A camera of each scene, by index or name [default: the first]
     #[arg(long, value_name = "INDEX_OR_NAME")]
     pub camera: Option<String>,
-    /// Levels of rays; 1 is primary rays alone
-    #[arg(long, value_name = "N", default_value_t = Settings::default().depth)]
-    pub depth: u32,
-    /// Rays that would contribute less than this share of a pixel are not traced
-    #[arg(long, value_name = "W", default_value_t = Settings::default().min_weight, allow_negative_numbers = true)]
-    pub min_weight: f32,
+    #[command(flatten)]
+    pub recursion: TypedOptions<Recursion>,
     /// Warm frames of each setting
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: u32,
     /// The tables to measure for each scene: those of Kim 2016, missing objects, predictions for phones, those of Jin 2009 and of Kim & Sung 2021
-    #[arg(
-        long,
-        value_enum,
-        value_name = "TABLE",
-        value_delimiter = ',',
-        default_value = "5,3a",
-        ignore_case = true
-    )]
-    pub tables: Vec<TableName>,
+    #[arg(long, value_name = "TABLE", value_delimiter = ',', default_value = "5,3a", ignore_case = true)]
+    pub tables: Vec<String>,
     /// Sides of the square frames of table 5
     #[arg(long, value_name = "N", value_delimiter = ',', default_value = "512,1024",
         value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SIDE)))]
     pub table5_sizes: Vec<u32>,
-}
-
-/// `--tables`
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum TableName {
-    /// None of them
-    #[value(name = "none")]
-    None,
-    /// Time by kernel, 1024x1024
-    #[value(name = "3a")]
-    Kernels,
-    /// Share of reflective pixels varied, 1024x1024
-    #[value(name = "3b")]
-    Reflective,
-    /// RT ratio varied, 1024x1024
-    #[value(name = "3c")]
-    Views,
-    /// Sampling of scenes named hairball
-    #[value(name = "4")]
-    Hairball,
-    /// Resolution and sampling
-    #[value(name = "5")]
-    Resolutions,
-    /// Objects that are lost, by block, without and with postcorrection
-    #[value(name = "missing")]
-    Missing,
-    /// Predicted times of phones, 2560x1440
-    #[value(name = "phones")]
-    Phones,
-    /// Fixed samples against extra samples where neighbours differ (Jin 2009, Table 2)
-    #[value(name = "jin2")]
-    Supersampling,
-    /// One threshold for extra samples against several (Jin 2009, Figure 7)
-    #[value(name = "jin7")]
-    Thresholds,
-    /// Paths for two eyes, 640x480 each (Kim & Sung 2021, Tables 2 and 3)
-    #[value(name = "vr")]
-    Eyes,
-    /// A camera that turns: frameless rendering and reprojection
-    #[value(name = "pan")]
-    Pan,
 }
 
 /// `glimpse stress`
@@ -299,184 +232,9 @@ pub enum Measure {
     Offset,
 }
 
-/// What every rendering command takes.
-#[derive(Clone, Debug, Args)]
-pub struct FrameOptions {
-    /// Frame size in pixels, of each eye
-    #[arg(long, value_name = "WxH", default_value = "2560x1440")]
-    pub size: Size,
-    /// A camera of the scene, by index or name [default: the first]
-    #[arg(long, value_name = "INDEX_OR_NAME")]
-    pub camera: Option<String>,
-    #[command(flatten)]
-    pub pose: PoseOptions,
-    /// Samples along a side of a pixel
-    #[arg(long, value_name = "N", default_value_t = Settings::default().sampling)]
-    pub sampling: u32,
-    /// Side of the block of samples of which one is always traced: 2, 4 or 8
-    #[arg(long, value_name = "N", default_value_t = Settings::default().block)]
-    pub block: u32,
-    /// What is traced again around traced pixels that differ from their neighbours
-    #[arg(long, value_enum, default_value = "auto", ignore_case = true)]
-    pub postcorrect: PostcorrectName,
-    /// Show averages of textures where they are seen small, or single points
-    #[arg(long, value_enum, default_value = "on", ignore_case = true)]
-    pub mip: MipName,
-    /// Positions may differ by less than this, in units of the scene's longest box side
-    #[arg(long, value_name = "X", default_value_t = Tolerances::default().pos, allow_negative_numbers = true)]
-    pub t_pos: f32,
-    /// Normals must have a cosine above this
-    #[arg(long, value_name = "X", default_value_t = Tolerances::default().norm, allow_negative_numbers = true)]
-    pub t_norm: f32,
-    /// Width of the border zone of a texture
-    #[arg(long, value_name = "X", default_value_t = Tolerances::default().tex, allow_negative_numbers = true)]
-    pub t_tex: f32,
-    /// Reflected and refracted colours may differ by less than this
-    #[arg(long, value_name = "X", default_value_t = Tolerances::default().gcol, allow_negative_numbers = true)]
-    pub t_gcol: f32,
-    /// Levels of rays; 1 is primary rays alone [default: 3, and 64 of paths]
-    #[arg(long, value_name = "N")]
-    pub depth: Option<u32>,
-    /// Rays that would contribute less than this share of a pixel are not traced
-    #[arg(long, value_name = "W", default_value_t = Settings::default().min_weight, allow_negative_numbers = true)]
-    pub min_weight: f32,
-    #[command(flatten)]
-    pub samples: SampleOptions,
-    #[command(flatten)]
-    pub paths: PathOptions,
-    /// Share of the pixels that methods which keep frames trace anew in each
-    #[arg(long, value_name = "S", default_value_t = Settings::default().share, allow_negative_numbers = true)]
-    pub share: f32,
-    /// Leave out what the scene does not need, or link everything
-    #[arg(long, value_enum, default_value = "auto", ignore_case = true)]
-    pub features: LinkingName,
-}
-
-impl FrameOptions {
-    /// The settings with one method, checked. Objects in focus by name are not known before the scene is.
-    pub fn settings(&self, method: MethodName) -> glimpse::Result<Settings> {
-        let method = Method::from(method);
-        let samples = &self.samples;
-        let settings = Settings {
-            method,
-            block: self.block,
-            sampling: self.sampling,
-            postcorrect: self.postcorrect.into(),
-            mip: self.mip.into(),
-            tolerances: Tolerances { pos: self.t_pos, norm: self.t_norm, tex: self.t_tex, gcol: self.t_gcol },
-            depth: self.depth.unwrap_or(method.usual_depth()),
-            min_weight: self.min_weight,
-            share: self.share,
-            features: self.features.into(),
-            supersample: samples.supersample,
-            thresholds: samples.thresholds(),
-            focus: samples.focus.as_deref().and_then(focus_by_index),
-            refine: samples.refine.into(),
-            inactive: samples.inactive.into(),
-            jitter: samples.jitter.into(),
-            filter: samples.filter.into(),
-            similar: samples.similar,
-            seed: samples.seed,
-            paths: self.paths.paths(),
-        };
-        settings.validate()?;
-        Ok(settings)
-    }
-
-    /// As [`FrameOptions::settings`] of one method of several, without what concerns the others alone.
-    pub fn settings_beside(&self, method: MethodName) -> glimpse::Result<Settings> {
-        let samples = self.samples.concerning(method.into());
-        Self { samples, ..self.clone() }.settings(method)
-    }
-}
-
-impl Default for FrameOptions {
-    fn default() -> Self {
-        let settings = Settings::default();
-        Self {
-            size: Size([2560, 1440]),
-            camera: None,
-            pose: PoseOptions::default(),
-            sampling: settings.sampling,
-            block: settings.block,
-            postcorrect: PostcorrectName::Auto,
-            mip: MipName::On,
-            t_pos: settings.tolerances.pos,
-            t_norm: settings.tolerances.norm,
-            t_tex: settings.tolerances.tex,
-            t_gcol: settings.tolerances.gcol,
-            depth: None,
-            min_weight: settings.min_weight,
-            samples: SampleOptions::default(),
-            paths: PathOptions::default(),
-            share: settings.share,
-            features: LinkingName::Auto,
-        }
-    }
-}
-
-/// `--method`
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum MethodName {
-    /// A ray through every sample
-    #[value(alias = "fixed")]
-    Full,
-    /// Rays where neighbours differ, interpolation elsewhere
-    Adaptive,
-    /// A ray through every second sample, averages elsewhere
-    Checkerboard,
-    /// A ray through every pixel, extra samples where neighbours differ
-    Supersample,
-    /// Rays through centres and corners of pixels, more between those that differ
-    Quincunx,
-    /// Rays through a share of the pixels; the others stay as they are
-    Frameless,
-    /// The last frame moved to where the camera sees it; rays where that leaves gaps
-    Reproject,
-    /// Paths of light from everywhere, a sample of every pixel after the other
-    Path,
-    /// Paths for two eyes side by side, each of --size
-    Vr,
-}
-
-/// `--postcorrect`
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum PostcorrectName {
-    /// Objects and shadows, where the scene holds thin things
-    Auto,
-    /// Nothing
-    Off,
-    /// Where the object differs
-    Objects,
-    /// Where the object or the shadow differs
-    On,
-    /// As on, by scans along rows and columns
-    Scans,
-}
-
-/// `--mip`
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum MipName {
-    /// The texture at one point
-    Off,
-    /// Its average over what a sample stands for
-    On,
-}
-
-/// `--features`
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum LinkingName {
-    /// Only what the scene needs
-    Auto,
-    /// Everything
-    All,
-}
-
-same_names! {
-    MethodName => Method: Full, Adaptive, Checkerboard, Supersample, Quincunx, Frameless, Reproject, Path, Vr;
-    PostcorrectName => Postcorrect: Auto, Off, Objects, On, Scans;
-    MipName => Mip: Off, On;
-    LinkingName => Linking: Auto, All;
+fn show_help() -> String {
+    let names: Vec<_> = Show::all().map(Show::name).collect();
+    format!("What the picture shows: {}", names.join(", "))
 }
 
 /// `--size`

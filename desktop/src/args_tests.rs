@@ -2,7 +2,11 @@
 
 use clap::CommandFactory;
 use clap::error::ErrorKind;
-use glimpse::{Filter, Focus, Inactive, Jitter, Preset, Refine, Thresholds};
+use glimpse::options::OPTIONS;
+use glimpse::{
+    Filter, Focus, Inactive, Jitter, Linking, Mip, Postcorrect, Preset, Refine, Settings, Thresholds,
+    Tolerances,
+};
 
 use super::*;
 
@@ -30,19 +34,22 @@ fn what_is_varied_is_parsed_as_the_option_itself() {
         bench("bench a.glb --block 4 --t-norm 0.5 --vary block=2,8 --vary t-norm=-0.9,.97 --depth 2");
     let options = options.unwrap();
     let combinations = options.frame.combinations(&options.vary).unwrap();
-    let found: Vec<_> =
-        combinations.iter().map(|(f, _)| (f.block, f.t_norm, f.depth.unwrap(), f.t_pos)).collect();
+    let found: Vec<_> = combinations
+        .iter()
+        .map(|(f, _)| f.settings(Method::Adaptive).unwrap())
+        .map(|s| (s.block, s.tolerances.norm, s.depth, s.tolerances.pos))
+        .collect();
     let t_pos = Tolerances::default().pos;
     assert_eq!(found, [(2, -0.9, 2, t_pos), (2, 0.97, 2, t_pos), (8, -0.9, 2, t_pos), (8, 0.97, 2, t_pos)]);
     let named: Vec<_> = combinations[1].1.iter().map(|(o, v)| format!("{o}={v}")).collect();
     assert_eq!(named, ["block=2", "t-norm=.97"]);
-    let every = "bench a.glb --vary postcorrect=off,on,Auto --vary features=auto,all --vary sampling=1,2";
+    let every = "bench a.glb --vary postcorrect=off,on,Auto --vary specialize=auto,all --vary sampling=1,2";
     let options = bench(every).unwrap();
     assert_eq!(options.frame.combinations(&options.vary).unwrap().len(), 12);
     let flags = |line: &str| -> Vec<bool> {
         let options = bench(line).unwrap();
         let combinations = options.frame.combinations(&options.vary).unwrap();
-        combinations.iter().map(|(frame, _)| frame.samples.supersample).collect()
+        combinations.iter().map(|(frame, _)| frame.settings(Method::Adaptive).unwrap().supersample).collect()
     };
     assert_eq!(flags("bench --supersample a.glb --vary seed=1,2"), [true; 2], "what is typed stays");
     assert_eq!(flags("bench a.glb --vary supersample=false,true"), [false, true]);
@@ -54,7 +61,7 @@ fn what_cannot_be_varied_is_named() {
         ("block", "OPTION=VALUE"),
         ("blocks=2", "found blocks"),
         ("size=1x1,2x2", "found size"),
-        ("block=2,x", "'x'"),
+        ("block=2,x", "found x"),
         ("block=2,", "--block"),
         ("block=", "--block"),
         ("features=none", "none"),
@@ -76,7 +83,7 @@ fn the_defaults_are_those_of_the_settings() {
     assert_eq!(options.frame.settings(options.method).unwrap(), Settings::default());
     assert_eq!(options.frame.size, Size([2560, 1440]));
     assert_eq!((options.frames, options.show, options.reference), (1, Show::Final, false));
-    assert_eq!(FrameOptions::default().settings(MethodName::Adaptive).unwrap(), Settings::default());
+    assert_eq!(FrameOptions::default().settings(Method::Adaptive).unwrap(), Settings::default());
     assert_eq!(FrameOptions::default().size, options.frame.size);
 }
 
@@ -84,9 +91,9 @@ fn the_defaults_are_those_of_the_settings() {
 fn every_option_of_render_arrives() {
     let options = render(
         "render builtin:room -o x.EXR --size 640X480 --camera top --method full --t-pos 0.1 --t-norm -0.5 \
-         --t-tex 0.2 --t-gcol 0.3 --depth 5 --min-weight 0 --features all --show check:tex --frames 7 \
+         --t-tex 0.2 --t-gcol 0.3 --depth 5 --min-weight 0 --specialize all --show check:tex --frames 7 \
          --reference --stats s.json --sampling 4 --block 8 --postcorrect scans --mip OFF \
-         --preset textures --tau-col 0.25 --tau-ste 1 --focus 3-5 --refine on --inactive bilinear --jitter on --filter tent --similar 0.3 --seed 9 --share 0.5",
+         --preset textures --tau-col 0.25 --tau-ste 1 --focus 3-5 --refine on --unsampled bilinear --jitter on --filter tent --quincunx-threshold 0.3 --seed 9 --refresh-fraction 0.5",
     );
     let settings = options.frame.settings(options.method).unwrap();
     let tolerances = Tolerances { pos: 0.1, norm: -0.5, tex: 0.2, gcol: 0.3 };
@@ -148,8 +155,8 @@ fn bench_compares_full_and_adaptive_unless_told() {
     };
     let default = bench("bench a b");
     assert_eq!((default.scenes.len(), default.frames), (2, 5));
-    assert_eq!(default.methods, [MethodName::Full, MethodName::Adaptive]);
-    assert_eq!(bench("bench a --methods adaptive").methods, [MethodName::Adaptive]);
+    assert_eq!(default.methods, [Method::Full, Method::Adaptive]);
+    assert_eq!(bench("bench a --methods adaptive").methods, [Method::Adaptive]);
 }
 
 #[test]
@@ -172,8 +179,7 @@ fn wrong_usage_exits_with_two_and_says_what_was_expected() {
         ("render a.glb -o b.png --seed x", "--seed"),
         ("render a.glb -o b.png --supersample=often", "--supersample"),
         ("render a.glb -o b.png --samplin 2", "--sampling"),
-        ("render a.glb -o b.png --method path --cores 1000", "--cores"),
-        ("render a.glb -o b.png --method path --cores=-1", "--cores"),
+        ("render a.glb -o b.png --method path --cpu-threads=-1", "--cpu-threads"),
         ("bench", "SCENE"),
         ("bench a --methods full,slow", "slow"),
         ("compare a.png", "<B>"),
@@ -190,17 +196,18 @@ fn wrong_usage_exits_with_two_and_says_what_was_expected() {
 #[test]
 fn values_that_parse_but_mean_nothing_are_named() {
     for (option, name) in [
-        ("--t-pos NaN", "--t-pos"),
-        ("--t-norm inf", "--t-norm"),
-        ("--t-tex 0.6", "--t-tex"),
-        ("--t-gcol -1", "--t-gcol"),
-        ("--min-weight 2", "--min-weight"),
-        ("--depth 0", "--depth"),
-        ("--depth 65", "--depth"),
+        ("--t-pos NaN", "t-pos"),
+        ("--t-norm inf", "t-norm"),
+        ("--t-tex 0.6", "t-tex"),
+        ("--t-gcol -1", "t-gcol"),
+        ("--min-weight 2", "min-weight"),
+        ("--depth 0", "depth"),
+        ("--depth 65", "depth"),
+        ("--method path --cpu-threads 1000", "cpu-threads"),
     ] {
         let options = render(&format!("render a.glb -o b.png {option}"));
         let error = options.frame.settings(options.method).unwrap_err();
-        assert!(matches!(&error, glimpse::Error::Setting { what, .. } if what == name), "{error}");
+        assert!(matches!(&error, glimpse::Error::Setting { option, .. } if option == name), "{error}");
     }
 }
 
@@ -211,21 +218,16 @@ fn help_and_version_are_no_failure() {
 }
 
 #[test]
-fn reports_have_smaller_frames_and_name_their_tables() {
+fn reports_have_smaller_frames() {
     let report = |line: &str| match parse(line).unwrap().command {
         Some(Command::Report(options)) => options,
         other => panic!("{other:?}"),
     };
     let bare = report("report a.glb b.glb -o out");
     assert_eq!((bare.scenes.len(), bare.size, bare.frames), (2, Size([960, 540]), 5));
-    assert_eq!(bare.tables, [TableName::Resolutions, TableName::Kernels]);
     assert_eq!(bare.table5_sizes, [512, 1024]);
-    let named = report("report a.glb -o out --tables 3B,3c,4,Missing,phones --table5-sizes 64");
-    let tables =
-        [TableName::Reflective, TableName::Views, TableName::Hairball, TableName::Missing, TableName::Phones];
-    assert_eq!(named.tables, tables);
-    assert_eq!(named.table5_sizes, [64]);
-    for wrong in ["", "-o out", "a.glb", "a.glb -o out --tables 6", "a.glb -o out --table5-sizes 0"] {
+    assert_eq!(report("report a.glb -o out --table5-sizes 64").table5_sizes, [64]);
+    for wrong in ["", "-o out", "a.glb", "a.glb -o out --table5-sizes 0"] {
         assert!(parse(&format!("report {wrong}")).is_err(), "{wrong}");
     }
 }
@@ -251,16 +253,75 @@ fn a_camera_of_ones_own_has_an_eye_and_a_target() {
 #[test]
 fn what_a_method_does_not_know_is_an_error_alone_and_left_out_beside_others() {
     for (wrong, option) in [
-        ("render a.glb -o b.png --method full --supersample", "--supersample"),
-        ("render a.glb -o b.png --filter tent", "--filter"),
-        ("render a.glb -o b.png --method quincunx --jitter on", "--jitter"),
+        ("render a.glb -o b.png --method full --supersample", "supersample"),
+        ("render a.glb -o b.png --filter tent", "filter"),
+        ("render a.glb -o b.png --method quincunx --jitter on", "jitter"),
     ] {
         let options = render(wrong);
         let error = options.frame.settings(options.method).unwrap_err().to_string();
-        assert!(error.contains(option), "{error}");
+        assert!(error.starts_with(option), "{error}");
         options.frame.settings_beside(options.method).unwrap();
     }
     let both = render("render a.glb -o b.png --supersample --filter tent");
-    assert!(both.frame.settings_beside(MethodName::Adaptive).unwrap().supersample);
-    assert_eq!(both.frame.settings_beside(MethodName::Full).unwrap().filter, Filter::Tent);
+    assert!(both.frame.settings_beside(Method::Adaptive).unwrap().supersample);
+    assert_eq!(both.frame.settings_beside(Method::Full).unwrap().filter, Filter::Tent);
+}
+
+#[test]
+fn every_option_of_the_table_is_typed_by_its_present_and_by_its_old_name() {
+    for option in OPTIONS.iter().filter(|option| option.name != "method") {
+        for text in option.kind.examples() {
+            let mut expected = Settings::for_method(Method::Adaptive);
+            option.set(&mut expected, &text).unwrap();
+            for name in [Some(option.name), option.old_name].into_iter().flatten() {
+                let options = render(&format!("render a.glb -o b.png --{name}={text}"));
+                let typed = options.frame.typed.settings(Method::Adaptive).unwrap();
+                assert_eq!(typed, expected, "--{name}={text}");
+                let varied = FrameOptions::default().with(name, &text).unwrap();
+                assert_eq!(varied, options.frame, "--vary {name}={text}");
+            }
+        }
+    }
+    assert_eq!(render("render a.glb -o b.png --method fixed").method, Method::Full);
+}
+
+#[test]
+fn old_names_are_not_shown() {
+    let mut command = Arguments::command();
+    let render = command.find_subcommand_mut("render").unwrap();
+    let help = render.render_long_help().to_string();
+    for option in OPTIONS {
+        assert!(help.contains(&format!("--{}", option.name)), "{}", option.name);
+        assert!(option.old_name.is_none_or(|old| !help.contains(&format!("--{old} "))), "{}", option.name);
+    }
+    assert!(help.contains("[default: 3, 64 with path, 64 with vr]"), "{help}");
+}
+
+#[test]
+fn the_depth_is_the_methods_unless_it_is_typed() {
+    let depth = |line: &str| {
+        let options = render(&format!("render a.glb -o b.png {line}"));
+        options.frame.settings(options.method).unwrap().depth
+    };
+    let lines = ["", "--method path", "--method path --depth 3", "--depth 5 --method vr"];
+    assert_eq!(lines.map(depth), [3, 64, 3, 5]);
+}
+
+#[test]
+fn only_what_changes_nothing_is_warned_of() {
+    let told = |line: &str| {
+        let options = render(&format!("render a.glb -o b.png {line}"));
+        options.frame.warnings(&options.frame.settings(options.method).unwrap())
+    };
+    let typed = "--preset edges --tau-col 1 --block 4 --depth 2 --share 0.5";
+    let warnings = told(typed);
+    assert_eq!(warnings.len(), 3, "{warnings:?}");
+    let tau = &warnings[2];
+    assert!(tau.starts_with("--tau-col changes nothing with --method adaptive. There are extra"), "{tau}");
+    let share = "--refresh-fraction changes nothing with --method adaptive. Only frameless and reproject keep pixels.";
+    assert_eq!(warnings[0], share);
+    assert_eq!(told(&format!("{typed} --supersample")), [share]);
+    let warnings = told(&format!("{typed} --method supersample"));
+    assert!(warnings[1].starts_with("--block changes nothing with --method supersample."), "{warnings:?}");
+    assert_eq!(warnings.len(), 2);
 }

@@ -1,11 +1,11 @@
 //! `glimpse bench`: the methods' times, interleaved in one run.
 
-use glimpse::Gpu;
+use glimpse::{Gpu, Method, options};
 
-use crate::args::{BenchOptions, FrameOptions, MethodName, Size};
+use crate::args::{BenchOptions, FrameOptions, Size};
 use crate::cores;
+use crate::errors::Usage;
 use crate::focus::Wish;
-use crate::heed::heeds;
 use crate::measure::{Plan, Run, Stage};
 use crate::output;
 use crate::pan::{self, Pan};
@@ -59,18 +59,19 @@ struct Row {
 }
 
 /// Every method with every combination of what is varied, each once.
-fn rows(options: &BenchOptions) -> glimpse::Result<Vec<Row>> {
+fn rows(options: &BenchOptions) -> anyhow::Result<Vec<Row>> {
     let combinations = options.frame.combinations(&options.vary).map_err(not_varied)?;
-    let cores = options.frame.paths.cores;
-    if cores > 0 && !options.methods.iter().any(|m| matches!(m, MethodName::Path | MethodName::Vr)) {
-        let reason = "expected path or vr among --methods: no other adds samples up";
-        return Err(glimpse::Error::setting(format!("--cores {cores}"), reason));
+    // Other methods are measured without.
+    let threads = options.frame.typed.settings(Method::Path)?.paths.cpu_threads;
+    if threads > 0 && !options.methods.iter().any(|method| method.follows_paths()) {
+        let expected = "path or vr among --methods: no other adds samples up";
+        return Err(glimpse::Error::setting("cpu-threads", expected, threads.to_string()).into());
     }
     let mut rows: Vec<Row> = Vec::new();
     for method in &options.methods {
         for combination in &combinations {
             let (wish, varied) = heeded(&options.frame, combination, *method)?;
-            let (baseline, _) = heeded(&options.frame, combination, MethodName::Full)?;
+            let (baseline, _) = heeded(&options.frame, combination, Method::Full)?;
             let name = format!("{}{varied}", summary::method_name(wish.settings.method));
             if rows.iter().all(|row| row.wish != wish) {
                 rows.push(Row { name, wish, baseline });
@@ -85,19 +86,22 @@ fn rows(options: &BenchOptions) -> glimpse::Result<Vec<Row>> {
 fn heeded(
     options: &FrameOptions,
     (combination, varied): &(FrameOptions, Vec<(String, String)>),
-    method: MethodName,
-) -> glimpse::Result<(Wish, String)> {
+    method: Method,
+) -> anyhow::Result<(Wish, String)> {
     let settings = combination.settings_beside(method)?;
     let (mut heeded, mut told) = (options.clone(), String::new());
-    for (option, value) in varied.iter().filter(|(option, _)| heeds(&settings, option)) {
+    for (option, value) in varied {
+        if !options::find(option)?.applies(&settings) {
+            continue;
+        }
         heeded = heeded.with(option, value).map_err(not_varied)?;
         told += &format!(" {option}={value}");
     }
     Ok((Wish::beside(&heeded, method)?, told))
 }
 
-fn not_varied(reason: String) -> glimpse::Error {
-    glimpse::Error::setting("--vary", reason)
+fn not_varied(reason: String) -> Usage {
+    Usage(format!("--vary: {reason}"))
 }
 
 /// One scene: a line for each row, then a line for each of its passes.

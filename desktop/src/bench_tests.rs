@@ -24,10 +24,10 @@ fn without_full_there_is_nothing_to_compare() {
     assert_eq!(cells(&alone).iter().filter(|c| *c == "-").count(), 5);
 }
 
-fn bench(methods: &[MethodName], vary: &[&str]) -> BenchOptions {
+fn bench(methods: &[Method], vary: &[&str]) -> BenchOptions {
     BenchOptions {
         scenes: vec![],
-        frame: FrameOptions { block: 4, ..FrameOptions::default() },
+        frame: FrameOptions::default().with("block", "4").unwrap(),
         methods: methods.to_vec(),
         vary: vary.iter().map(|text| text.parse().unwrap()).collect(),
         frames: 1,
@@ -42,22 +42,22 @@ fn names(options: &BenchOptions) -> Vec<String> {
 
 #[test]
 fn a_method_named_twice_is_measured_once() {
-    let options = bench(&[MethodName::Full, MethodName::Full, MethodName::Adaptive], &[]);
+    let options = bench(&[Method::Full, Method::Full, Method::Adaptive], &[]);
     assert_eq!(names(&options), ["full", "adaptive"]);
 }
 
 #[test]
 fn every_combination_is_a_row_and_full_stands_once_for_what_concerns_it() {
-    let options = bench(&[MethodName::Full, MethodName::Adaptive], &["features=auto,all", "block=2,8"]);
+    let options = bench(&[Method::Full, Method::Adaptive], &["specialize=auto,all", "block=2,8"]);
     assert_eq!(
         names(&options),
         [
-            "full features=auto",
-            "full features=all",
-            "adaptive features=auto block=2",
-            "adaptive features=auto block=8",
-            "adaptive features=all block=2",
-            "adaptive features=all block=8",
+            "full specialize=auto",
+            "full specialize=all",
+            "adaptive specialize=auto block=2",
+            "adaptive specialize=auto block=8",
+            "adaptive specialize=all block=2",
+            "adaptive specialize=all block=8",
         ]
     );
     let rows = rows(&options).unwrap();
@@ -70,16 +70,16 @@ fn every_combination_is_a_row_and_full_stands_once_for_what_concerns_it() {
 
 #[test]
 fn methods_stand_once_for_what_they_do_not_heed() {
-    let all = [MethodName::Full, MethodName::Adaptive, MethodName::Supersample, MethodName::Quincunx];
+    let all = [Method::Full, Method::Adaptive, Method::Supersample, Method::Quincunx];
     for (vary, heeding) in [
         ("tau-col=0.1,0.2", &["supersample"][..]),
         ("tau-ste=0.1,0.2", &["supersample"]),
         ("preset=edges,textures", &["supersample"]),
         ("focus=chair,lamp", &["supersample"]),
         ("refine=off,on", &["supersample"]),
-        ("inactive=nearest,bilinear", &["supersample"]),
+        ("unsampled=nearest,bilinear", &["supersample"]),
         ("seed=1,2", &["supersample"]),
-        ("similar=0.1,0.2", &["quincunx"]),
+        ("quincunx-threshold=0.1,0.2", &["quincunx"]),
         ("t-pos=0.1,0.2", &["adaptive"]),
         ("supersample=false,true", &["adaptive"]),
         ("mip=on,off", &["full", "adaptive", "supersample", "quincunx"]),
@@ -94,16 +94,16 @@ fn methods_stand_once_for_what_they_do_not_heed() {
         });
         assert_eq!(found, expected.concat());
     }
-    let mut combined = bench(&[MethodName::Full, MethodName::Adaptive], &["tau-col=0.1,0.2"]);
-    combined.frame.samples.supersample = true;
+    let mut combined = bench(&[Method::Full, Method::Adaptive], &["tau-col=0.1,0.2"]);
+    combined.frame = combined.frame.with("supersample", "true").unwrap();
     assert_eq!(names(&combined), ["full", "adaptive tau-col=0.1", "adaptive tau-col=0.2"]);
-    let jittered = bench(&[MethodName::Full], &["jitter=off,on", "seed=1,2"]);
+    let jittered = bench(&[Method::Full], &["jitter=off,on", "seed=1,2"]);
     assert_eq!(names(&jittered), ["full jitter=off", "full jitter=on seed=1", "full jitter=on seed=2"]);
 }
 
 #[test]
 fn a_value_that_no_frame_can_have_is_wrong_usage() {
-    let error = rows(&bench(&[MethodName::Adaptive], &["block=2,3"])).unwrap_err();
-    assert!(matches!(&error, glimpse::Error::Setting { .. }), "{error}");
-    assert!(error.to_string().contains("--block"), "{error}");
+    let error = rows(&bench(&[Method::Adaptive], &["block=2,3"])).unwrap_err();
+    assert!(crate::errors::is_usage(&error), "{error}");
+    assert!(crate::errors::told(&error).contains("--block"), "{error}");
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use anyhow::Context;
+use anyhow::{Context, anyhow};
 use glimpse::metrics::{self, ErrorReport};
 use glimpse::{Error, Picture};
 
@@ -38,7 +38,7 @@ fn measure(a: &Path, b: &Path) -> anyhow::Result<ErrorReport> {
 /// Images that do not fit are the images' fault, not the command line's.
 fn not_usage(error: Error) -> anyhow::Error {
     match error {
-        Error::Setting { reason, .. } => anyhow::Error::msg(reason),
+        Error::Setting { expected, found, .. } => anyhow!("expected {expected}, found {found}"),
         other => other.into(),
     }
 }

@@ -1,4 +1,4 @@
-//! `--cores`: threads that trace samples of paths beside the GPU.
+//! `--cpu-threads`: threads that trace samples of paths beside the GPU.
 
 use std::panic::resume_unwind;
 use std::thread;
@@ -38,20 +38,15 @@ pub struct Side {
 /// Are there samples for cores to bring? So many frames are the GPU's alone, to be timed.
 ///
 /// # Errors
-/// There are none, or the frame does not [take them](glimpse::Settings::takes_planes).
+/// There are none.
 pub fn check(wishes: &[Wish], frames: u32) -> glimpse::Result<()> {
-    let refused = wishes.iter().find(|wish| wish.cores > 0 && !wish.settings.takes_planes());
-    if let Some(Wish { cores, settings, .. }) = refused {
-        let reason = format!("expected no --crossing paper, found {}", settings.paths.crossing.name());
-        return Err(Error::setting(format!("--cores {cores}"), reason));
-    }
     // And one more, in which drivers finish compiling.
     let alone = frames.saturating_add(1);
-    let idle = |wish: &&Wish| wish.cores > 0 && wish.settings.paths.samples <= alone;
-    wishes.iter().find(idle).map_or(Ok(()), |wish| {
-        let found = wish.settings.paths.samples;
-        let reason = format!("expected --samples above the {alone} of the timed frames, found {found}");
-        Err(Error::setting(format!("--cores {}", wish.cores), reason))
+    let all = wishes.iter().map(|wish| &wish.settings.paths);
+    let idle = all.into_iter().find(|paths| paths.cpu_threads > 0 && paths.samples <= alone);
+    idle.map_or(Ok(()), |paths| {
+        let expected = format!("more than the {alone} of the timed frames, with --cpu-threads");
+        Err(Error::setting("samples", expected, paths.samples.to_string()))
     })
 }
 
@@ -159,12 +154,14 @@ impl Sides {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::args::{FrameOptions, MethodName};
+    use glimpse::Method;
+
+    use crate::args::FrameOptions;
 
     fn wish(samples: u32, cores: u32) -> Wish {
-        let mut options = FrameOptions::default();
-        (options.paths.path_samples, options.paths.cores) = (samples, cores);
-        Wish::of(&options, MethodName::Path).unwrap()
+        let options = FrameOptions::default().with("samples", &samples.to_string());
+        let options = options.and_then(|options| options.with("cpu-threads", &cores.to_string())).unwrap();
+        Wish::of(&options, Method::Path).unwrap()
     }
 
     #[test]
@@ -173,14 +170,17 @@ mod tests {
             assert!(check(&[fine], 3).is_ok());
         }
         let error = check(&[wish(5, 2), wish(4, 2)], 3).unwrap_err().to_string();
-        assert_eq!(error, "--cores 2: expected --samples above the 4 of the timed frames, found 4");
+        assert_eq!(
+            error,
+            "samples: expected more than the 4 of the timed frames, with --cpu-threads, found 4"
+        );
     }
 
     #[test]
     fn shares_are_of_the_time_that_both_took() {
         let options = FrameOptions::default();
         let camera = *glimpse::scene::builtin("cornell").unwrap().camera(None).unwrap();
-        let settings = options.settings(MethodName::Path).unwrap();
+        let settings = options.settings(Method::Path).unwrap();
         let (merge, _workers) = Merge::new(&View::new(&camera, [4, 3], &settings), 2);
         let busy = [1000, 500].map(Duration::from_millis).into_iter();
         let sides = Sides::of(6, 1500.0, &merge, busy, Duration::from_secs(2));
@@ -191,11 +191,11 @@ mod tests {
 
     #[test]
     fn cores_trace_paths_alone() {
-        let mut options = FrameOptions::default();
-        options.paths.cores = 2;
-        let error = Wish::of(&options, MethodName::Adaptive).unwrap_err().to_string();
-        assert_eq!(error, "--cores 2: expected --method path or vr, found adaptive");
-        assert_eq!(Wish::beside(&options, MethodName::Full).unwrap().cores, 0);
-        assert_eq!(Wish::beside(&options, MethodName::Path).unwrap().cores, 2);
+        let options = FrameOptions::default().with("cpu-threads", "2").unwrap();
+        let error = Wish::of(&options, Method::Adaptive).unwrap_err().to_string();
+        let expected = "0 with method adaptive: only path and vr add samples up";
+        assert_eq!(error, format!("cpu-threads: expected {expected}, found 2"));
+        let beside = |method| Wish::beside(&options, method).unwrap().settings.paths.cpu_threads;
+        assert_eq!([Method::Full, Method::Path].map(beside), [0, 2]);
     }
 }

@@ -2,11 +2,11 @@
 
 use glimpse::Gpu;
 use glimpse::gpu::AdapterFacts;
+use glimpse_measure::statistics::AdapterStatistics;
 use serde::Serialize;
 
 use crate::args::DevicesOptions;
 use crate::output::{self, bytes, grouped};
-use crate::statistics::AdapterStatistics;
 use crate::summary::row;
 
 /// An adapter as `--json` lists it.

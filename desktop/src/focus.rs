@@ -1,9 +1,9 @@
 //! `--focus`: which of a scene's objects are meant.
 
 use glimpse::scene::Object;
-use glimpse::{Error, Focus, Settings};
+use glimpse::{Error, Focus, Method, Settings};
 
-use crate::args::{FrameOptions, MethodName, focus_by_index};
+use crate::args::FrameOptions;
 
 /// So many objects are named where none fits.
 const NAMED: usize = 8;
@@ -15,33 +15,23 @@ pub struct Wish {
     pub settings: Settings,
     /// The objects in focus as they were typed.
     pub focus: Option<String>,
-    /// Threads beside the GPU.
-    pub cores: u32,
 }
 
 impl Wish {
     /// What was typed, with one method.
     ///
     /// # Errors
-    /// As [`FrameOptions::settings`], and cores that a method has no use for.
-    pub fn of(options: &FrameOptions, method: MethodName) -> glimpse::Result<Self> {
-        let settings = options.settings(method)?;
-        let cores = options.paths.cores;
-        if cores > 0 && !settings.method.follows_paths() {
-            let reason = format!("expected --method path or vr, found {}", settings.method.name());
-            return Err(Error::setting(format!("--cores {cores}"), reason));
-        }
-        Ok(Self { settings, focus: options.samples.focus.clone(), cores })
+    /// As [`FrameOptions::settings`].
+    pub fn of(options: &FrameOptions, method: Method) -> glimpse::Result<Self> {
+        Ok(Self { settings: options.settings(method)?, focus: options.focus().map(str::to_owned) })
     }
 
     /// As [`Wish::of`], for one method of several.
     ///
     /// # Errors
     /// As [`FrameOptions::settings_beside`].
-    pub fn beside(options: &FrameOptions, method: MethodName) -> glimpse::Result<Self> {
-        let settings = options.settings_beside(method)?;
-        let cores = if settings.method.follows_paths() { options.paths.cores } else { 0 };
-        Ok(Self { settings, focus: options.samples.focus.clone(), cores })
+    pub fn beside(options: &FrameOptions, method: Method) -> glimpse::Result<Self> {
+        Ok(Self { settings: options.settings_beside(method)?, focus: options.focus().map(str::to_owned) })
     }
 
     /// The settings for a scene of these objects.
@@ -49,15 +39,16 @@ impl Wish {
     /// # Errors
     /// It has no such objects to focus on.
     pub fn in_scene(&self, objects: &[Object]) -> glimpse::Result<Settings> {
-        let focus = self.focus.as_deref().map(|text| run(text, objects)).transpose()?;
+        let focus = self.focus.as_deref().filter(|text| *text != "none");
+        let focus = focus.map(|text| run(text, objects)).transpose()?;
         Ok(Settings { focus, ..self.settings })
     }
 }
 
 /// The objects of these indices, or all with this part of a name, which must follow each other.
 fn run(text: &str, objects: &[Object]) -> glimpse::Result<Focus> {
-    let wrong = |expected: String| Error::setting(format!("--focus {text}"), format!("expected {expected}"));
-    if let Some(focus) = focus_by_index(text) {
+    let wrong = |expected: String| Error::setting("focus", expected, text);
+    if let Ok(focus) = text.parse::<Focus>() {
         let known = (focus.last as usize) < objects.len();
         let expected = || format!("indices below the scene's number of objects, which is {}", objects.len());
         return if known { Ok(focus) } else { Err(wrong(expected())) };
@@ -69,7 +60,7 @@ fn run(text: &str, objects: &[Object]) -> glimpse::Result<Focus> {
         return Err(wrong(format!("a part of an object's name; the scene has {names}")));
     };
     if last - first + 1 != found.len() {
-        return Err(wrong(format!("objects that follow each other, found {}", named(&found))));
+        return Err(wrong(format!("objects that follow each other; these have the name: {}", named(&found))));
     }
     Ok(Focus { first: *first as u32, last: *last as u32 })
 }
@@ -94,9 +85,8 @@ mod tests {
     }
 
     fn wish(focus: &str) -> Wish {
-        let mut options = FrameOptions::default();
-        options.samples.focus = Some(focus.to_owned());
-        Wish::of(&options, MethodName::Supersample).unwrap()
+        let options = FrameOptions::default().with("focus", focus).unwrap();
+        Wish::of(&options, Method::Supersample).unwrap()
     }
 
     #[test]
@@ -107,7 +97,7 @@ mod tests {
             let settings = wish(text).in_scene(&objects()).unwrap();
             assert_eq!(settings.focus, Some(Focus { first, last }), "{text}");
         }
-        let nothing = Wish::of(&FrameOptions::default(), MethodName::Adaptive).unwrap();
+        let nothing = Wish::of(&FrameOptions::default(), Method::Adaptive).unwrap();
         assert_eq!(nothing.in_scene(&objects()).unwrap(), Settings::default());
     }
 
@@ -119,12 +109,13 @@ mod tests {
             ("sofa", "the scene has 0 (floor), 1 (chair/seat), 2 (chair/back), 3 (table), 4 (lamp)"),
             ("Chair", "the scene has 0 (floor)"),
             ("", "the scene has 0"),
-            ("table", "objects that follow each other, found 3 (table), 6 (table/leg)"),
+            ("table", "objects that follow each other; these have the name: 3 (table), 6 (table/leg)"),
         ] {
             let error = wish(text).in_scene(&objects()).unwrap_err().to_string();
-            assert!(error.contains(&format!("--focus {text}")) && error.contains(expected), "{error}");
+            assert!(error.starts_with("focus: ") && error.contains(expected), "{error}");
+            assert!(error.ends_with(&format!(", found {text}")), "{error}");
         }
         let error = wish("sofa").in_scene(&[objects(), objects()].concat()).unwrap_err().to_string();
-        assert!(error.ends_with("7 (floor), 6 more"), "{error}");
+        assert!(error.ends_with("7 (floor), 6 more, found sofa"), "{error}");
     }
 }

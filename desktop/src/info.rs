@@ -2,12 +2,12 @@
 
 use glimpse::scene::{Light, LightKind, Material};
 use glimpse::{Linked, Linking, Scene};
+use glimpse_measure::statistics::SceneStatistics;
 use serde::Serialize;
 
 use crate::args::InfoOptions;
 use crate::output::{self, bytes, counted, listed};
 use crate::scene_file;
-use crate::statistics::SceneStatistics;
 use crate::summary::{self, row};
 
 /// A scene as `--json` tells it.

@@ -5,17 +5,15 @@ mod bench;
 mod compare;
 mod cores;
 mod devices;
-mod files;
+mod errors;
 mod focus;
-mod heed;
 mod info;
+#[cfg(test)]
+mod manual;
 mod measure;
-mod output;
 mod pan;
-mod progress;
 mod render;
 mod report;
-mod scene_file;
 mod statistics;
 mod stress;
 mod summary;
@@ -29,31 +27,31 @@ use std::process::ExitCode;
 use clap::{CommandFactory, FromArgMatches};
 
 use args::{Arguments, Command, ViewOptions};
+use glimpse_measure::{files, output, progress, scene_file};
 
 const FAILED: u8 = 1;
 const WRONG_USAGE: u8 = 2;
 
 fn main() -> ExitCode {
     std::panic::set_hook(Box::new(|panic| LAST_PANIC.set(bug(panic))));
-    let matches = Arguments::command().get_matches();
+    let matches = report::with_tables(Arguments::command()).get_matches();
     let arguments = Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
-    let typed = args::typed(&matches);
     start_log(arguments.verbose);
-    match reporting_panics(|| run(arguments, &typed)) {
+    match reporting_panics(|| run(arguments)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            complain(&one_line(&format!("{error:#}")));
-            ExitCode::from(exit_code(&error))
+            complain(&errors::told(&error));
+            ExitCode::from(if errors::is_usage(&error) { WRONG_USAGE } else { FAILED })
         }
     }
 }
 
-fn run(arguments: Arguments, typed: &[String]) -> anyhow::Result<()> {
+fn run(arguments: Arguments) -> anyhow::Result<()> {
     let adapter = arguments.adapter.as_deref();
     match arguments.command {
         None => view::run(&ViewOptions { scene: arguments.scene, ..ViewOptions::default() }, adapter),
         Some(Command::View(options)) => view::run(&options, adapter),
-        Some(Command::Render(options)) => render::run(&options, typed, adapter),
+        Some(Command::Render(options)) => render::run(&options, adapter),
         Some(Command::Compare(options)) => compare::run(&options),
         Some(Command::Info(options)) => info::run(&options),
         Some(Command::Devices(options)) => devices::run(&options, adapter),
@@ -61,19 +59,6 @@ fn run(arguments: Arguments, typed: &[String]) -> anyhow::Result<()> {
         Some(Command::Report(options)) => report::run(&options, adapter),
         Some(Command::Stress(options)) => stress::run(&options, adapter),
     }
-}
-
-/// A wish that cannot be granted is wrong usage; everything else is work that failed.
-fn exit_code(error: &anyhow::Error) -> u8 {
-    let wish = error
-        .chain()
-        .any(|e| matches!(e.downcast_ref::<glimpse::Error>(), Some(glimpse::Error::Setting { .. })));
-    if wish { WRONG_USAGE } else { FAILED }
-}
-
-fn one_line(message: &str) -> String {
-    let lines: Vec<_> = message.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
-    lines.join(" ")
 }
 
 fn complain(line: &str) {
@@ -112,17 +97,7 @@ fn start_log(verbose: u8) {
 
 #[cfg(test)]
 mod tests {
-    use anyhow::Context;
-
     use super::*;
-
-    #[test]
-    fn wishes_are_wrong_usage_however_deep() {
-        let wish = Err::<(), _>(glimpse::Error::setting("--depth", "expected 1 to 64, found 0"));
-        assert_eq!(exit_code(&wish.context("scene.glb").context("render").unwrap_err()), WRONG_USAGE);
-        let work = Err::<(), _>(glimpse::Error::scene("mesh 0", "no positions"));
-        assert_eq!(exit_code(&work.context("scene.glb").unwrap_err()), FAILED);
-    }
 
     #[test]
     fn panics_are_reported_unless_they_are_caught() {
@@ -131,14 +106,9 @@ mod tests {
             let _ = catch_unwind(|| panic!("caught"));
             panic!("not\ncaught")
         });
-        let line = one_line(&error.unwrap_err().to_string());
+        let line = errors::told(&error.unwrap_err());
         assert!(line.starts_with("this is a bug, please report it: not caught at "), "{line}");
         assert!(reporting_panics(|| catch_unwind(|| panic!("caught")).or(Ok(()))).is_ok());
         drop(std::panic::take_hook());
-    }
-
-    #[test]
-    fn errors_stay_on_one_line() {
-        assert_eq!(one_line("a\n  b\n\nc"), "a b c");
     }
 }

@@ -1,12 +1,11 @@
 //! Methods measured on one scene: warmed up, then interleaved frame by frame so that they share the weather.
 
-use std::time::Instant;
-
 use anyhow::Context;
 use glimpse::{
-    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Renderer, Scene,
-    Settings, metrics, reference::Reference,
+    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Linking, Memory, Renderer,
+    Scene, Settings, metrics, reference::Reference,
 };
+use glimpse_measure::statistics::{SceneStatistics, timed};
 
 use crate::args::FrameOptions;
 use crate::cores::{Sides, Unfinished};
@@ -14,7 +13,7 @@ use crate::focus::Wish;
 use crate::pan::{Pan, Panned};
 use crate::progress::Progress;
 use crate::scene_file;
-use crate::statistics::{ErrorAgainst, SceneStatistics};
+use crate::statistics::ErrorAgainst;
 
 /// A scene on the device, a camera in it, and what is known of both.
 pub struct Stage<'g> {
@@ -56,9 +55,10 @@ impl<'g> Stage<'g> {
         let (camera, camera_name) = chosen_camera(&scene, options).with_context(|| name.to_owned())?;
         let methods = wishes.iter().map(|wish| wish.in_scene(&scene.objects)).collect::<glimpse::Result<_>>();
         let methods = methods.with_context(|| name.to_owned())?;
-        let statistics = SceneStatistics::of(name, &scene, options.features.into());
+        let linking = wishes.first().map_or(Linking::Auto, |wish| wish.settings.features);
+        let statistics = SceneStatistics::of(name, &scene, linking);
         let warnings = scene.warnings.clone();
-        let cores: Vec<_> = wishes.iter().map(|wish| wish.cores).collect();
+        let cores: Vec<_> = wishes.iter().map(|wish| wish.settings.paths.cpu_threads).collect();
         let reference = cores.iter().any(|cores| *cores > 0).then(|| Reference::new(&scene).with_wide_tree());
         progress.doing("building the acceleration structure");
         let (scene, build_ms) = timed(|| GpuScene::upload(gpu, scene).with_context(|| name.to_owned()))?;
@@ -201,11 +201,4 @@ fn chosen_camera(scene: &Scene, options: &FrameOptions) -> glimpse::Result<(Came
     let camera = scene.camera(options.camera.as_deref())?;
     let index = scene.cameras.iter().position(|(_, c)| std::ptr::eq(c, camera)).unwrap_or_default();
     Ok((*camera, format!("{index} ({})", scene.cameras[index].0)))
-}
-
-/// A result and the milliseconds that it took.
-pub fn timed<T, E>(work: impl FnOnce() -> Result<T, E>) -> Result<(T, f64), E> {
-    let start = Instant::now();
-    let result = work()?;
-    Ok((result, 1000.0 * start.elapsed().as_secs_f64()))
 }

@@ -2,15 +2,17 @@
 
 use std::path::{Path, PathBuf};
 
+use anyhow::bail;
 use glimpse::{Gpu, Method, Settings, Show, show, to_exr, to_png};
 
-use crate::args::{FrameOptions, MethodName, PictureFile, RenderOptions, Size};
+use crate::args::{FrameOptions, PictureFile, RenderOptions, Size};
+use crate::errors::Usage;
 use crate::focus::Wish;
 use crate::measure::{Plan, Run, Stage};
 use crate::output;
 use crate::progress::Progress;
 use crate::statistics::Statistics;
-use crate::{cores, files, heed, scene_file, summary};
+use crate::{cores, files, scene_file, summary};
 
 const VIEW_PICTURE: &str = "glimpse.png";
 
@@ -20,31 +22,32 @@ pub fn without_display(scene: &str, adapter: Option<&str>) -> anyhow::Result<()>
         scene: scene.to_owned(),
         output: PictureFile { path: PathBuf::from(VIEW_PICTURE), linear: false },
         frame: FrameOptions::default(),
-        method: MethodName::Adaptive,
+        method: Method::Adaptive,
         show: Show::Final,
         frames: 1,
         reference: true,
         stats: None,
     };
     output::print(&format!("There is no display: rendering a frame to {VIEW_PICTURE}.\n"))?;
-    run(&options, &[], adapter)
+    run(&options, adapter)
 }
 
-/// `glimpse render`; `typed` are the options that are no defaults.
-pub fn run(options: &RenderOptions, typed: &[String], adapter: Option<&str>) -> anyhow::Result<()> {
+/// `glimpse render`
+pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()> {
     let wish = Wish::of(&options.frame, options.method)?;
     check_show(options, &wish.settings)?;
     if options.reference && wish.settings.method == Method::Vr {
-        let expected = "expected a method of one eye, found vr: method full shows one picture";
-        return Err(glimpse::Error::setting("--reference", expected).into());
+        bail!(Usage(
+            "--reference: expected a method of one eye, found vr: method full shows one picture".to_owned()
+        ));
     }
     scene_file::check(&options.scene)?;
     let outputs = std::iter::once(&options.output.path).chain(&options.stats);
     files::check(outputs.map(PathBuf::as_path), Path::new(&options.scene))?;
 
     let mut wishes = vec![wish];
-    if options.reference && options.method != MethodName::Full {
-        wishes.push(Wish::beside(&options.frame, MethodName::Full)?);
+    if options.reference && options.method != Method::Full {
+        wishes.push(Wish::beside(&options.frame, Method::Full)?);
     }
     let Size(size) = options.frame.size;
     cores::check(&wishes, options.frames)?;
@@ -62,7 +65,7 @@ pub fn run(options: &RenderOptions, typed: &[String], adapter: Option<&str>) -> 
         files::write(path, output::json(&statistics)?.as_bytes())?;
     }
     drop(progress);
-    let warnings = [heed::idle(typed, &runs[0].settings), stage.warnings.clone()].concat();
+    let warnings = [options.frame.warnings(&runs[0].settings), stage.warnings.clone()].concat();
     let mut text = summary::frame(&statistics, &warnings);
     text += &legend;
     text += &summary::row("wrote", &options.output.path.display().to_string());
@@ -70,31 +73,13 @@ pub fn run(options: &RenderOptions, typed: &[String], adapter: Option<&str>) -> 
 }
 
 /// Is there something known of every pixel to show?
-fn check_show(options: &RenderOptions, settings: &Settings) -> glimpse::Result<()> {
-    let expected = match options.show {
-        Show::Final => return Ok(()),
-        _ if options.output.linear => "an output that ends in .png".to_owned(),
-        _ if settings.sampling > 1 => {
-            format!("final with --sampling {}: the others are about pixels of one sample", settings.sampling)
-        }
-        Show::Active if !settings.supersamples() && settings.method != Method::Quincunx => {
-            "--method supersample or quincunx, or --supersample: no other adds samples".to_owned()
-        }
-        Show::Attribute(_) if !settings.supersamples() => {
-            "--method supersample, or --supersample: no other compares pixels".to_owned()
-        }
-        Show::Check(_) | Show::Depth | Show::Normal | Show::Oid
-            if settings.method == Method::Checkerboard =>
-        {
-            "final, origin or cost with --method checkerboard: no surface belongs to an average".to_owned()
-        }
-        Show::Check(_) | Show::Depth | Show::Normal | Show::Oid if settings.method.keeps_frames() => {
-            let method = settings.method.name();
-            format!("final, origin or cost with --method {method}: kept pixels have nothing but a colour")
-        }
-        _ => return Ok(()),
+fn check_show(options: &RenderOptions, settings: &Settings) -> Result<(), Usage> {
+    let unfit = match options.show {
+        Show::Final => None,
+        _ if options.output.linear => Some("An output that ends in .exr has the frame alone."),
+        show => show.conflict(settings),
     };
-    Err(glimpse::Error::setting("--show", format!("expected {expected}")))
+    unfit.map_or(Ok(()), |reason| Err(Usage(format!("--show {}: {reason}", options.show.name()))))
 }
 
 /// Writes what `--show` asks for; returns its legend.

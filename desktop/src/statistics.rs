@@ -1,9 +1,8 @@
 //! The statistics JSON: what was rendered, with what, how long it took and what it cost.
 
 use glimpse::metrics::ErrorReport;
-use glimpse::{
-    Cost, FailedChecks, Features, FrameTime, Linking, Memory, Missing, Rays, Samples, Scene, Settings,
-};
+use glimpse::{Cost, FailedChecks, FrameTime, Memory, Missing, Rays, Samples, Settings};
+use glimpse_measure::statistics::{AdapterStatistics, SceneStatistics, Spread};
 use serde::Serialize;
 
 use crate::cores::Sides;
@@ -75,38 +74,6 @@ pub struct Statistics {
     pub sides: Option<Sides>,
 }
 
-/// An adapter.
-#[derive(Clone, Debug, Serialize)]
-pub struct AdapterStatistics {
-    /// As the driver reports it.
-    pub name: String,
-    /// The graphics interface.
-    pub backend: String,
-    /// The driver with its version.
-    pub driver: String,
-}
-
-/// A scene.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct SceneStatistics {
-    /// As it was named on the command line.
-    pub file: String,
-    /// Number of triangles.
-    pub triangles: usize,
-    /// Number of analytic spheres.
-    pub spheres: usize,
-    /// Number of objects (OIDs).
-    pub objects: usize,
-    /// Number of lights.
-    pub lights: usize,
-    /// Number of textures.
-    pub textures: usize,
-    /// The pieces that are linked.
-    pub features: Vec<&'static str>,
-    /// The pieces that no kernel holds.
-    pub left_out: Vec<&'static str>,
-}
-
 /// The settings and the camera.
 #[derive(Clone, Debug, Serialize)]
 pub struct SettingsUsed {
@@ -132,15 +99,6 @@ pub struct Times {
     pub build: f64,
     /// Compiling the kernels, with the first frame, in which drivers finish compiling.
     pub compile: f64,
-}
-
-/// Of several measurements.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Spread {
-    /// The middle one.
-    pub median: f64,
-    /// The least that 95 % do not exceed.
-    pub p95: f64,
 }
 
 /// The time of a pass.
@@ -220,60 +178,6 @@ impl Statistics {
                 .filter(|_| !run.settings.method.keeps_frames())
                 .and_then(|full| Missing::of(&full.inspection.pixels, &run.inspection.pixels)),
         })
-    }
-}
-
-impl AdapterStatistics {
-    /// Of wgpu's words.
-    pub fn of(info: &wgpu::AdapterInfo) -> Self {
-        let driver = [info.driver.trim(), info.driver_info.trim()];
-        Self {
-            name: info.name.clone(),
-            backend: info.backend.to_string(),
-            driver: driver.into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" "),
-        }
-    }
-}
-
-impl SceneStatistics {
-    /// Of a scene before it moves to the device.
-    pub fn of(name: &str, scene: &Scene, linking: Linking) -> Self {
-        let unlinked = Self {
-            file: name.to_owned(),
-            triangles: scene.positions.len(),
-            spheres: scene.spheres.len(),
-            objects: scene.objects.len(),
-            lights: scene.lights.len(),
-            textures: scene.textures.len(),
-            features: Vec::new(),
-            left_out: Vec::new(),
-        };
-        unlinked.linked(Features::of(scene), linking)
-    }
-
-    /// With what is linked, of a scene that needs these features.
-    fn linked(self, needed: Features, linking: Linking) -> Self {
-        let linked = match linking {
-            Linking::Auto => needed,
-            Linking::All => Features::all(),
-        };
-        let names = |there: bool| {
-            linked.list().into_iter().filter(|(_, l)| *l == there).map(|(name, _)| name).collect()
-        };
-        Self { features: names(true), left_out: names(false), ..self }
-    }
-}
-
-impl Spread {
-    /// Of any number of measurements; NaN of none.
-    pub fn of(values: impl IntoIterator<Item = f64>) -> Self {
-        let mut sorted: Vec<f64> = values.into_iter().collect();
-        sorted.sort_by(f64::total_cmp);
-        let n = sorted.len();
-        if n == 0 {
-            return Self { median: f64::NAN, p95: f64::NAN };
-        }
-        Self { median: 0.5 * (sorted[(n - 1) / 2] + sorted[n / 2]), p95: sorted[(n * 95).div_ceil(100) - 1] }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The JSON has the contract's names; medians and shares are what they are called.
 
-use glimpse::PassTime;
+use glimpse::{Linking, PassTime, Scene};
 use serde_json::{Value, json};
 
 use super::*;
@@ -116,9 +116,12 @@ fn the_json_has_every_field_of_the_contract() {
 fn settings_name_every_option() {
     let json = serde_json::to_value(example()).unwrap();
     let settings = &json["settings"];
-    assert_eq!((&settings["method"], &settings["features"]), (&json!("adaptive"), &json!("auto")));
-    for name in ["tolerances", "depth", "min_weight", "camera"] {
+    assert_eq!((&settings["method"], &settings["specialize"]), (&json!("adaptive"), &json!("auto")));
+    for name in ["t_pos", "depth", "min_weight", "camera"] {
         assert!(!settings[name].is_null(), "{name}");
+    }
+    for option in glimpse::options::OPTIONS {
+        assert!(settings.get(option.name.replace('-', "_")).is_some(), "{}", option.name);
     }
 }
 
@@ -130,23 +133,6 @@ fn without_a_reference_nothing_speaks_of_one() {
     for name in ["speedup", "efficiency", "cost_efficiency", "error", "gain"] {
         assert!(json.get(name).is_none(), "{name}");
     }
-}
-
-#[test]
-fn an_empty_scene_leaves_everything_out_unless_all_is_linked() {
-    let auto = SceneStatistics::of("a", &Scene::default(), Linking::Auto);
-    assert_eq!((auto.features.len(), auto.left_out.len()), (0, 15));
-    let all = SceneStatistics::of("a", &Scene::default(), Linking::All);
-    assert_eq!((all.features.len(), all.left_out.len()), (15, 0));
-}
-
-#[test]
-fn medians_and_percentiles() {
-    assert_eq!(Spread::of([7.0]), Spread { median: 7.0, p95: 7.0 });
-    assert_eq!(Spread::of([9.0, 1.0, 2.0]), Spread { median: 2.0, p95: 9.0 });
-    assert_eq!(Spread::of([4.0, 1.0, 2.0, 100.0]).median, 3.0);
-    assert_eq!(Spread::of((1..=100).map(f64::from)), Spread { median: 50.5, p95: 95.0 });
-    assert!(Spread::of([]).median.is_nan());
 }
 
 #[test]

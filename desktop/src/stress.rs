@@ -6,12 +6,12 @@ use anyhow::bail;
 use clap::ValueEnum;
 use glimpse::stress::{Bench, CASES, Case, Outcome};
 use glimpse::{Gpu, Robustness};
+use glimpse_measure::statistics::AdapterStatistics;
 use serde::Serialize;
 
 use crate::args::{Measure, StressOptions};
 use crate::output::{self, grouped};
 use crate::progress::Progress;
-use crate::statistics::AdapterStatistics;
 
 /// A row of the table.
 #[derive(Debug, Serialize)]
@@ -84,7 +84,7 @@ fn chosen(names: &[String]) -> glimpse::Result<Vec<&'static Case>> {
     let find = |name: &String| {
         CASES.iter().find(|case| case.name == name).ok_or_else(|| {
             let known: Vec<_> = CASES.iter().map(|case| case.name).collect();
-            glimpse::Error::setting("CASE", format!("expected one of {}, found {name}", known.join(", ")))
+            glimpse::Error::setting("cases", format!("one of {}", known.join(", ")), name)
         })
     };
     names.iter().map(find).collect()

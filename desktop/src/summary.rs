@@ -4,10 +4,11 @@ use std::fmt::Write;
 
 use glimpse::metrics::ErrorReport;
 use glimpse::{CHECK_NAMES, FailedChecks, Method, Missing};
+use glimpse_measure::statistics::SceneStatistics;
 
 use crate::cores::{Side, Sides};
 use crate::output::{bytes, counted, grouped, listed};
-use crate::statistics::{SceneStatistics, Statistics};
+use crate::statistics::Statistics;
 
 /// How many warnings are printed before the rest is only counted.
 const WARNINGS: usize = 3;
@@ -140,7 +141,7 @@ pub fn method(statistics: &Statistics) -> String {
 
 /// A method's name as it is typed.
 pub fn method_name(method: Method) -> String {
-    format!("{method:?}").to_lowercase()
+    method.name().to_owned()
 }
 
 /// What full tracing shows and the frame does not, in one line.

@@ -2,13 +2,7 @@
 
 use std::str::FromStr;
 
-use clap::parser::ValueSource;
-use clap::{ArgMatches, Args, FromArgMatches};
-
 use super::FrameOptions;
-
-/// One scene is rendered at one size through one camera in a run.
-const FIXED: [&str; 2] = ["size", "camera"];
 
 /// An option of a frame with the values to compare.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -44,22 +38,7 @@ impl FrameOptions {
     /// # Errors
     /// One line that names the option, and what was expected of it.
     pub fn with(&self, option: &str, value: &str) -> Result<Self, String> {
-        // Only what is typed is to change.
-        let command = Self::augment_args(clap::Command::new("--vary").no_binary_name(true))
-            .mut_args(|argument| argument.default_value(None::<&str>));
-        let names = || command.get_arguments().filter_map(clap::Arg::get_long).filter(|n| !FIXED.contains(n));
-        if !names().any(|name| name == option) {
-            return Err(format!(
-                "expected one of {}, found {option}",
-                names().collect::<Vec<_>>().join(", ")
-            ));
-        }
-        let mut options = self.clone();
-        command
-            .try_get_matches_from([format!("--{option}={value}")])
-            .and_then(|mut matches| options.update_from_arg_matches_mut(&mut matches))
-            .map_err(|error| first_line(&error))?;
-        Ok(options)
+        Ok(Self { typed: self.typed.with(option, value)?, ..self.clone() })
     }
 
     /// Every combination of the values, the last option's varying fastest, each with what was varied.
@@ -81,19 +60,4 @@ impl FrameOptions {
         }
         Ok(all)
     }
-}
-
-/// Names of a frame's options that were typed after `render`, without dashes.
-pub fn typed(matches: &ArgMatches) -> Vec<String> {
-    let Some(matches) = matches.subcommand_matches("render") else { return Vec::new() };
-    let frame = FrameOptions::augment_args(clap::Command::new("render"));
-    let typed = frame
-        .get_arguments()
-        .filter(|option| matches.value_source(option.get_id().as_str()) == Some(ValueSource::CommandLine));
-    typed.filter_map(|option| option.get_long().map(str::to_owned)).collect()
-}
-
-fn first_line(error: &clap::Error) -> String {
-    let text = error.to_string();
-    text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned()
 }

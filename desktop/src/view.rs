@@ -12,6 +12,7 @@ use winit::error::EventLoopError;
 use winit::event_loop::EventLoop;
 
 use crate::args::{Size, ViewOptions};
+use crate::errors::Usage;
 use crate::{files, render, scene_file};
 
 const DEFAULT_SCENE: &str = "builtin:room";
@@ -40,7 +41,7 @@ pub fn run(options: &ViewOptions, adapter: Option<&str>) -> anyhow::Result<()> {
 
 fn setup(options: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::Result<Setup> {
     let phone = options.phone.as_deref().map(Phone::named).transpose();
-    let phone = phone.map_err(|reason| glimpse::Error::setting("--phone", reason))?;
+    let phone = phone.map_err(|reason| Usage(format!("--phone: {reason}")))?;
     let script = options.script.as_deref().map(read_script).transpose()?;
     let reader: Files = Arc::new(|name| scene_file::load(name).map_err(|error| format!("{error:#}")));
     let Size(size) = options.size;

@@ -1,6 +1,6 @@
 //! What keys do: each to the choices, or as a wish.
 
-use super::{Hud, Wish, options};
+use super::{Hud, Wish, options, settings};
 use crate::{Choices, Readings, SCALES, TEXT_SCALES};
 
 /// What a key does.
@@ -57,8 +57,8 @@ pub fn act(hud: &mut Hud<'_>, action: Action, place: usize) -> Option<Wish> {
         Action::Help => choices.help = !choices.help,
         Action::Overlay => choices.overlay = choices.overlay.next(),
         Action::Navigation => options::NAVIGATION.choose_next(choices),
-        Action::Method => options::METHOD.choose_next(choices),
-        Action::Block => options::BLOCK.choose_next(choices),
+        Action::Method | Action::Block => settings::choose_next(action, choices),
+        Action::Governor if choices.governor_rests().is_some() => {}
         Action::Governor => options::GOVERNOR.choose_next(choices),
         Action::Show => options::SHOW.choose_next(choices),
         Action::Split => choices.toggle_split(),

@@ -13,6 +13,7 @@ mod measurements;
 mod options;
 mod panel;
 mod places;
+mod settings;
 mod split;
 mod status;
 mod style;

@@ -5,8 +5,10 @@ use egui::{
     Vec2, pos2, vec2,
 };
 
+use glimpse::options::Group;
+
 use super::actions::{self, Action};
-use super::{Hud, Wish, graph, keys, knobs, measurements, options, places, split, status, style};
+use super::{Hud, Wish, graph, keys, knobs, measurements, options, places, settings, split, status, style};
 use crate::{Overlay, Show};
 
 const WIDTH: f32 = 340.0;
@@ -56,13 +58,12 @@ fn sections(ui: &mut Ui, hud: &mut Hud<'_>, wishes: &mut Vec<Wish>) {
         options::NAVIGATION.buttons(ui, hud.choices, None);
         places::cameras(ui, hud, wishes);
     });
-    section(ui, "Method", true, |ui| method(ui, hud));
-    section(ui, "Tolerances", true, |ui| {
-        let rests = hud.choices.tolerances_rest();
-        for knob in &knobs::TOLERANCES {
-            knob.show(ui, hud.choices, rests);
-        }
-    });
+    for group in Group::ALL {
+        let open = matches!(group, Group::Frame | Group::Adaptive);
+        section(ui, group.title(), open, |ui| {
+            group.options().for_each(|option| settings::show(ui, option, hud.choices));
+        });
+    }
     section(ui, "What is shown", true, |ui| shown(ui, hud));
     section(ui, "Speed", true, |ui| speed(ui, hud));
     section(ui, "Passes", true, |ui| measurements::passes(ui, readings));
@@ -111,27 +112,6 @@ fn commands(ui: &mut Ui, hud: &mut Hud<'_>, wishes: &mut Vec<Wish>) {
     });
 }
 
-fn method(ui: &mut Ui, hud: &mut Hud<'_>) {
-    options::METHOD.buttons(ui, hud.choices, None);
-    let rests = hud.choices.tolerances_rest();
-    options::BLOCK.buttons(ui, hud.choices, rests);
-    options::POSTCORRECT.buttons(ui, hud.choices, rests);
-    let rests = hud.choices.supersample_rests();
-    options::SUPERSAMPLE.buttons(ui, hud.choices, rests);
-    let rests = hud.choices.thresholds_rest();
-    options::PRESET.buttons(ui, hud.choices, rests);
-    options::SAMPLING.buttons(ui, hud.choices, None);
-    options::MIP.buttons(ui, hud.choices, None);
-    for knob in &knobs::DEPTHS {
-        knob.show(ui, hud.choices, None);
-    }
-    let rests = hud.choices.share_rests();
-    knobs::SHARE.show(ui, hud.choices, rests);
-    let rests = hud.choices.paths_rest();
-    options::STOPPING.buttons(ui, hud.choices, rests);
-    options::DENOISE.buttons(ui, hud.choices, rests);
-}
-
 fn shown(ui: &mut Ui, hud: &mut Hud<'_>) {
     options::SHOW.buttons(ui, hud.choices, None);
     if hud.choices.show != Show::Final {
@@ -143,14 +123,15 @@ fn shown(ui: &mut Ui, hud: &mut Hud<'_>) {
 }
 
 fn speed(ui: &mut Ui, hud: &mut Hud<'_>) {
-    options::GOVERNOR.buttons(ui, hud.choices, None);
+    let rests = hud.choices.governor_rests();
+    options::GOVERNOR.buttons(ui, hud.choices, rests);
     if hud.choices.governed().is_some() {
         ui.label(RichText::new(hud.readings.governor.as_str()).small().weak());
     }
     let rests = hud.choices.scale_rests();
-    knobs::SCALE.show(ui, hud.choices, rests);
+    knobs::SCALE.show_single(ui, &mut hud.choices.scale, rests);
     options::VSYNC.buttons(ui, hud.choices, None);
-    knobs::TEXT_SCALE.show(ui, hud.choices, None);
+    knobs::TEXT_SCALE.show_single(ui, &mut hud.choices.text_scale, None);
 }
 
 #[cfg(test)]

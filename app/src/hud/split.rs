@@ -5,7 +5,7 @@ use egui::{
     Response, RichText, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
-use super::{amounts, options, style};
+use super::{amounts, style};
 use crate::{Choices, Readings};
 
 /// What a press of an arrow key moves the divider by, as a share of the width.
@@ -69,7 +69,7 @@ fn paint_handle(ui: &Ui, rect: Rect, response: &Response) {
 fn labels(painter: &Painter, ctx: &Context, choices: &Choices, readings: &Readings, x: f32) {
     let y = ctx.content_rect().center().y;
     let below = y + 0.5 * style::TOUCH_TARGET + 10.0;
-    label(painter, pos2(x - 10.0, below), Align2::RIGHT_TOP, &options::METHOD.chosen(choices));
+    label(painter, pos2(x - 10.0, below), Align2::RIGHT_TOP, choices.settings.method.name());
     label(painter, pos2(x + 10.0, below), Align2::LEFT_TOP, "full");
     let error = format!("PSNR {}", amounts::decibels(readings.psnr_db));
     label(painter, pos2(x, below + 28.0 * choices.text_scale), Align2::CENTER_TOP, &error);

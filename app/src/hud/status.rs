@@ -5,7 +5,7 @@ use egui::{
     WidgetInfo, pos2, vec2,
 };
 
-use super::{amounts, options, style};
+use super::{amounts, style};
 use crate::{Choices, Overlay, Readings, Show};
 
 /// Shows the line, and below it the legend of what is shown instead of the frame.
@@ -76,7 +76,7 @@ fn segments(choices: &Choices, readings: &Readings) -> Vec<String> {
     }
     if readings.size != [0, 0] {
         segments.push(size(readings));
-        segments.push(options::METHOD.chosen(choices));
+        segments.push(choices.settings.method.name().to_owned());
     }
     segments
 }

@@ -2,8 +2,8 @@
 
 use egui::style::HandleShape;
 use egui::{
-    Align, Color32, Context, CornerRadius, FontFamily, FontId, Frame, Label, Layout, Margin, RichText,
-    Stroke, Style, TextStyle, Theme, Ui, Visuals, vec2,
+    Align, Color32, Context, CornerRadius, FontFamily, FontId, Frame, Label, Layout, Margin, Response,
+    RichText, Stroke, Style, TextStyle, Theme, Ui, Visuals, vec2,
 };
 
 /// What is measured and chosen.
@@ -79,8 +79,8 @@ pub fn card() -> Frame {
 }
 
 /// A name above what it names.
-pub fn caption(ui: &mut Ui, text: &str) {
-    ui.add(Label::new(RichText::new(text).small().weak()).truncate());
+pub fn caption(ui: &mut Ui, text: &str) -> Response {
+    ui.add(Label::new(RichText::new(text).small().weak()).truncate())
 }
 
 /// A name and, at the right edge, its value in digits of equal width.

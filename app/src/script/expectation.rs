@@ -55,6 +55,18 @@ impl fmt::Display for Value {
     }
 }
 
+impl From<glimpse::options::Value> for Value {
+    fn from(value: glimpse::options::Value) -> Self {
+        let text = value.to_string();
+        match value {
+            glimpse::options::Value::Integer(integer) => Self::Number(integer.into()),
+            // As it is written: 0.3, not what is nearest to it in single precision.
+            glimpse::options::Value::Number(number) => Self::Number(text.parse().unwrap_or(number.into())),
+            _ => Self::Text(text),
+        }
+    }
+}
+
 impl Expectation {
     /// The name whose value is compared.
     #[must_use]

@@ -10,9 +10,8 @@
 //! pinch 1.2                    a factor on the distance of two fingers of a trackpad
 //! touch 0 begin 0.4,0.5        touch 0 move 0.3,0.5 [over 0.4]     touch 0 end
 //! key ctrl+c                   a key, pressed and released; hold KEY and let KEY do one of both
-//! set block 4                  method, block, sampling, postcorrect, mip, t-pos, t-norm, t-tex, t-gcol, depth,
-//!                              min-weight, samples, stopping, denoise, show, split (off or a share), lenses (none, cardboard), scale,
-//!                              governor (off, 15, 30, 60), overlay (hidden, brief, full)
+//! set block 4                  an option of glimpse::options, or show, split (off or a share), lenses (none, cardboard),
+//!                              scale, governor (off, 15, 30, 60), overlay (hidden, brief, full)
 //! size 640x360                 minimise     restore     fullscreen on|off     rotate
 //! pause   resume   lose-surface   lose-device   low-memory     thermal 0.5 (a factor on the time budget)
 //! cost 40                      frames take that many nanoseconds a pixel, whatever they took

@@ -13,13 +13,10 @@ pub(super) fn check_cache(driver: &str, is_set: impl Fn(&str) -> bool) -> Result
     if driver != "llvmpipe" || !is_set(WIDTH) || is_set(DIRECTORY) || is_set(DISABLE) {
         return Ok(());
     }
-    Err(Error::Setting {
-        what: WIDTH.to_owned(),
-        reason: format!(
-            "Mesa mixes up what it compiled for this width of vectors and for others, and pictures come out wrong: set \
-             {DIRECTORY} to a directory for this width alone"
-        ),
-    })
+    let expected = format!("{DIRECTORY} set to a directory for this width of vectors alone");
+    let found =
+        "none, with which Mesa mixes up what it compiled for other widths, and pictures come out wrong";
+    Err(Error::setting(WIDTH, expected, found))
 }
 
 /// Whether a variable of the environment is set.

@@ -99,7 +99,7 @@ impl Gpu {
             wgpu::DeviceDescriptor { required_limits: used_limits(&offered), ..Self::requirements(&adapter) };
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).map_err(|error| {
             let name = &facts.info.name;
-            Error::NoAdapter(format!("`{name}` gives no device ({error}); try another --adapter"))
+            Error::NoAdapter(format!("`{name}` gives no device ({error})"))
         })?;
         let gpu = Self::new(adapter, device, queue, facts)?;
         gpu.health.watch(&gpu.device);

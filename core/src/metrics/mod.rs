@@ -70,13 +70,11 @@ pub fn compare(a: &DisplayImage, b: &DisplayImage) -> Result<ErrorReport> {
 
 fn same_size(a: (u32, u32), b: (u32, u32)) -> Result<()> {
     if a != b {
-        return Err(Error::setting(
-            "compare",
-            format!("expected images of one size, found {}x{} and {}x{}", a.0, a.1, b.0, b.1),
-        ));
+        let found = format!("{}x{} and {}x{}", a.0, a.1, b.0, b.1);
+        return Err(Error::setting("images", "images of one size", found));
     }
     if a.0 == 0 || a.1 == 0 {
-        return Err(Error::setting("compare", format!("expected at least one pixel, found {}x{}", a.0, a.1)));
+        return Err(Error::setting("images", "at least one pixel", format!("{}x{}", a.0, a.1)));
     }
     Ok(())
 }

@@ -72,10 +72,8 @@ pub fn linear_rmse(a: &LinearImage, b: &LinearImage) -> Result<f64> {
         if let Some((x, y, pixel)) =
             image.enumerate_pixels().find(|(.., p)| !p.0.iter().all(|v| v.is_finite()))
         {
-            return Err(Error::setting(
-                "compare",
-                format!("expected finite radiance, found {:?} at ({x}, {y}) of the {which} image", pixel.0),
-            ));
+            let found = format!("{:?} at ({x}, {y}) of the {which} image", pixel.0);
+            return Err(Error::setting("images", "finite radiance", found));
         }
     }
     let sum: f64 = a.iter().zip(b.iter()).map(|(a, b)| (f64::from(*a) - f64::from(*b)).powi(2)).sum();

@@ -10,7 +10,7 @@ use crate::{
     scene::Thinness,
 };
 
-/// The frame that is asked about; its size matters to `--postcorrect auto` alone.
+/// The frame that is asked about; its size matters to `postcorrect auto` alone.
 const SIZE: [u32; 2] = [2560, 1440];
 
 /// Everything that is linked into the kernels of an adaptive frame of 2560x1440 with default settings.

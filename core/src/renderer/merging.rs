@@ -16,9 +16,8 @@ impl Renderer {
     /// Settings that do not [take planes](crate::Settings::takes_planes); a device that failed.
     pub fn merge(&mut self, merge: &mut Merge) -> Result<()> {
         if !self.settings.takes_planes() {
-            let found = format!("--method {}", self.settings.method.name());
-            let expected = "expected path or vr where planes are merged, with no --crossing paper";
-            return Err(Error::setting(found, expected));
+            let expected = "path or vr where samples are merged, without stereo-reuse paper";
+            return Err(Error::setting("method", expected, self.settings.method.name()));
         }
         let Some(camera) = self.sequence.camera() else { return Ok(()) };
         merge.show(&View::new(&camera, self.targets.size, &self.settings));

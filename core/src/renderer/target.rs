@@ -30,19 +30,19 @@ fn check(target: &wgpu::Texture, [width, height]: [u32; 2]) -> Result<()> {
     let found = target.size();
     let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
     let of = |size: wgpu::Extent3d| format!("{}x{}x{}", size.width, size.height, size.depth_or_array_layers);
-    let reason = if target.dimension() != wgpu::TextureDimension::D2 || found != size {
-        format!("expected a 2D texture of {}, found {:?} of {}", of(size), target.dimension(), of(found))
+    let (expected, found) = if target.dimension() != wgpu::TextureDimension::D2 || found != size {
+        (format!("a 2D texture of {}", of(size)), format!("{:?} of {}", target.dimension(), of(found)))
     } else if target.format() != wgpu::TextureFormat::Rgba8Unorm {
-        format!("expected the format Rgba8Unorm, found {:?}", target.format())
+        ("the format Rgba8Unorm".to_owned(), format!("{:?}", target.format()))
     } else if [target.mip_level_count(), target.sample_count()] != [1, 1] {
         let (levels, samples) = (target.mip_level_count(), target.sample_count());
-        format!("expected one mip level and one sample, found {levels} and {samples}")
+        ("one mip level and one sample".to_owned(), format!("{levels} and {samples}"))
     } else if !target.usage().contains(wgpu::TextureUsages::STORAGE_BINDING) {
-        format!("expected STORAGE_BINDING among its usages, found {:?}", target.usage())
+        ("STORAGE_BINDING among its usages".to_owned(), format!("{:?}", target.usage()))
     } else {
         return Ok(());
     };
-    Err(refused(reason))
+    Err(refused(&expected, found))
 }
 
 /// Whether the display image can be read back, which one of the caller's may not allow.
@@ -50,9 +50,9 @@ pub(super) fn check_readback(display: &wgpu::Texture) -> Result<()> {
     if display.usage().contains(wgpu::TextureUsages::COPY_SRC) {
         return Ok(());
     }
-    Err(refused(format!("expected COPY_SRC among its usages to read it back, found {:?}", display.usage())))
+    Err(refused("COPY_SRC among its usages to read it back", format!("{:?}", display.usage())))
 }
 
-fn refused(reason: String) -> Error {
-    Error::setting("target texture", reason)
+fn refused(expected: &str, found: String) -> Error {
+    Error::setting("target texture", expected, found)
 }

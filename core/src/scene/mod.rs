@@ -251,10 +251,8 @@ impl Scene {
             if self.cameras.len() > names.len() {
                 names.push(format!("{} more", self.cameras.len() - names.len()));
             }
-            crate::Error::setting(
-                format!("--camera {}", wanted.unwrap_or("0")),
-                format!("no such camera; the scene has {}", names.join(", ")),
-            )
+            let expected = format!("a camera of the scene, which has {}", names.join(", "));
+            crate::Error::setting("camera", expected, wanted.unwrap_or("0"))
         })
     }
 }

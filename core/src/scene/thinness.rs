@@ -1,4 +1,4 @@
-//! How thin the things of a scene are: what `--postcorrect auto` goes by (Kim 2016, section 4, corrects what is so thin
+//! How thin the things of a scene are: what `postcorrect auto` goes by (Kim 2016, section 4, corrects what is so thin
 //! that it falls between samples, and section 6.2 turns that off by hand where there is nothing thin).
 //!
 //! A *thing* is a connected component of an object's triangles, welded where positions are equal bit by bit, or a

@@ -1,67 +1,84 @@
-//! Wishes: every knob, with what more and less of it costs and buys.
+//! Settings of a frame: every option, with what more and less of it costs and buys.
 
-use serde::Serialize;
+/// An enum whose values are those of an option: each with its name, a name that it had before after `or`, and what it does
+/// in one sentence.
+macro_rules! choices {
+    (
+        $(#[$doc:meta])*
+        pub enum $kind:ident {
+            $($(#[$about:meta])* $variant:ident = $name:literal $(or $old:literal)?: $summary:literal,)+
+        }
+    ) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum $kind {
+            $($(#[$about])* $variant,)+
+        }
 
-/// What a kind of wish may be, and what the command line calls it.
-macro_rules! names {
-    ($($kind:ident: $($variant:ident = $name:literal),+;)+) => {$(
         impl $kind {
             /// All of them.
             pub const ALL: [Self; [$(Self::$variant),+].len()] = [$(Self::$variant),+];
 
-            /// Its name on the command line.
+            /// Names and sentences, in the order of `ALL`.
+            pub const CHOICES: &'static [$crate::options::Choice] = &[$($crate::options::Choice {
+                name: $name,
+                old_name: choices!(@old $($old)?),
+                summary: $summary,
+            }),+];
+
+            /// The one of that name, present or old.
+            #[must_use]
+            pub fn named(name: &str) -> Option<Self> {
+                Self::CHOICES.iter().position(|choice| choice.is(name)).map(|index| Self::ALL[index])
+            }
+
+            /// Its name as a value of an option.
             #[must_use]
             pub fn name(self) -> &'static str {
-                match self {
-                    $(Self::$variant => $name,)+
-                }
+                Self::CHOICES[self as usize].name
             }
         }
-    )+};
+    };
+    (@old) => { None };
+    (@old $old:literal) => { Some($old) };
 }
 
+pub mod options;
 mod paths;
 mod supersampling;
-mod validate;
 
 pub use paths::{
-    Crossing, Denoise, Direct, MAX_GAZE, MAX_LIGHT_SAMPLES, Paths, Roulette, Sampler, Shining, Stopping,
+    Crossing, Denoise, Direct, MAX_CPU_THREADS, MAX_GAZE, MAX_LIGHT_SAMPLES, Paths, Roulette, Sampler,
+    Shining, Stopping,
 };
 pub use supersampling::{Filter, Focus, Inactive, Jitter, Preset, Refine, THRESHOLD_NAMES, Thresholds};
 
-names! {
-    Method: Full = "full", Adaptive = "adaptive", Checkerboard = "checkerboard", Supersample = "supersample",
-        Quincunx = "quincunx", Frameless = "frameless", Reproject = "reproject", Path = "path", Vr = "vr";
-    Postcorrect: Auto = "auto", Off = "off", Objects = "objects", On = "on", Scans = "scans";
-    Mip: Off = "off", On = "on";
-}
-
-/// How a frame is made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Method {
-    /// One ray through every pixel: the reference.
-    Full,
-    /// Kim 2016, section 3: rays where the seven similarity checks ask for them, interpolation elsewhere.
-    Adaptive,
-    /// A baseline: a ray through every second pixel in the order of a checkerboard, the average of their neighbours in the
-    /// others. One sample a pixel.
-    Checkerboard,
-    /// Jin 2009: a ray through every pixel, and four more through those quarters of pixels whose neighbours differ.
-    Supersample,
-    /// Lecture, "Adaptive supersampling": rays through centres and corners of pixels, and more between those that differ.
-    Quincunx,
-    /// The lecture's "frameless rendering": a share of the pixels is traced anew, in a well-spread order; the others stay
-    /// as they are, whatever has moved. One sample a pixel.
-    Frameless,
-    /// The lecture's "reprojection": what the frame before showed is moved to where the camera sees it now. What is not
-    /// covered, what mirrors or lets light through, and a share of the pixels are traced. One sample a pixel.
-    Reproject,
-    /// Monte Carlo path tracing (Kajiya 1986): unbiased, one sample a pixel and frame, added up while the camera rests.
-    Path,
-    /// Kim & Sung 2021: paths for two eyes, side by side in one picture, the left one on the left. What one eye sees of a
-    /// point the other may show too.
-    Vr,
+choices! {
+    /// How a frame is made.
+    pub enum Method {
+        /// One ray through every pixel: the reference.
+        Full = "full" or "fixed": "A ray through every sample",
+        /// Kim 2016, section 3: rays where the seven similarity checks ask for them, interpolation elsewhere.
+        Adaptive = "adaptive": "Rays where neighbours differ, interpolation elsewhere (Kim 2016)",
+        /// A baseline: a ray through every second pixel in the order of a checkerboard, the average of their neighbours in the
+        /// others. One sample a pixel.
+        Checkerboard = "checkerboard": "A ray through every second sample, averages elsewhere",
+        /// Jin 2009: a ray through every pixel, and four more through those quarters of pixels whose neighbours differ.
+        Supersample = "supersample": "A ray through every pixel, extra samples where neighbours differ (Jin 2009)",
+        /// Lecture, "Adaptive supersampling": rays through centres and corners of pixels, and more between those that differ.
+        Quincunx = "quincunx": "Rays through centres and corners of pixels, more between those that differ (lecture)",
+        /// The lecture's "frameless rendering": a share of the pixels is traced anew, in a well-spread order; the others stay
+        /// as they are, whatever has moved. One sample a pixel.
+        Frameless = "frameless": "Rays through a share of the pixels; the others stay as they are (lecture)",
+        /// The lecture's "reprojection": what the frame before showed is moved to where the camera sees it now. What is not
+        /// covered, what mirrors or lets light through, and a share of the pixels are traced. One sample a pixel.
+        Reproject = "reproject": "The last frame moved to where the camera sees it; rays where that leaves gaps (lecture)",
+        /// Monte Carlo path tracing (Kajiya 1986): unbiased, one sample a pixel and frame, added up while the camera rests.
+        Path = "path": "Path tracing, a sample of every pixel in each frame",
+        /// Kim & Sung 2021: paths for two eyes, side by side in one picture, the left one on the left. What one eye sees of a
+        /// point the other may show too.
+        Vr = "vr": "Path tracing for two eyes side by side, each of the frame's size (Kim & Sung 2021)",
+    }
 }
 
 impl Method {
@@ -102,47 +119,47 @@ impl Method {
     }
 }
 
-/// What is traced again after an adaptive frame, from traced pixels into interpolated neighbours that differ from them
-/// (Kim 2016, section 4).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Postcorrect {
-    /// Objects and shadows, if the scene holds something so thin that it may fall between samples.
-    Auto,
-    /// Nothing.
-    Off,
-    /// Where the object differs.
-    Objects,
-    /// Where the object or the shadow bits differ.
-    On,
-    /// As `On`, by the paper's scans along rows and columns (section 5).
-    Scans,
+choices! {
+    /// What is traced again after an adaptive frame, from traced pixels into interpolated neighbours that differ from them
+    /// (Kim 2016, section 4).
+    pub enum Postcorrect {
+        /// Objects and shadows, if the scene holds something so thin that it may fall between samples.
+        Auto = "auto": "Objects and shadows, where the scene holds things thinner than a block",
+        /// Nothing.
+        Off = "off": "Nothing",
+        /// Where the object differs.
+        Objects = "objects": "Where the object differs",
+        /// Where the object or the shadow bits differ.
+        On = "on": "Where the object or the shadow differs",
+        /// As `On`, by the paper's scans along rows and columns (section 5).
+        Scans = "scans": "As on, by scans along rows and columns",
+    }
 }
 
-/// What of a texture a sample shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Mip {
-    /// The texture at the one point that the ray meets: it aliases where it is seen small.
-    Off,
-    /// Its average over the part that the sample stands for, from mip levels; wherever texels are seen larger than
-    /// samples, the same.
-    On,
+choices! {
+    /// What of a texture a sample shows.
+    pub enum Mip {
+        /// The texture at the one point that the ray meets: it aliases where it is seen small.
+        Off = "off": "The texture at the point that the ray meets",
+        /// Its average over the part that the sample stands for, from mip levels; wherever texels are seen larger than
+        /// samples, the same.
+        On = "on": "Its average over what a sample stands for",
+    }
 }
 
-/// Which pieces of the shaders are linked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Linking {
-    /// Only what the scene needs.
-    Auto,
-    /// Everything: the check that leaving out changes nothing.
-    All,
+choices! {
+    /// Which pieces of the shaders are linked.
+    pub enum Linking {
+        /// Only what the scene needs.
+        Auto = "auto": "Only what the scene needs",
+        /// Everything: the check that leaving out changes nothing.
+        All = "all": "Everything",
+    }
 }
 
 /// The tolerances of the similarity checks (Kim 2016, section 6). A pair of reference pixels passes a check
 /// while its difference stays *below* the tolerance; stricter means more rays and less error.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerances {
     /// G2, distance of the hit points in units of the scene's longest box side. 0 traces every pixel.
     pub pos: f32,
@@ -177,7 +194,7 @@ impl Default for Tolerances {
 }
 
 /// Everything that can be wished of a frame besides its size and camera.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// How the frame is made.
     pub method: Method,

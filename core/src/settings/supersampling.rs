@@ -1,23 +1,11 @@
 //! Wishes about extra samples: which differences between pixels are worth some (Jin 2009).
 
-use serde::Serialize;
-
-use crate::{Error, Result};
-
-names! {
-    Preset: Balanced = "balanced", Textures = "textures", Edges = "edges", Color = "color", Refined = "refined";
-    Inactive: Nearest = "nearest", Bilinear = "bilinear";
-    Filter: Box = "box", Tent = "tent";
-    Jitter: Auto = "auto", On = "on", Off = "off";
-    Refine: Auto = "auto", On = "on", Off = "off";
-}
-
 /// How strong a contrast must be, by what differs between neighbouring pixels, for a quarter of a pixel to get extra
 /// samples (Jin 2009, Table 1), each from 0, always, to 1, never.
 ///
 /// Where several attributes differ the smallest counts, where none does that of the colour. All equal to `col` is the
 /// colour measure alone.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thresholds {
     /// Nothing but the colour.
     pub col: f32,
@@ -70,22 +58,6 @@ impl Thresholds {
         let t = self;
         [t.col, t.poid, t.psn, t.psc, t.pte, t.soid, t.ssn, t.ssc, t.ste]
     }
-
-    /// The name that they go by, if they have one.
-    #[must_use]
-    pub fn preset(&self) -> Option<Preset> {
-        Preset::ALL.into_iter().find(|preset| preset.thresholds() == *self)
-    }
-
-    pub(super) fn validate(&self) -> Result<()> {
-        for (name, value) in THRESHOLD_NAMES.into_iter().zip(self.values()) {
-            if !(0.0..=1.0).contains(&value) {
-                let expected = format!("expected a number from 0 to 1, found {value}");
-                return Err(Error::setting(format!("--tau-{name}"), expected));
-            }
-        }
-        Ok(())
-    }
 }
 
 impl Default for Thresholds {
@@ -94,19 +66,20 @@ impl Default for Thresholds {
     }
 }
 
-/// Thresholds by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Preset {
-    /// The paper's default (Table 2, tau_alpha = 0.6).
-    Balanced,
-    /// Strict about textures too (Table 2, tau_alpha = 0.1).
-    Textures,
-    /// Edges alone, of objects and in mirrors (Table 2, Fairy Forest with tau_alpha = tau_beta = 1).
-    Edges,
-    /// The colour measure alone (Figure 7, tau_col = 0.1).
-    Color,
-    /// Edges and shadows wherever they show, textures where they are strong: ours, for [`Refine::On`] and averaged textures.
-    Refined,
+choices! {
+    /// Thresholds by name.
+    pub enum Preset {
+        /// The paper's default (Table 2, tau_alpha = 0.6).
+        Balanced = "balanced": "Edges and shadows, textures where they are strong (Jin 2009, Table 2)",
+        /// Strict about textures too (Table 2, tau_alpha = 0.1).
+        Textures = "textures": "Textures too",
+        /// Edges alone, of objects and in mirrors (Table 2, Fairy Forest with tau_alpha = tau_beta = 1).
+        Edges = "edges": "Edges alone",
+        /// The colour measure alone (Figure 7, tau_col = 0.1).
+        Color = "color": "Colours alone, whatever their cause",
+        /// Edges and shadows wherever they show, textures where they are strong: ours, for [`Refine::On`] and averaged textures.
+        Refined = "refined": "Edges and shadows wherever they show, textures where they are strong: for refine on",
+    }
 }
 
 impl Preset {
@@ -125,7 +98,7 @@ impl Preset {
 
 /// The objects whose differences count: the first and the last of a run of [`crate::Scene::objects`] (Jin 2009, section 5,
 /// "Fairy focused"). Elsewhere the colour decides alone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Focus {
     /// Index of the first object.
     pub first: u32,
@@ -133,47 +106,47 @@ pub struct Focus {
     pub last: u32,
 }
 
-/// What stands for the quarters of a pixel that get no extra samples.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Inactive {
-    /// The sample at the pixel's centre.
-    Nearest,
-    /// The four centres around them, bilinearly (Jin 2009, section 6): softer textures, softer everything.
-    Bilinear,
+choices! {
+    /// What stands for the quarters of a pixel that get no extra samples.
+    pub enum Inactive {
+        /// The sample at the pixel's centre.
+        Nearest = "nearest": "The sample at the pixel's centre",
+        /// The four centres around them, bilinearly (Jin 2009, section 6): softer textures, softer everything.
+        Bilinear = "bilinear": "The centres around it, bilinearly (Jin 2009, section 6)",
+    }
 }
 
-/// How a pixel follows from samples (lecture, "Supersampling").
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Filter {
-    /// The mean of its own.
-    Box,
-    /// Those of the neighbours too, the less the farther off: smoother edges, softer textures.
-    Tent,
+choices! {
+    /// How a pixel follows from samples (lecture, "Supersampling").
+    pub enum Filter {
+        /// The mean of its own.
+        Box = "box": "The mean of its own samples",
+        /// Those of the neighbours too, the less the farther off: smoother edges, softer textures.
+        Tent = "tent": "The neighbours' samples too, the less the farther off",
+    }
 }
 
-/// Where in its cell a sample lies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Jitter {
-    /// Anywhere for extra samples (Jin 2009, 4.1.4), in the centre for all others.
-    Auto,
-    /// Anywhere: noise in the place of aliasing (lecture, "Jittered sampling").
-    On,
-    /// In the centre.
-    Off,
+choices! {
+    /// Where in its cell a sample lies.
+    pub enum Jitter {
+        /// Anywhere for extra samples (Jin 2009, 4.1.4), in the centre for all others.
+        Auto = "auto": "Extra samples do, others lie in the centre",
+        /// Anywhere: noise in the place of aliasing (lecture, "Jittered sampling").
+        On = "on": "All do: noise in the place of aliasing",
+        /// In the centre.
+        Off = "off": "None do",
+    }
 }
 
-/// Which samples pixels get that differ from their neighbours.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Refine {
-    /// [`Refine::On`] after an adaptive frame, [`Refine::Off`] as a method of its own.
-    Auto,
-    /// One in each quarter of the pixel, and where they show what no pixel around a neighbour does, of the neighbour; then four to
-    /// twelve more, where quarters differ by twice the least of the thresholds.
-    On,
-    /// Four in each quarter that differs (Jin 2009, 4.1.4).
-    Off,
+choices! {
+    /// Which samples pixels get that differ from their neighbours.
+    pub enum Refine {
+        /// [`Refine::On`] after an adaptive frame, [`Refine::Off`] as a method of its own.
+        Auto = "auto": "On after the adaptive method, off with method supersample",
+        /// One in each quarter of the pixel, and where they show what no pixel around a neighbour does, of the neighbour; then four to
+        /// twelve more, where quarters differ by twice the least of the thresholds.
+        On = "on": "Whole pixels, step by step",
+        /// Four in each quarter that differs (Jin 2009, 4.1.4).
+        Off = "off": "Subpixels that differ (Jin 2009)",
+    }
 }

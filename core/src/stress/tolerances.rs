@@ -23,31 +23,31 @@ const NOT_NUMBERS: [f32; 3] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
 
 const WISHES: [Wishes; 5] = [
     Wishes {
-        option: "--t-pos",
+        option: "t-pos",
         set: |s, x| s.tolerances.pos = x,
         granted: &[0.0, -0.0, f32::MIN_POSITIVE, 1.0e-45, 1.0, f32::MAX],
         refused: &[-f32::MIN_POSITIVE, -1.0],
     },
     Wishes {
-        option: "--t-norm",
+        option: "t-norm",
         set: |s, x| s.tolerances.norm = x,
         granted: &[-1.0, 0.0, 1.0, 2.0],
         refused: &[-1.1, 2.1],
     },
     Wishes {
-        option: "--t-tex",
+        option: "t-tex",
         set: |s, x| s.tolerances.tex = x,
         granted: &[0.0, 1.0e-45, 0.5],
         refused: &[-0.1, 0.51],
     },
     Wishes {
-        option: "--t-gcol",
+        option: "t-gcol",
         set: |s, x| s.tolerances.gcol = x,
         granted: &[0.0, 1.0e-45, 1.0, f32::MAX],
         refused: &[-1.0e-3],
     },
     Wishes {
-        option: "--min-weight",
+        option: "min-weight",
         set: |s, x| s.min_weight = x,
         granted: &[0.0, 1.0e-45, 1.0],
         refused: &[-1.0e-3, 1.1],

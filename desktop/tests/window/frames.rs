@@ -63,10 +63,12 @@ fn other_settings() {
 #[test]
 fn frames_that_are_kept() {
     for method in ["frameless", "reproject"] {
-        let command =
-            is_rendered_again("builtin:cornell", &format!("set method {method}\nset share 0.2\n{ORBIT}"));
+        let command = is_rendered_again(
+            "builtin:cornell",
+            &format!("set method {method}\nset refresh-fraction 0.2\n{ORBIT}"),
+        );
         assert!(
-            command.contains(&format!("--method={method}")) && command.contains("--share=0.2"),
+            command.contains(&format!("--method={method}")) && command.contains("--refresh-fraction=0.2"),
             "{command}"
         );
     }

@@ -7,9 +7,9 @@
 #[allow(dead_code, reason = "the program reads every option, the target those with ranges")]
 mod args;
 
-use args::{Arguments, Command, FrameOptions, MAX_SIDE, MethodName, Size};
+use args::{Arguments, Command, FrameOptions, MAX_SIDE, Size};
 use clap::Parser;
-use glimpse::{Error, MAX_DEPTH};
+use glimpse::{Error, MAX_DEPTH, Method};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {
@@ -30,7 +30,7 @@ fuzz_target!(|data: &[u8]| {
     }
 });
 
-fn judge(options: &FrameOptions, method: MethodName) {
+fn judge(options: &FrameOptions, method: Method) {
     let Size(sides) = options.size;
     assert!(sides.iter().all(|side| (1..=MAX_SIDE).contains(side)), "{sides:?}");
     match options.settings(method) {

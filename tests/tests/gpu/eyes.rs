@@ -134,7 +134,7 @@ fn an_orthographic_camera_has_no_eyes() {
     let mut renderer =
         Renderer::new(gpu(), &stage.scene, SIZE, &settings(Crossing::Weighted)).expect("a renderer");
     let error = renderer.render(&stage.camera).expect_err("no eyes").to_string();
-    assert!(error.contains("--method vr") && error.contains("orthographic"), "{error}");
+    assert!(error.contains("method vr") && error.contains("orthographic"), "{error}");
 }
 
 /// Pictures of the same samples with other numbers: sums of each pixel's channels' sums, and of their squares.

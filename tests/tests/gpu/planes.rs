@@ -240,11 +240,11 @@ fn methods_that_add_nothing_up_merge_nothing() {
     let full = Settings { method: Method::Full, ..Settings::default() };
     let mut renderer = Renderer::new(gpu(), &fixture.stage.scene, SIZE, &full).expect("a renderer");
     let (mut merge, _workers) = Merge::new(&fixture.view, 1);
-    let Err(Error::Setting { what, reason }) = renderer.merge(&mut merge) else { panic!("no error") };
-    assert_eq!(
-        (what.as_str(), reason.as_str()),
-        ("--method full", "expected path or vr where planes are merged, with no --crossing paper")
-    );
+    let Err(Error::Setting { option, expected, found }) = renderer.merge(&mut merge) else {
+        panic!("no error")
+    };
+    assert_eq!((option.as_str(), found.as_str()), ("method", "full"));
+    assert_eq!(expected, "path or vr where samples are merged, without stereo-reuse paper");
 }
 
 /// Up to a step of the last bit.

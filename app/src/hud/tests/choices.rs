@@ -174,7 +174,7 @@ fn what_is_excluded_says_why() {
     stage.choices.settings.method = Method::Full;
     let mut harness = shown(stage, [900.0, 3600.0]);
     let reasons = [
-        (Role::Button, "method: checkerboard", "A checkerboard has one sample a pixel."),
+        (Role::Button, "method: checkerboard", "sampling: expected 1 with method checkerboard, found 2"),
         (Role::Button, "show: depth", "is about pixels of one sample"),
         (Role::Button, "block: 8x8", "The adaptive method alone interpolates."),
         (Role::Slider, "position", "The adaptive method alone interpolates."),
@@ -184,5 +184,39 @@ fn what_is_excluded_says_why() {
         harness.get_by_role_and_label(role, name).hover();
         harness.run_steps(12);
         assert!(harness.query_by_label_contains(reason).is_some(), "{name}");
+    }
+}
+
+#[test]
+fn the_governor_rests_with_methods_that_it_does_not_govern() {
+    for method in Method::ALL {
+        let mut stage = stage(Overlay::Full);
+        stage.choices.settings = stage.choices.settings.with_method(method);
+        let governed = stage.choices.governed().is_some();
+        let before = stage.choices.governor;
+        let mut harness = shown(stage, [900.0, 3600.0]);
+        let button = harness.get_by_label("governor: 60 fps");
+        assert_eq!(button.accesskit_node().is_disabled(), !governed, "{method:?}");
+        harness.key_press(Key::G);
+        harness.run_steps(2);
+        assert_eq!(harness.state().choices.governor != before, governed, "{method:?}");
+    }
+}
+
+#[test]
+fn a_value_as_text_is_taken_where_it_is_one() {
+    for (text, expected) in [("0.25,0.75", [0.25, 0.75]), ("wide", [0.5, 0.5]), ("1e9,0", [0.5, 0.5])] {
+        let mut stage = stage(Overlay::Full);
+        stage.choices.settings = stage.choices.settings.with_method(Method::Vr);
+        let mut harness = shown(stage, [900.0, 6000.0]);
+        harness.get_by_label("Path tracing").click();
+        harness.run_steps(12);
+        harness.get_by_role_and_label(Role::TextInput, "gaze").focus();
+        harness.run_steps(3);
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        harness.event(egui::Event::Text(text.to_owned()));
+        harness.key_press(Key::Enter);
+        harness.run_steps(3);
+        assert_eq!(harness.state().choices.settings.paths.gaze, expected, "{text}");
     }
 }

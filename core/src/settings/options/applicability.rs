@@ -1,0 +1,67 @@
+//! When options have an effect.
+
+use crate::{Jitter, Method, Settings};
+
+/// The frames that an option changes.
+#[derive(Debug)]
+pub struct Applicability {
+    /// Those of these settings.
+    pub to: fn(&Settings) -> bool,
+    /// Why it changes no others, as a sentence.
+    pub reason: &'static str,
+}
+
+pub(super) const ALWAYS: Applicability = Applicability { to: |_| true, reason: "" };
+
+pub(super) const ADAPTIVE: Applicability = Applicability {
+    to: |settings| settings.method == Method::Adaptive,
+    reason: "The adaptive method alone interpolates.",
+};
+
+pub(super) const AFTER_ADAPTIVE: Applicability =
+    Applicability { to: ADAPTIVE.to, reason: "Extra samples are added to the adaptive method." };
+
+pub(super) const EXTRA_SAMPLES: Applicability = Applicability {
+    to: Settings::supersamples,
+    reason: "There are extra samples with method supersample, and with supersample after the adaptive method.",
+};
+
+pub(super) const QUINCUNX: Applicability = Applicability {
+    to: |settings| settings.method == Method::Quincunx,
+    reason: "Method quincunx alone divides quincunxes.",
+};
+
+pub(super) const EVEN_GRID: Applicability = Applicability {
+    to: |settings| settings.method == Method::Full,
+    reason: "Method full alone has an even grid of samples.",
+};
+
+pub(super) const JITTERED: Applicability = Applicability {
+    to: |settings| settings.method == Method::Full || settings.supersamples(),
+    reason: "Samples have fixed places unless the method is full or there are extra ones.",
+};
+
+pub(super) const RANDOM: Applicability = Applicability {
+    to: |settings| {
+        settings.method.follows_paths()
+            || match settings.jitter {
+                Jitter::Auto => settings.supersamples(),
+                Jitter::On => true,
+                Jitter::Off => false,
+            }
+    },
+    reason: "Nothing in this frame is random.",
+};
+
+pub(super) const KEPT_PIXELS: Applicability = Applicability {
+    to: |settings| settings.method.keeps_frames() && !settings.method.follows_paths(),
+    reason: "Only frameless and reproject keep pixels.",
+};
+
+pub(super) const PATHS: Applicability = Applicability {
+    to: |settings| settings.method.follows_paths(),
+    reason: "The methods path and vr follow paths.",
+};
+
+pub(super) const TWO_EYES: Applicability =
+    Applicability { to: |settings| settings.method == Method::Vr, reason: "Method vr alone has two eyes." };

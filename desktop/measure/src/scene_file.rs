@@ -1,0 +1,153 @@
+//! A scene by its name on the command line: `builtin:NAME` or a file.
+
+use std::path::{Component, Path};
+
+use anyhow::Context;
+use glimpse::Scene;
+use glimpse::scene::{BUILTIN_NAMES, builtin};
+
+use crate::files;
+
+/// Fails early, and without reading anything, where [`load`] cannot succeed: long work asks first.
+pub fn check(name: &str) -> anyhow::Result<()> {
+    if let Some(builtin_name) = name.strip_prefix("builtin:") {
+        return check_builtin(builtin_name);
+    }
+    let path = Path::new(name);
+    let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+    if !matches!(ending.as_deref(), Some("glb" | "gltf")) {
+        return Err(glimpse::Error::setting("scene", "a .glb or .gltf file, or builtin:NAME", name).into());
+    }
+    files::readable(path)
+}
+
+/// Loads `builtin:NAME`, a `.glb`, or a `.gltf` with the files that it names beside it.
+pub fn load(name: &str) -> anyhow::Result<Scene> {
+    load_seen(name, &mut |_| ())
+}
+
+/// As [`load`]; `seen` is shown the bytes of every file that was read, or the name where there is none.
+pub fn load_seen(name: &str, seen: &mut dyn FnMut(&[u8])) -> anyhow::Result<Scene> {
+    check(name)?;
+    if let Some(scene) = name.strip_prefix("builtin:").and_then(builtin) {
+        seen(name.as_bytes());
+        return Ok(scene);
+    }
+    let path = Path::new(name);
+    let bytes = files::read(path)?;
+    seen(&bytes);
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let mut resolve = |uri: &str| read_beside(folder, uri).inspect(|bytes| seen(bytes));
+    Scene::from_gltf(&bytes, &mut resolve).with_context(|| name.to_owned())
+}
+
+fn check_builtin(name: &str) -> anyhow::Result<()> {
+    if BUILTIN_NAMES.contains(&name) {
+        return Ok(());
+    }
+    let expected = format!("a built-in scene; there are {}", BUILTIN_NAMES.join(", "));
+    Err(glimpse::Error::setting("scene", expected, format!("builtin:{name}")).into())
+}
+
+/// The bytes of a relative URI (RFC 3986: percent-encoded, though not every exporter does it). A scene that somebody
+/// else made must not reach what lies outside its own folder: neither other machines nor other files.
+fn read_beside(folder: &Path, uri: &str) -> Result<Vec<u8>, String> {
+    let decoded = percent_decoded(uri);
+    let literal = folder.join(uri);
+    let name = if is_below(uri) && literal.exists() { uri } else { decoded.as_str() };
+    if !is_below(name) {
+        return Err(format!("expected a file in the scene's folder or below it, found `{name}`"));
+    }
+    files::read(&folder.join(name)).map_err(|error| format!("{error:#}"))
+}
+
+/// Whether a name leads down from a folder: it has no scheme, no root and no way up.
+fn is_below(name: &str) -> bool {
+    let scheme = name.split_once(':').map(|(scheme, _)| scheme);
+    let has_scheme = scheme
+        .is_some_and(|s| !s.is_empty() && s.chars().all(|c| c.is_ascii_alphanumeric() || "+-.".contains(c)));
+    let down = |c: Component<'_>| matches!(c, Component::Normal(_) | Component::CurDir);
+    !has_scheme && !name.contains('\0') && Path::new(name).components().all(down)
+}
+
+fn percent_decoded(uri: &str) -> String {
+    let mut bytes = Vec::with_capacity(uri.len());
+    let mut rest = uri.as_bytes();
+    while let Some((&first, tail)) = rest.split_first() {
+        let code = (first == b'%')
+            .then(|| tail.get(..2).filter(|hex| hex.iter().all(u8::is_ascii_hexdigit)))
+            .flatten()
+            .and_then(|hex| std::str::from_utf8(hex).ok())
+            .and_then(|hex| u8::from_str_radix(hex, 16).ok());
+        bytes.push(code.unwrap_or(first));
+        rest = if code.is_some() { &tail[2..] } else { tail };
+    }
+    String::from_utf8(bytes).unwrap_or_else(|_| uri.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+
+    #[test]
+    fn unknown_names_say_what_there_is() {
+        let message = format!("{:#}", load("builtin:attic").unwrap_err());
+        assert!(message.contains("builtin:attic") && message.contains("room, cornell"), "{message}");
+        let message = format!("{:#}", load("model.stl").unwrap_err());
+        assert!(message.contains("model.stl") && message.contains(".glb"), "{message}");
+        let message = format!("{:#}", load("nowhere/model.glb").unwrap_err());
+        assert!(message.contains("cannot read nowhere/model.glb"), "{message}");
+    }
+
+    #[test]
+    fn uris_are_files_beside_the_scene() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("a b.bin"), b"spaced").unwrap();
+        fs::write(folder.path().join("c%20d.bin"), b"literal").unwrap();
+        assert_eq!(read_beside(folder.path(), "a%20b.bin").unwrap(), b"spaced");
+        assert_eq!(read_beside(folder.path(), "a b.bin").unwrap(), b"spaced");
+        assert_eq!(read_beside(folder.path(), "c%20d.bin").unwrap(), b"literal");
+        assert!(read_beside(folder.path(), "gone.bin").unwrap_err().contains("gone.bin"));
+    }
+
+    #[test]
+    fn nothing_outside_the_folder_is_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let scene = folder.path().join("scene");
+        fs::create_dir_all(scene.join("textures")).unwrap();
+        fs::write(folder.path().join("secret.bin"), b"secret").unwrap();
+        fs::write(scene.join("textures/a.png"), b"inside").unwrap();
+        for inside in ["textures/a.png", "./textures/a.png", "textures/./a.png", "textures%2Fa.png"] {
+            assert_eq!(read_beside(&scene, inside).unwrap(), b"inside", "{inside}");
+        }
+        let absolute = folder.path().join("secret.bin").display().to_string();
+        for outside in [
+            "../secret.bin",
+            "%2e%2e/secret.bin",
+            "..%2fsecret.bin",
+            "textures/../../secret.bin",
+            &absolute,
+            &format!("file://{absolute}"),
+            "file:secret.bin",
+            "https://example.org/a.bin",
+            "c:secret.bin",
+            "/dev/zero",
+            "a\0b",
+        ] {
+            let message = read_beside(&scene, outside).unwrap_err();
+            assert!(message.contains("expected a file in the scene's folder"), "{outside}: {message}");
+        }
+        assert!(read_beside(&scene, "textures").unwrap_err().contains("found a folder"));
+        assert!(read_beside(&scene, "").unwrap_err().contains("found a folder"));
+    }
+
+    #[test]
+    fn broken_percent_codes_stay_as_they_are() {
+        assert_eq!(percent_decoded("100%"), "100%");
+        assert_eq!(percent_decoded("%zz%+4%4"), "%zz%+4%4");
+        assert_eq!(percent_decoded("%C3%A4"), "ä");
+        assert_eq!(percent_decoded("%ff"), "%ff");
+    }
+}

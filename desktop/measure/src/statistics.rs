@@ -1,0 +1,130 @@
+//! Medians of measurements, and what is known of a scene and of an adapter.
+
+use std::time::Instant;
+
+use glimpse::{Features, Linking, Scene};
+use serde::Serialize;
+
+/// An adapter.
+#[derive(Clone, Debug, Serialize)]
+pub struct AdapterStatistics {
+    /// As the driver reports it.
+    pub name: String,
+    /// The graphics interface.
+    pub backend: String,
+    /// The driver with its version.
+    pub driver: String,
+}
+
+/// A scene.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SceneStatistics {
+    /// As it was named on the command line.
+    pub file: String,
+    /// Number of triangles.
+    pub triangles: usize,
+    /// Number of analytic spheres.
+    pub spheres: usize,
+    /// Number of objects (OIDs).
+    pub objects: usize,
+    /// Number of lights.
+    pub lights: usize,
+    /// Number of textures.
+    pub textures: usize,
+    /// The pieces that are linked.
+    pub features: Vec<&'static str>,
+    /// The pieces that no kernel holds.
+    pub left_out: Vec<&'static str>,
+}
+
+/// Of several measurements.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Spread {
+    /// The middle one.
+    pub median: f64,
+    /// The least that 95 % do not exceed.
+    pub p95: f64,
+}
+
+impl AdapterStatistics {
+    /// Of wgpu's words.
+    pub fn of(info: &wgpu::AdapterInfo) -> Self {
+        let driver = [info.driver.trim(), info.driver_info.trim()];
+        Self {
+            name: info.name.clone(),
+            backend: info.backend.to_string(),
+            driver: driver.into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" "),
+        }
+    }
+}
+
+impl SceneStatistics {
+    /// Of a scene before it moves to the device.
+    pub fn of(name: &str, scene: &Scene, linking: Linking) -> Self {
+        let unlinked = Self {
+            file: name.to_owned(),
+            triangles: scene.positions.len(),
+            spheres: scene.spheres.len(),
+            objects: scene.objects.len(),
+            lights: scene.lights.len(),
+            textures: scene.textures.len(),
+            features: Vec::new(),
+            left_out: Vec::new(),
+        };
+        unlinked.linked(Features::of(scene), linking)
+    }
+
+    /// With what is linked, of a scene that needs these features.
+    pub fn linked(self, needed: Features, linking: Linking) -> Self {
+        let linked = match linking {
+            Linking::Auto => needed,
+            Linking::All => Features::all(),
+        };
+        let names = |there: bool| {
+            linked.list().into_iter().filter(|(_, l)| *l == there).map(|(name, _)| name).collect()
+        };
+        Self { features: names(true), left_out: names(false), ..self }
+    }
+}
+
+impl Spread {
+    /// Of any number of measurements; NaN of none.
+    pub fn of(values: impl IntoIterator<Item = f64>) -> Self {
+        let mut sorted: Vec<f64> = values.into_iter().collect();
+        sorted.sort_by(f64::total_cmp);
+        let n = sorted.len();
+        if n == 0 {
+            return Self { median: f64::NAN, p95: f64::NAN };
+        }
+        Self { median: 0.5 * (sorted[(n - 1) / 2] + sorted[n / 2]), p95: sorted[(n * 95).div_ceil(100) - 1] }
+    }
+}
+
+/// A result and the milliseconds that it took on the CPU's clock.
+pub fn timed<T, E>(work: impl FnOnce() -> Result<T, E>) -> Result<(T, f64), E> {
+    let start = Instant::now();
+    let result = work()?;
+    Ok((result, 1000.0 * start.elapsed().as_secs_f64()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_empty_scene_leaves_everything_out_unless_all_is_linked() {
+        let auto = SceneStatistics::of("a", &Scene::default(), Linking::Auto);
+        assert_eq!((auto.features.len(), auto.left_out.len()), (0, 15));
+        let all = SceneStatistics::of("a", &Scene::default(), Linking::All);
+        assert_eq!((all.features.len(), all.left_out.len()), (15, 0));
+    }
+
+    #[test]
+    fn medians_and_percentiles() {
+        assert_eq!(Spread::of([7.0]), Spread { median: 7.0, p95: 7.0 });
+        assert_eq!(Spread::of([9.0, 1.0, 2.0]), Spread { median: 2.0, p95: 9.0 });
+        assert_eq!(Spread::of([4.0, 1.0, 2.0, 100.0]).median, 3.0);
+        assert_eq!(Spread::of((1..=100).map(f64::from)), Spread { median: 50.5, p95: 95.0 });
+        assert!(Spread::of([]).median.is_nan());
+    }
+}

@@ -1,0 +1,226 @@
+//! The ladder: the settings whose error is plotted against their time, and that plot.
+
+use glimpse::{MAX_SAMPLING, Method, Postcorrect, Preset, Settings, Tolerances};
+
+use crate::job::{Job, Reference};
+use crate::plot::{Mark, draw};
+use crate::rung::{Family, Rung};
+use crate::scene::SceneReport;
+
+const REDUCED: Family = Family::baseline("full, reduced resolution", "#999999");
+const GRIDS: Family = Family::contender("adaptive, sampling grids", "#cc79a7");
+
+/// The shares of the frame's side that are rendered: 1/8, 1/4 and 1/2 of the pixels.
+const REDUCED_SIDES: [f64; 3] = [0.35, 0.5, 0.71];
+
+/// The tolerances, over Kim 2016's.
+const FACTORS: [f32; 5] = [4.0, 2.0, 1.0, 0.5, 0.25];
+
+/// Where extra samples go, few to many.
+const PRESETS: [Preset; 3] = [Preset::Edges, Preset::Balanced, Preset::Textures];
+
+/// How much the ends of a quincunx may differ, few samples to many.
+const SIMILAR: [f32; 3] = [0.2, 0.1, 0.05];
+
+/// The frame that errors are measured against: 256 samples a pixel.
+pub fn converged(base: &Settings) -> Settings {
+    Settings { method: Method::Full, sampling: MAX_SAMPLING, ..*base }
+}
+
+/// Full ray tracing with 1, 4, 9 and 16 samples a pixel.
+pub fn fixed(base: &Settings) -> [(String, Family, Settings); 4] {
+    [1, 2, 3, 4].map(|sampling| {
+        let settings = Settings { method: Method::Full, sampling, ..*base };
+        (format!("fixed {}", sampling * sampling), Family::FIXED, settings)
+    })
+}
+
+/// Extra samples by preset: alone, and after that adaptive frame.
+pub fn extra_samples(adaptive: &Settings) -> Vec<(String, Family, Settings)> {
+    let of = |preset: Preset| {
+        let settings = Settings { thresholds: preset.thresholds(), ..*adaptive };
+        let alone = Settings { method: Method::Supersample, ..settings };
+        let combined = Settings { supersample: true, ..settings };
+        [
+            (format!("supersample {}", preset.name()), Family::SUPERSAMPLE, alone),
+            (format!("combined {}", preset.name()), Family::COMBINED, combined),
+        ]
+    };
+    PRESETS.into_iter().flat_map(of).collect()
+}
+
+/// The ladder of a frame of that size, measured against the converged frame. Of `base`, recursion and features count.
+pub fn job(base: &Settings, size: [u32; 2]) -> Job {
+    Job {
+        tables: Vec::new(),
+        reference: Reference::Converged { settings: converged(base), beside_first: false },
+        against: "converged",
+        ..Job::new("", size, rungs(base, size))
+    }
+}
+
+/// The settings of the ladder.
+pub fn rungs(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
+    let full = Settings { method: Method::Full, ..*base };
+    let adaptive = Settings { method: Method::Adaptive, postcorrect: Postcorrect::On, ..*base };
+    let rung = |name: String, family, settings| Rung::beside_converged(name, family, settings, size);
+    let mut rungs = Vec::new();
+    for share in REDUCED_SIDES {
+        let rendered = size.map(|side| ((f64::from(side) * share).round() as u32).max(1));
+        rungs.push(Rung { rendered, ..rung(format!("full {share}x"), REDUCED, full) });
+    }
+    let checkerboard = Settings { method: Method::Checkerboard, ..*base };
+    rungs.push(rung("checkerboard".to_owned(), Family::CHECKERBOARD, checkerboard));
+    rungs.extend(fixed(base).map(|(name, family, settings)| rung(name, family, settings)));
+    for factor in FACTORS {
+        let name = if factor == 1.0 { "adaptive".to_owned() } else { format!("tolerance x{factor}") };
+        let tolerances = scaled(base.tolerances, factor);
+        rungs.push(rung(name, Family::TOLERANCES, Settings { tolerances, ..adaptive }));
+    }
+    for block in [4, 8] {
+        rungs.push(rung(format!("block {block}"), Family::BLOCKS, Settings { block, ..adaptive }));
+    }
+    for block in [2, 4, 8] {
+        let settings = Settings { block, postcorrect: Postcorrect::Off, ..adaptive };
+        rungs.push(rung(format!("block {block}, off"), Family::UNCORRECTED, settings));
+    }
+    for (sampling, block) in [(2, 2), (2, 4), (4, 2), (4, 4)] {
+        let blocks = if block == 2 { String::new() } else { format!(", block {block}") };
+        let name = format!("grid {sampling}x{sampling}{blocks}");
+        rungs.push(rung(name, GRIDS, Settings { sampling, block, ..adaptive }));
+    }
+    rungs.extend(
+        extra_samples(&adaptive).into_iter().map(|(name, family, settings)| rung(name, family, settings)),
+    );
+    let sparse = Settings { supersample: true, block: 4, ..adaptive };
+    rungs.push(rung("combined, block 4".to_owned(), Family::COMBINED, sparse));
+    for similar in SIMILAR {
+        let settings = Settings { method: Method::Quincunx, similar, ..*base };
+        rungs.push(rung(format!("quincunx {similar}"), Family::QUINCUNX, settings));
+    }
+    for rung in &mut rungs {
+        rung.keeps_picture = ["full 0.5x", "fixed 1", "adaptive", "block 4"].contains(&rung.name.as_str());
+    }
+    rungs
+}
+
+/// A factor above 1 passes more pairs of pixels: distances may be greater, the cosine smaller, the texture's border zone
+/// narrower.
+fn scaled(t: Tolerances, factor: f32) -> Tolerances {
+    Tolerances {
+        pos: t.pos * factor,
+        norm: (1.0 - (1.0 - t.norm) * factor).max(-1.0),
+        tex: (t.tex / factor).min(0.5),
+        gcol: t.gcol * factor,
+    }
+}
+
+/// What the PSNR is plotted against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// Median milliseconds of a frame.
+    Time,
+    /// Rays a pixel.
+    Rays,
+}
+
+impl Axis {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Time, Self::Rays];
+
+    /// The name of the plot's file.
+    pub fn file(self, stem: &str) -> String {
+        let what = match self {
+            Self::Time => "time",
+            Self::Rays => "rays",
+        };
+        format!("{stem}-{what}.svg")
+    }
+
+    /// What stands at the axis.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Time => "median frame time in ms",
+            Self::Rays => "rays a pixel (all kinds)",
+        }
+    }
+}
+
+/// The plot of a scene's ladder.
+pub fn svg(scene: &SceneReport, axis: Axis) -> String {
+    let families = scene.measured.iter().flat_map(|m| m.job.rungs.iter().map(|rung| rung.family));
+    let marks: Vec<Mark> = scene
+        .rows
+        .iter()
+        .zip(families)
+        .filter(|(row, _)| row.part == "ladder")
+        .map(|(row, family)| {
+            let (point, front) = match axis {
+                Axis::Time => (row.time_point(), row.front_time),
+                Axis::Rays => (row.rays_point(), row.front_rays),
+            };
+            Mark { label: row.setting.clone(), family, point, front }
+        })
+        .collect();
+    draw(&scene.stem, axis.title(), &marks)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_rung_is_valid_and_has_its_own_name_and_settings() {
+        let rungs = rungs(&Settings::default(), [960, 540]);
+        assert_eq!(rungs.len(), 32);
+        for (i, a) in rungs.iter().enumerate() {
+            a.settings.validate().unwrap();
+            for b in &rungs[..i] {
+                assert_ne!(a.name, b.name);
+                assert!((a.settings, a.rendered) != (b.settings, b.rendered), "{} and {}", a.name, b.name);
+            }
+        }
+        let reduced: Vec<_> = rungs.iter().map(|r| r.rendered).filter(|r| *r != [960, 540]).collect();
+        assert_eq!(reduced, [[336, 189], [480, 270], [682, 383]]);
+        assert_eq!(rungs.iter().filter(|r| r.keeps_picture).count(), 4);
+        for family in [
+            REDUCED,
+            Family::CHECKERBOARD,
+            Family::FIXED,
+            Family::TOLERANCES,
+            Family::BLOCKS,
+            Family::UNCORRECTED,
+            GRIDS,
+            Family::SUPERSAMPLE,
+            Family::COMBINED,
+            Family::QUINCUNX,
+        ] {
+            let of = || rungs.iter().filter(|r| r.family == family);
+            assert!(of().count() > usize::from(family != Family::CHECKERBOARD));
+            let fixed = |r: &Rung| matches!(r.settings.method, Method::Full | Method::Checkerboard);
+            assert!(of().all(|r| fixed(r) == family.is_baseline));
+            assert!(of().all(|r| r.settings.supersample == (family == Family::COMBINED)));
+        }
+    }
+
+    #[test]
+    fn the_smallest_frame_has_a_pixel_at_every_scale() {
+        assert!(rungs(&Settings::default(), [1, 1]).iter().all(|r| r.rendered == [1, 1]));
+    }
+
+    #[test]
+    fn a_looser_tolerance_passes_more() {
+        let t = Tolerances { pos: 0.03, norm: 0.9, tex: 0.3, gcol: 0.15 };
+        let (loose, strict) = (scaled(t, 2.0), scaled(t, 0.5));
+        assert_eq!((loose.pos, loose.tex, loose.gcol), (0.06, 0.15, 0.3));
+        assert!((loose.norm - 0.8).abs() < 1e-6 && (strict.norm - 0.95).abs() < 1e-6);
+        assert_eq!((strict.pos, strict.tex, strict.gcol), (0.015, 0.5, 0.075));
+        assert_eq!(scaled(t, 1e9).norm, -1.0);
+    }
+
+    #[test]
+    fn the_reference_has_256_samples() {
+        let settings = converged(&Settings { depth: 7, ..Settings::default() });
+        assert_eq!((settings.method, settings.sampling.pow(2), settings.depth), (Method::Full, 256, 7));
+    }
+}

@@ -1,0 +1,212 @@
+//! Plots as SVG: PSNR against what it costs. Written by hand: what plotting crates bring (fonts, backends, colour maps) is
+//! more than the lines, dots and labels that are here.
+
+mod labels;
+#[cfg(test)]
+mod tests;
+
+use std::fmt::Write;
+
+use crate::pareto::Point;
+use crate::rung::Family;
+use labels::{Label, Labels};
+
+const WIDTH: f64 = 900.0;
+const HEIGHT: f64 = 584.0;
+/// Left, top, right and bottom of the area of the plot.
+const AREA: [f64; 4] = [64.0, 40.0, 884.0, 470.0];
+
+/// A point of the plot.
+#[derive(Clone, Debug)]
+pub struct Mark {
+    /// What stands beside it.
+    pub label: String,
+    /// Its colour and shape.
+    pub family: Family,
+    /// Where it is.
+    pub point: Point,
+    /// On the Pareto front.
+    pub front: bool,
+}
+
+/// Draws the marks as an SVG document; both axes fit them. The legend has the families in the order of their first marks.
+pub fn draw(title: &str, x_title: &str, marks: &[Mark]) -> String {
+    let scales = Scales::of(marks);
+    // Writing to a String cannot fail.
+    let mut svg = String::new();
+    let _ = write!(
+        svg,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" \
+         font-family=\"system-ui, sans-serif\" font-size=\"12\" fill=\"#222\">\n\
+         <rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"#fff\"/>\n\
+         <text x=\"{}\" y=\"24\" font-size=\"15\" font-weight=\"600\">{}: PSNR against {}</text>\n",
+        AREA[0],
+        escaped(title),
+        escaped(x_title)
+    );
+    svg += &axes(&scales, x_title);
+    svg += &front(&scales, marks);
+    let places: Vec<_> = marks.iter().map(|mark| scales.place(mark.point)).collect();
+    for (mark, [x, y]) in marks.iter().zip(&places) {
+        svg += &symbol(mark.family, *x, *y, mark.front);
+    }
+    let line: Vec<_> = on_front(marks).into_iter().map(|point| scales.place(point)).collect();
+    let mut labels = Labels::around(&places, &line, AREA);
+    for (mark, place) in marks.iter().zip(&places) {
+        let infinite = if mark.point.psnr_db.is_finite() { "" } else { " (equal)" };
+        let text = format!("{}{infinite}", mark.label);
+        let Label { at: [x, y], leader } = labels.place(*place, &text);
+        if let Some([to_x, to_y]) = leader {
+            let [x, y] = place;
+            let _ = writeln!(svg, "<path d=\"M{x:.1} {y:.1}L{to_x:.1} {to_y:.1}\" stroke=\"#999\"/>");
+        }
+        let weight = if mark.front { " font-weight=\"600\"" } else { "" };
+        let _ = writeln!(
+            svg,
+            "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"11\"{weight}>{}</text>",
+            escaped(&text)
+        );
+    }
+    svg += &legend(marks);
+    svg + "</svg>\n"
+}
+
+/// From numbers to places.
+struct Scales {
+    /// Logarithms of the least and the greatest cost.
+    x: [f64; 2],
+    /// The least and the greatest PSNR.
+    y: [f64; 2],
+}
+
+impl Scales {
+    fn of(marks: &[Mark]) -> Self {
+        let fit = |values: &mut dyn Iterator<Item = f64>, margin: f64| {
+            let finite = values.filter(|v| v.is_finite());
+            let [low, high] =
+                finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], v| [l.min(v), h.max(v)]);
+            if low > high {
+                return [0.0, 1.0];
+            }
+            let margin = (margin * (high - low)).max(0.05);
+            [low - margin, high + margin]
+        };
+        Self {
+            x: fit(&mut marks.iter().map(|m| m.point.cost.log10()), 0.06),
+            y: fit(&mut marks.iter().map(|m| m.point.psnr_db), 0.08),
+        }
+    }
+
+    fn x(&self, cost: f64) -> f64 {
+        AREA[0] + (cost.log10() - self.x[0]) / (self.x[1] - self.x[0]) * (AREA[2] - AREA[0])
+    }
+
+    /// Equal pictures stand at the top.
+    fn y(&self, psnr_db: f64) -> f64 {
+        let share = ((psnr_db - self.y[0]) / (self.y[1] - self.y[0])).min(1.0);
+        AREA[3] - share * (AREA[3] - AREA[1])
+    }
+
+    fn place(&self, point: Point) -> [f64; 2] {
+        [self.x(point.cost), self.y(point.psnr_db)]
+    }
+}
+
+fn axes(scales: &Scales, x_title: &str) -> String {
+    let [left, top, right, bottom] = AREA;
+    let mut svg = String::new();
+    for cost in logarithmic_ticks(scales.x) {
+        let x = scales.x(cost);
+        let _ = write!(
+            svg,
+            "<path d=\"M{x:.1} {top}V{bottom}\" stroke=\"#e4e4e4\"/>\n\
+             <text x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{cost}</text>\n",
+            bottom + 18.0
+        );
+    }
+    for psnr_db in linear_ticks(scales.y) {
+        let y = scales.y(psnr_db);
+        let _ = write!(
+            svg,
+            "<path d=\"M{left} {y:.1}H{right}\" stroke=\"#e4e4e4\"/>\n\
+             <text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{psnr_db}</text>\n",
+            left - 8.0,
+            y + 4.0
+        );
+    }
+    let _ = write!(
+        svg,
+        "<path d=\"M{left} {top}V{bottom}H{right}\" stroke=\"#222\" fill=\"none\"/>\n\
+         <text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{} (logarithmic)</text>\n\
+         <text transform=\"translate(18 {:.1}) rotate(-90)\" text-anchor=\"middle\">PSNR in dB</text>\n",
+        0.5 * (left + right),
+        bottom + 38.0,
+        escaped(x_title),
+        0.5 * (top + bottom)
+    );
+    svg
+}
+
+/// 1, 2 and 5 times the powers of ten between two logarithms.
+fn logarithmic_ticks([low, high]: [f64; 2]) -> Vec<f64> {
+    let decades = low.floor() as i32..=high.ceil() as i32;
+    let ticks = decades.flat_map(|decade| [1.0, 2.0, 5.0].map(|digit| digit * 10_f64.powi(decade)));
+    ticks.filter(|tick| (low..=high).contains(&tick.log10())).collect()
+}
+
+/// Multiples of 1, 2, 5 or 10 that are at most nine.
+fn linear_ticks([low, high]: [f64; 2]) -> Vec<f64> {
+    let steps = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
+    let step = steps.into_iter().find(|step| (high - low) / step <= 9.0).unwrap_or(100.0);
+    let [first, last] = [(low / step).ceil() as i64, (high / step).floor() as i64];
+    // Multiples of a tenth are divided, not multiplied: 3 / 10 is written 0.3.
+    (first..=last)
+        .map(|i| if step < 1.0 { i as f64 / (1.0 / step).round() } else { i as f64 * step })
+        .collect()
+}
+
+/// The points of the front in their order.
+fn on_front(marks: &[Mark]) -> Vec<Point> {
+    let mut points: Vec<_> = marks.iter().filter(|m| m.front).map(|m| m.point).collect();
+    points.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    points
+}
+
+fn front(scales: &Scales, marks: &[Mark]) -> String {
+    let line: Vec<_> =
+        on_front(marks).iter().map(|p| scales.place(*p)).map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
+    format!("<polyline points=\"{}\" fill=\"none\" stroke=\"#d1495b\" stroke-width=\"2\"/>\n", line.join(" "))
+}
+
+/// Squares are baselines, dots are adaptive; those on the front have a ring.
+fn symbol(family: Family, x: f64, y: f64, front: bool) -> String {
+    let ring = if front { " stroke=\"#d1495b\" stroke-width=\"2\"" } else { "" };
+    let color = family.color;
+    if family.is_baseline {
+        let [left, top] = [x - 4.5, y - 4.5];
+        format!("<rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"9\" height=\"9\" fill=\"{color}\"{ring}/>\n")
+    } else {
+        format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\" fill=\"{color}\"{ring}/>\n")
+    }
+}
+
+fn legend(marks: &[Mark]) -> String {
+    let mut svg = String::new();
+    let mut families: Vec<Family> = Vec::new();
+    for mark in marks {
+        if !families.contains(&mark.family) {
+            families.push(mark.family);
+        }
+    }
+    for (index, family) in families.into_iter().enumerate() {
+        let x = AREA[0] + 8.0 + (index % 4) as f64 * 208.0;
+        let y = AREA[3] + 62.0 + (index / 4) as f64 * 20.0;
+        svg += &symbol(family, x, y, false);
+        let _ = writeln!(svg, "<text x=\"{:.1}\" y=\"{:.1}\">{}</text>", x + 10.0, y + 4.0, family.name);
+    }
+    svg
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

@@ -1,0 +1,271 @@
+//! Everything measured, as rows: report.csv.
+
+use anyhow::Context;
+use glimpse::Method;
+use serde::{Deserialize, Serialize};
+
+use crate::bench::Measured;
+use crate::pareto::{self, Point};
+use crate::subject::Variant;
+
+/// One setting of one view of one scene.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Row {
+    /// As it was named on the command line.
+    pub scene: String,
+    /// `ladder` or `tables`.
+    pub part: String,
+    /// What was changed in the scene or the view; empty where nothing was.
+    pub changed: String,
+    /// The setting's label.
+    pub setting: String,
+    /// A method to beat.
+    pub baseline: bool,
+    /// Of the frame as it is shown.
+    pub width: u32,
+    /// Of the frame as it is shown.
+    pub height: u32,
+    /// Of the frame as it is rendered.
+    pub rendered_width: u32,
+    /// Of the frame as it is rendered.
+    pub rendered_height: u32,
+    /// Samples along a side of a pixel.
+    pub sampling: u32,
+    /// Side of the base block; 1 where there is none.
+    pub block: u32,
+    /// As it is typed.
+    pub postcorrect: String,
+    /// Warm frames.
+    pub frames: usize,
+    /// Milliseconds.
+    pub median_ms: f64,
+    /// Milliseconds.
+    pub p95_ms: f64,
+    /// All kinds of rays over the pixels shown.
+    pub rays_per_pixel: f64,
+    /// Kim 2016's.
+    pub rt_ratio: f64,
+    /// The converged frame, or full tracing with the same samples; empty for the latter.
+    pub against: String,
+    /// In levels of 0 to 255.
+    pub rmse: Option<f64>,
+    /// `inf` for equal pictures.
+    pub psnr_db: Option<f64>,
+    /// 1 for equal pictures.
+    pub ssim: Option<f64>,
+    /// Mean of the error map.
+    pub flip_mean: Option<f64>,
+    /// 99th percentile of the error map.
+    pub flip_p99: Option<f64>,
+    /// In levels of 0 to 255.
+    pub worst_tile_rmse: Option<f64>,
+    /// Objects that full tracing shows; where missing objects are counted, as what follows.
+    pub objects_shown: Option<u64>,
+    /// Those that no pixel shows.
+    pub objects_lost: Option<u64>,
+    /// Pixels in which full tracing shows an object.
+    pub pixels_shown: Option<u64>,
+    /// Those that show another object, or none.
+    pub pixels_lost: Option<u64>,
+    /// The lost part of an object's pixels, averaged over objects.
+    pub mean_share_lost: Option<f64>,
+    /// 1 / (MSE x seconds).
+    pub efficiency: Option<f64>,
+    /// On the Pareto front of PSNR against time, of the ladder.
+    pub front_time: bool,
+    /// On the Pareto front of PSNR against rays a pixel, of the ladder.
+    pub front_rays: bool,
+}
+
+impl Row {
+    /// What the front of PSNR against time sees.
+    pub fn time_point(&self) -> Point {
+        Point { cost: self.median_ms, psnr_db: self.psnr_db.unwrap_or(f64::NAN) }
+    }
+
+    /// What the front of PSNR against rays sees.
+    pub fn rays_point(&self) -> Point {
+        Point { cost: self.rays_per_pixel, ..self.time_point() }
+    }
+}
+
+/// The rows of a scene, the ladder's with its fronts marked.
+pub fn of(scene: &str, measured: &[Measured]) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for measured in measured {
+        let mut of_job: Vec<Row> = (0..measured.records.len()).map(|i| row(scene, measured, i)).collect();
+        if measured.job.is_ladder() {
+            mark_fronts(&mut of_job);
+        }
+        rows.extend(of_job);
+    }
+    rows
+}
+
+fn mark_fronts(rows: &mut [Row]) {
+    let time = pareto::front(&rows.iter().map(Row::time_point).collect::<Vec<_>>());
+    let rays = pareto::front(&rows.iter().map(Row::rays_point).collect::<Vec<_>>());
+    for (row, (time, rays)) in rows.iter_mut().zip(time.into_iter().zip(rays)) {
+        (row.front_time, row.front_rays) = (time, rays);
+    }
+}
+
+fn row(scene: &str, measured: &Measured, index: usize) -> Row {
+    let (job, rung, record) = (&measured.job, &measured.job.rungs[index], &measured.records[index]);
+    let (baseline, adaptive) = (rung.family.is_baseline, rung.settings.method == Method::Adaptive);
+    let changed = match job.variant {
+        Variant::Reflective(percent) => format!("up to {percent} % reflective pixels"),
+        Variant::AsIs if job.turn != 0.0 => format!("turned by {} degrees", job.turn),
+        Variant::AsIs => String::new(),
+    };
+    let against = match record.error {
+        None => "",
+        Some(_) if job.is_against_converged() => "256 samples a pixel",
+        Some(_) => "full",
+    };
+    let (error, missing) = (record.error.as_ref(), record.missing.as_ref());
+    let time = record.time();
+    Row {
+        scene: scene.to_owned(),
+        part: if job.is_ladder() { "ladder" } else { "tables" }.to_owned(),
+        changed,
+        setting: rung.name.clone(),
+        baseline,
+        width: job.shown[0],
+        height: job.shown[1],
+        rendered_width: rung.rendered[0],
+        rendered_height: rung.rendered[1],
+        sampling: rung.settings.sampling,
+        block: if adaptive { rung.settings.block } else { 1 },
+        postcorrect: if adaptive {
+            format!("{:?}", rung.settings.postcorrect).to_lowercase()
+        } else {
+            String::new()
+        },
+        frames: record.frames.len(),
+        median_ms: time.median,
+        p95_ms: time.p95,
+        rays_per_pixel: record.rays_per_pixel(),
+        rt_ratio: record.rt_ratio,
+        against: against.to_owned(),
+        rmse: error.map(|e| e.rmse),
+        psnr_db: record.psnr_db(),
+        ssim: error.map(|e| e.ssim),
+        flip_mean: error.and_then(|e| e.flip_mean),
+        flip_p99: error.and_then(|e| e.flip_p99),
+        worst_tile_rmse: error.map(|e| e.worst_tile_rmse),
+        objects_shown: missing.map(|m| m.objects_shown),
+        objects_lost: missing.map(|m| m.objects_lost),
+        pixels_shown: missing.map(|m| m.pixels_shown),
+        pixels_lost: missing.map(|m| m.pixels_lost),
+        mean_share_lost: missing.map(|m| m.mean_share_lost),
+        efficiency: record.efficiency(),
+        front_time: false,
+        front_rays: false,
+    }
+}
+
+/// The rows as comma-separated values.
+pub fn csv(rows: &[&Row]) -> anyhow::Result<Vec<u8>> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in rows {
+        writer.serialize(row).context("CSV")?;
+    }
+    writer.into_inner().context("CSV")
+}
+
+/// Whether the adaptive settings are what is worth its time, in a sentence.
+pub fn verdict(rows: &[Row]) -> String {
+    let ladder = || rows.iter().filter(|row| row.part == "ladder");
+    let named = |rows: Vec<&Row>| -> String {
+        rows.iter().map(|row| row.setting.as_str()).collect::<Vec<_>>().join(", ")
+    };
+    let baselines: Vec<_> = ladder().filter(|row| row.front_time && row.baseline).collect();
+    let beaten =
+        |row: &Row| ladder().any(|other| other.baseline && other.time_point().beats(row.time_point()));
+    let beaten: Vec<_> = ladder().filter(|row| !row.baseline && beaten(row)).collect();
+    let front = if baselines.is_empty() {
+        "no baseline lies on the Pareto front of PSNR against time".to_owned()
+    } else {
+        format!("baselines on the Pareto front of PSNR against time: {}", named(baselines))
+    };
+    let beaten = if beaten.is_empty() {
+        "no adaptive setting is beaten by a baseline".to_owned()
+    } else {
+        format!("adaptive settings that a baseline beats: {}", named(beaten))
+    };
+    format!("{front}; {beaten}")
+}
+
+#[cfg(test)]
+pub mod tests {
+    use glimpse::{Missing, Settings};
+
+    use super::*;
+    use crate::ladder;
+    use crate::record::tests::example;
+
+    /// A ladder whose settings take 10, 20, ... ms at 30, 31, ... dB, the last one infinite.
+    pub fn ladder() -> Measured {
+        let job = ladder::job(&Settings::default(), [10, 10]);
+        let rungs = &job.rungs;
+        let psnr = |i: usize| if i + 1 == rungs.len() { f64::INFINITY } else { 30.0 + i as f64 };
+        let records = (0..rungs.len())
+            .map(|i| example(&format!("ladder {i}"), 10.0 * (i + 1) as f64, Some(psnr(i))))
+            .collect();
+        let identities = (0..rungs.len()).map(|i| format!("ladder {i}")).collect();
+        Measured { job, identities, converged: Some("converged".to_owned()), records }
+    }
+
+    #[test]
+    fn csv_parses_back() {
+        let mut measured = ladder();
+        measured.records[2].missing = Some(Missing {
+            objects_shown: 5,
+            objects_lost: 4,
+            pixels_shown: 3,
+            pixels_lost: 2,
+            mean_share_lost: 0.5,
+        });
+        let mut rows = of("a, \"b\".glb", &[measured]);
+        rows[1].psnr_db = None;
+        let bytes = csv(&rows.iter().collect::<Vec<_>>()).unwrap();
+        let parsed: Vec<Row> =
+            csv::Reader::from_reader(bytes.as_slice()).deserialize().map(Result::unwrap).collect();
+        assert_eq!(parsed, rows);
+        let lost = |row: &Row| [row.objects_shown, row.objects_lost, row.pixels_shown, row.pixels_lost];
+        assert_eq!((lost(&parsed[2]), parsed[2].mean_share_lost), ([5, 4, 3, 2].map(Some), Some(0.5)));
+        let head = String::from_utf8(bytes).unwrap();
+        assert!(head.starts_with("scene,part,changed,setting,baseline,width,height,"), "{head}");
+        assert_eq!(parsed.last().unwrap().psnr_db, Some(f64::INFINITY));
+    }
+
+    #[test]
+    fn fronts_are_marked_on_the_ladder() {
+        let mut measured = ladder();
+        let all = of("s", std::slice::from_ref(&measured));
+        assert!(all.iter().all(|row| row.front_time), "each takes more and gives more");
+        assert_eq!(all.iter().filter(|row| row.front_rays).count(), 1, "all cost the same rays");
+        measured.records[3].error = example("worse", 1.0, Some(31.5)).error;
+        let rows = of("s", &[measured]);
+        assert!(!rows[3].front_time && rows[2].front_time);
+    }
+
+    #[test]
+    fn the_verdict_names_who_is_beaten_by_whom() {
+        let rows = of("s", &[ladder()]);
+        assert!(verdict(&rows).contains("fixed 16; no adaptive setting is beaten"), "{}", verdict(&rows));
+        let mut rows = rows;
+        for row in rows.iter_mut().filter(|row| row.baseline) {
+            row.psnr_db = Some(1.0);
+        }
+        mark_fronts(&mut rows);
+        // The cheapest of all is on the front, however bad.
+        assert!(
+            verdict(&rows).starts_with("baselines on the Pareto front of PSNR against time: full 0.35x; no")
+        );
+        rows[0].psnr_db = Some(99.0);
+        mark_fronts(&mut rows);
+        assert!(verdict(&rows).contains("beats: tolerance x4, "), "{}", verdict(&rows));
+    }
+}

@@ -1,0 +1,206 @@
+//! A whole report: what is known is recalled, what is missing is measured, and everything is written.
+
+use std::path::{Path, PathBuf};
+
+use glimpse::{Gpu, Settings};
+use glimpse_measure::progress::Progress;
+use glimpse_measure::statistics::AdapterStatistics;
+use glimpse_measure::{files, output, scene_file};
+
+use crate::bench::{Bench, Measured};
+use crate::ladder::{self, Axis};
+use crate::page::{self, Header};
+use crate::scene::SceneReport;
+use crate::store::Store;
+use crate::subject::{Prepared, Subjects};
+use crate::table::{Request, Table, plot_of};
+use crate::tables;
+use crate::{identity, rows};
+
+/// What a report is to show.
+pub struct Options {
+    /// Files, or `builtin:NAME`; one that is named twice is measured once.
+    pub scenes: Vec<String>,
+    /// The folder that everything is written into, and from which an interrupted run goes on.
+    pub output: PathBuf,
+    /// Frame size of the ladder, and of the tables that have none of their own, in pixels.
+    pub size: [u32; 2],
+    /// A camera of each scene, by index or name; `None` is the first.
+    pub camera: Option<String>,
+    /// Recursion and features of every setting.
+    pub base: Settings,
+    /// Warm frames of each setting.
+    pub frames: usize,
+    /// The tables to measure.
+    pub tables: Vec<&'static dyn Table>,
+    /// Sides of the square frames of Kim 2016's table 5, in pixels.
+    pub table5_sizes: Vec<u32>,
+    /// The program that makes the report.
+    pub program: Program,
+}
+
+/// The program that makes a report, as the page names it.
+pub struct Program {
+    /// Its version.
+    pub version: String,
+    /// The commit that it was built from.
+    pub commit: String,
+    /// How it was called.
+    pub command: String,
+}
+
+/// Makes a report on the adapter whose name holds that text, or the best one.
+///
+/// # Errors
+/// Settings, scenes or files that cannot be used, all of which are looked at first; then a device that fails.
+pub fn run(options: &Options, adapter: Option<&str>) -> anyhow::Result<()> {
+    options.base.validate()?;
+    options.scenes.iter().try_for_each(|name| scene_file::check(name))?;
+    let mut names: Vec<&String> = Vec::new();
+    for name in &options.scenes {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    let scenes = names
+        .iter()
+        .map(|name| Prepared::new(name, options.camera.as_deref()))
+        .collect::<anyhow::Result<Vec<_>>>()?;
+    let store = Store::open(&options.output)?;
+    let stems = stems(&names);
+    let outputs: Vec<_> =
+        outputs(&stems, &options.tables).into_iter().map(|name| options.output.join(name)).collect();
+    files::check(outputs.iter().map(AsRef::as_ref), Path::new(""))?;
+    let gpu = Gpu::headless(adapter)?;
+    let header = header(&options.program, &gpu);
+    let bench = Bench {
+        gpu: &gpu,
+        adapter: header.adapter.clone(),
+        program: identity::program()?.to_string(),
+        store: &store,
+        frames: options.frames,
+    };
+    let measured = measure(&bench, options, &scenes)?;
+    let reports: Vec<_> = scenes
+        .into_iter()
+        .zip(stems)
+        .zip(measured)
+        .map(|((prepared, stem), measured)| {
+            let rows = rows::of(&prepared.name, &measured);
+            SceneReport { prepared, stem, measured, rows }
+        })
+        .collect();
+    write(options, &header, &store, &reports)
+}
+
+fn measure(bench: &Bench<'_>, options: &Options, scenes: &[Prepared]) -> anyhow::Result<Vec<Vec<Measured>>> {
+    let mut known = Vec::new();
+    for scene in scenes {
+        let request =
+            Request { base: &options.base, size: options.size, table5_sizes: &options.table5_sizes, scene };
+        let jobs = tables::jobs(&options.tables, &request).into_iter();
+        known.push(jobs.map(|job| bench.recall(scene, job)).collect::<anyhow::Result<Vec<_>>>()?);
+    }
+    let all = || known.iter().flatten();
+    let [complete, total] =
+        all().map(|k| k.complete(bench.frames)).fold([0, 0], |a, b| [a[0] + b[0], a[1] + b[1]]);
+    if complete > 0 {
+        output::print(&format!(
+            "{complete} of {} are in {} already: going on from there\n",
+            output::counted(total, "measurement"),
+            options.output.display()
+        ))?;
+    }
+    let progress = Progress::of_work(all().map(|k| k.work(bench.frames)).sum());
+    let mut measured = Vec::new();
+    for (scene, jobs) in scenes.iter().zip(known) {
+        let mut subjects = Subjects::new(bench.gpu, scene);
+        let jobs = jobs.into_iter().map(|known| bench.measure(&mut subjects, scene, known, &progress));
+        measured.push(jobs.collect::<anyhow::Result<Vec<_>>>()?);
+    }
+    Ok(measured)
+}
+
+fn write(options: &Options, header: &Header, store: &Store, scenes: &[SceneReport]) -> anyhow::Result<()> {
+    let into = |name: &str, bytes: &[u8]| files::write(&options.output.join(name), bytes);
+    let rows: Vec<_> = scenes.iter().flat_map(|scene| &scene.rows).collect();
+    into("report.csv", &rows::csv(&rows)?)?;
+    for scene in scenes {
+        for axis in Axis::ALL {
+            into(&axis.file(&scene.stem), ladder::svg(scene, axis).as_bytes())?;
+        }
+        for table in &options.tables {
+            if let (Some(plot), Some(svg)) = (table.plot(), plot_of(*table, scene)) {
+                into(&plot.name(&scene.stem), svg.as_bytes())?;
+            }
+        }
+    }
+    for csv in options.tables.iter().filter_map(|table| table.csv()) {
+        into(csv.file, &(csv.bytes)(scenes)?)?;
+    }
+    into("report.html", page::html(header, store, scenes)?.as_bytes())?;
+    let mut text = String::new();
+    for scene in scenes {
+        text += &format!("{}: {}\n", scene.prepared.name, rows::verdict(&scene.rows));
+    }
+    output::print(&format!("{text}wrote {}\n", options.output.join("report.html").display()))
+}
+
+fn header(program: &Program, gpu: &Gpu) -> Header {
+    let facts = gpu.facts();
+    let adapter = AdapterStatistics::of(&facts.info);
+    Header {
+        adapter: format!("{} ({}, {})", adapter.name, adapter.backend, adapter.driver),
+        clock: if facts.timestamps { "GPU timestamps" } else { "CPU clock" },
+        version: program.version.clone(),
+        commit: program.commit.clone(),
+        command: program.command.clone(),
+    }
+}
+
+/// What the files of each scene are called: the scene's own name, numbered where two are alike.
+fn stems(scenes: &[&String]) -> Vec<String> {
+    let plain = |name: &&String| {
+        let path = Path::new(name.strip_prefix("builtin:").unwrap_or(name));
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        stem.chars().map(|c| if c.is_alphanumeric() || c == '-' { c } else { '_' }).collect::<String>()
+    };
+    let mut stems: Vec<String> = Vec::new();
+    for plain in scenes.iter().map(plain) {
+        let numbered = (2..).map(|n| format!("{plain}-{n}"));
+        let free = std::iter::once(plain.clone()).chain(numbered).find(|stem| !stems.contains(stem));
+        stems.extend(free);
+    }
+    stems
+}
+
+/// All files that will be written, by their names in the folder.
+fn outputs(stems: &[String], tables: &[&dyn Table]) -> Vec<String> {
+    let mut names = vec!["report.csv".to_owned(), "report.html".to_owned()];
+    names.extend(tables.iter().filter_map(|table| table.csv()).map(|csv| csv.file.to_owned()));
+    for stem in stems {
+        names.extend(Axis::ALL.map(|axis| axis.file(stem)));
+        names.extend(tables.iter().filter_map(|table| table.plot()).map(|plot| plot.name(stem)));
+    }
+    names
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scenes_of_one_name_get_files_of_their_own() {
+        let scenes = ["a/room.glb", "builtin:room", "b/my room!.gltf", "room.glb"].map(str::to_owned);
+        let stems = stems(&scenes.each_ref());
+        assert_eq!(stems, ["room", "room-2", "my_room_", "room-3"]);
+        let phones = tables::named("phones").unwrap();
+        assert_eq!(outputs(&stems, &[phones]).len(), 3 + 2 * 4);
+        assert_eq!(outputs(&stems, &[]).len(), 2 + 2 * 4);
+        let mut names = outputs(&stems, &tables::TABLES);
+        assert_eq!(names.len(), 3 + 4 * 4, "two tables are plotted");
+        names.sort();
+        names.dedup();
+        assert_eq!(names.len(), 3 + 4 * 4);
+    }
+}

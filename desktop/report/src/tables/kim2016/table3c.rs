@@ -1,0 +1,61 @@
+//! Table 3(c): RT ratio varied.
+
+use super::{CITATION, Pair, pair_job, varied};
+use crate::job::Job;
+use crate::scene::SceneReport;
+use crate::subject::TABLE_SIDE;
+use crate::table::{Content, Request, Rows, Table};
+
+/// The views, in degrees about the vertical.
+const TURNS: [f32; 5] = [0.0, 72.0, 144.0, 216.0, 288.0];
+
+/// The camera turned where it stands.
+pub struct Views;
+
+impl Table for Views {
+    fn name(&self) -> &'static str {
+        "3c"
+    }
+
+    fn summary(&self) -> &'static str {
+        "RT ratio varied, 1024x1024"
+    }
+
+    fn jobs(&self, request: &Request<'_>) -> Vec<Job> {
+        let job = |turn| Job { turn, ..pair_job(self.name(), request.base, [TABLE_SIDE; 2], 1) };
+        TURNS.map(job).to_vec()
+    }
+
+    fn content(&self, scenes: &[SceneReport]) -> Content {
+        let mut rows = Vec::new();
+        for scene in scenes {
+            let views = scene.of_table(self.name()).map(|measured| (measured.job.turn, Pair::of(measured)));
+            let mut views: Vec<_> = views.collect();
+            views.sort_by(|a, b| a.1.rt_ratio.total_cmp(&b.1.rt_ratio));
+            rows.extend(views.into_iter().map(|(turn, pair)| {
+                let name = format!("{}, turned by {turn}°", scene.prepared.name);
+                varied(&name, pair.rt_ratio, pair.full_ms, pair.adaptive_ms)
+            }));
+        }
+        let published = PUBLISHED.iter().map(|&(ratio, full, ours)| varied("Conference", ratio, full, ours));
+        Content::Rows(Rows {
+            title: "Table 3(c): RT ratio varied",
+            note: "1024x1024, one sample a pixel, five views: the camera turned about the vertical where it stands. Sorted \
+                   by RT ratio."
+                .to_owned(),
+            head: vec!["scene", "RT ratio", "full ms", "adaptive ms", "speedup"],
+            measured: rows,
+            published: published.collect(),
+            citation: CITATION,
+        })
+    }
+}
+
+/// As printed, of the Conference: RT ratio, milliseconds of full ray tracing and of the paper's method.
+const PUBLISHED: [(f64, f64, f64); 5] = [
+    (0.259, 944.6, 362.1),
+    (0.266, 884.7, 414.4),
+    (0.280, 866.4, 460.4),
+    (0.291, 859.8, 521.7),
+    (0.321, 904.7, 606.1),
+];
