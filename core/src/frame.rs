@@ -3,30 +3,57 @@
 use crate::{
     Camera, Gpu, GpuScene, Paths, Result, Settings, Tolerances,
     gpu::{Bound, Kernels, Timer, mirror::gpu_struct},
-    passes::{Output, Stage, TRACE_GROUP, Variant},
+    passes::{Clears, FrameSpec, Output, TRACE_GROUP, denoise},
     plan::{Extent, Part, Rows},
     targets::{DISPATCH_BYTES, LIST_HEADER, Targets},
 };
 
 gpu_struct! {
+    /// Where primary rays start and where they go.
+    pub struct FrameCamera {
+        origin: [f32; 3], orthographic: f32,
+        right: [f32; 3], inverse_height: f32,
+        up: [f32; 3], padding_x: u32,
+        forward: [f32; 3], padding_y: u32,
+        eyes: [f32; 2], padding_z: [u32; 2],
+    }
+}
+
+gpu_struct! {
+    /// What a dispatch treats.
+    pub struct FramePart {
+        first: u32, stride: u32, row: u32, end: u32,
+        turn: u32, walk: u32, step: [i32; 2],
+    }
+}
+
+gpu_struct! {
+    /// How much may differ between samples that count as similar.
+    pub struct FrameTolerances {
+        pos: f32, norm: f32, tex: f32, gcol: f32,
+        tau_primary: [f32; 4], tau_secondary: [f32; 4],
+        tau_col: f32, tau_least: f32, focus_first: u32, focus_last: u32,
+        similar: f32, padding_x: u32, padding_y: u32, padding_z: u32,
+    }
+}
+
+gpu_struct! {
+    /// The constants of path tracing.
+    pub struct FramePaths {
+        gaze: [f32; 2], stop: f32, emitter_scale: f32,
+        emitters: u32, sample: u32, merged: u32, padding_x: u32,
+    }
+}
+
+gpu_struct! {
     /// The constants of a frame.
     pub struct Frame {
-        origin: [f32; 3], orthographic: f32,
-        right: [f32; 3], min_weight: f32,
-        up: [f32; 3], pos_tolerance: f32,
-        forward: [f32; 3], norm_tolerance: f32,
-        background: [f32; 3], tex_tolerance: f32,
-        ambient: [f32; 3], gcol_tolerance: f32,
-        truncated: [f32; 3], depth: u32,
-        size: [u32; 2], inverse_height: f32, first: u32,
-        stride: u32, row: u32, end: u32, turn: u32,
-        step: [i32; 2], walk: u32, seed: u32,
-        tau_primary: [f32; 4], tau_secondary: [f32; 4],
-        tau_col: f32, focus_first: u32, focus_last: u32, similar: f32,
-        renewed_from: u32, renewed: u32, still: u32, tau_least: f32,
-        gaze: [f32; 2], stop: f32, emitter_scale: f32,
-        sample: u32, emitters: u32, eyes: [f32; 2],
-        merged: u32, padding_x: u32, padding_y: u32, padding_z: u32,
+        camera: FrameCamera, part: FramePart, tolerances: FrameTolerances, paths: FramePaths,
+        background: [f32; 3], min_weight: f32,
+        ambient: [f32; 3], depth: u32,
+        truncated: [f32; 3], seed: u32,
+        size: [u32; 2], renewed_from: u32, renewed: u32,
+        still: u32, padding_x: u32, padding_y: u32, padding_z: u32,
     }
 }
 
@@ -48,51 +75,47 @@ impl Frame {
         let extent = settings.method.eye(size).map(|side| side as f32);
         let gaze = [0, 1].map(|axis| settings.paths.gaze[axis] * extent[axis]);
         Self {
-            origin: camera.origin.into(),
-            orthographic: if camera.orthographic { 1.0 } else { 0.0 },
-            right: camera.right.into(),
-            min_weight: settings.min_weight,
-            up: camera.up.into(),
-            pos_tolerance: settings.tolerances.pos * scene.longest_side(),
-            forward: camera.forward.into(),
-            norm_tolerance: settings.tolerances.norm,
+            camera: FrameCamera {
+                origin: camera.origin.into(),
+                orthographic: if camera.orthographic { 1.0 } else { 0.0 },
+                right: camera.right.into(),
+                inverse_height: 1.0 / size[1] as f32,
+                up: camera.up.into(),
+                forward: camera.forward.into(),
+                eyes: eyes(&settings.paths, camera),
+                ..Default::default()
+            },
+            part: FramePart::default(),
+            tolerances: FrameTolerances {
+                pos: settings.tolerances.pos * scene.longest_side(),
+                norm: settings.tolerances.norm,
+                tex: settings.tolerances.tex,
+                gcol: settings.tolerances.gcol,
+                tau_primary: [t.poid, t.psn, t.psc, t.pte],
+                tau_secondary: [t.soid, t.ssn, t.ssc, t.ste],
+                tau_col: t.col,
+                tau_least: t.values().into_iter().fold(1.0, f32::min),
+                // As objects are stored: 0 is no hit, which is in no focus but everything's.
+                focus_first: settings.focus.map_or(0, |focus| focus.first.saturating_add(1)),
+                focus_last: settings.focus.map_or(u32::MAX, |focus| focus.last.saturating_add(1)),
+                similar: settings.similar,
+                ..Default::default()
+            },
+            paths: FramePaths {
+                gaze,
+                stop: settings.paths.p_max / farthest(gaze, extent),
+                emitter_scale: scene.emitter_scale,
+                emitters: scene.emitter_count,
+                ..Default::default()
+            },
             background: environment.background.into(),
-            tex_tolerance: settings.tolerances.tex,
+            min_weight: settings.min_weight,
             ambient: environment.ambient.into(),
-            gcol_tolerance: settings.tolerances.gcol,
-            truncated: environment.truncated.into(),
             depth: settings.depth,
-            size,
-            inverse_height: 1.0 / size[1] as f32,
-            first: 0,
-            stride: 0,
-            row: 0,
-            end: 0,
-            turn: 0,
-            step: [0; 2],
-            walk: 0,
+            truncated: environment.truncated.into(),
             seed: settings.seed,
-            tau_primary: [t.poid, t.psn, t.psc, t.pte],
-            tau_secondary: [t.soid, t.ssn, t.ssc, t.ste],
-            tau_col: t.col,
-            // As objects are stored: 0 is no hit, which is in no focus but everything's.
-            focus_first: settings.focus.map_or(0, |focus| focus.first.saturating_add(1)),
-            focus_last: settings.focus.map_or(u32::MAX, |focus| focus.last.saturating_add(1)),
-            similar: settings.similar,
-            renewed_from: 0,
-            renewed: 0,
-            still: 0,
-            tau_least: t.values().into_iter().fold(1.0, f32::min),
-            gaze,
-            stop: settings.paths.p_max / farthest(gaze, extent),
-            emitter_scale: scene.emitter_scale,
-            sample: 0,
-            emitters: scene.emitter_count,
-            eyes: eyes(&settings.paths, camera),
-            merged: 0,
-            padding_x: 0,
-            padding_y: 0,
-            padding_z: 0,
+            size,
+            ..Default::default()
         }
     }
 }
@@ -111,7 +134,7 @@ fn farthest(gaze: [f32; 2], extent: [f32; 2]) -> f32 {
     x.hypot(y)
 }
 
-/// The compiled passes of a method in one variant.
+/// The compiled passes of a method in one spec.
 pub struct Passes {
     /// As many as the plan has parts, for each history that is written.
     bound: [Vec<Bound>; 2],
@@ -124,7 +147,7 @@ impl Passes {
         gpu: &Gpu,
         scene: &GpuScene,
         targets: &Targets,
-        variant: &Variant,
+        spec: &FrameSpec,
         kernels: &mut Kernels,
         color: &wgpu::Texture,
         inspection: Option<&wgpu::Buffer>,
@@ -132,7 +155,7 @@ impl Passes {
         let passes = targets.plan.passes();
         let kernels = passes
             .iter()
-            .map(|stage| kernels.get(gpu, stage.name(), variant.sources(*stage)))
+            .map(|stage| kernels.get(gpu, stage.name, spec.sources(stage)))
             .collect::<Result<Vec<_>>>()?;
         let color = color.create_view(&wgpu::TextureViewDescriptor::default());
         let mut resources = scene.resources();
@@ -143,7 +166,7 @@ impl Passes {
             ("samples", targets.samples.as_entire_binding()),
             ("guides", targets.guides.as_entire_binding()),
         ]);
-        let name = match variant.output {
+        let name = match spec.output {
             Output::Display => Some("display"),
             Output::Linear => Some("linear"),
             Output::Samples | Output::Nowhere => None,
@@ -168,8 +191,8 @@ impl Passes {
             parts.map(|(index, part)| bind(side, index, part)).collect()
         };
         let [first, second] = gpu.checked("the bindings", None, |_| [0, 1].map(bind_all))?;
-        let names: Vec<_> = passes.iter().map(|stage| stage.name()).collect();
-        Ok(Self { bound: [first?, second?], timer: Timer::new(gpu, &names)? })
+        let timed = passes.iter().map(|stage| (stage.name, stage.tracing)).collect();
+        Ok(Self { bound: [first?, second?], timer: Timer::new(gpu, timed)? })
     }
 
     /// The command buffers of one frame with these constants, to be submitted in order; each is recorded when it is asked
@@ -220,7 +243,7 @@ impl Passes {
     ) -> Result<()> {
         gpu.queue.write_buffer(&targets.frame, 0, &in_strides(&targets.plan.parts, constants, tolerances));
         let submissions = targets.plan.submissions().into_iter().map(|mut parts| {
-            parts.retain(|(_, part)| part.stage.removes_noise());
+            parts.retain(|(_, part)| denoise::STAGES.contains(&part.stage));
             parts
         });
         gpu.submit_all_and_wait(submissions.filter(|parts| !parts.is_empty()).map(|parts| {
@@ -245,26 +268,14 @@ impl Passes {
         part: &Part,
         renewed: u32,
     ) {
-        let [first, _] = part.bounds;
-        if first
-            && matches!(
-                part.stage,
-                Stage::Base
-                    | Stage::SubpixelTest
-                    | Stage::RefineTest
-                    | Stage::QuincunxBase
-                    | Stage::ReprojectDepth
-            )
-        {
-            // The queue is empty.
-            encoder.clear_buffer(&targets.list, 0, Some(LIST_HEADER));
-        }
-        if first && part.stage == Stage::QuincunxBase {
-            // No sample is claimed.
-            encoder.clear_buffer(&targets.attributes, 0, None);
-        }
-        if first && part.stage == Stage::ReprojectDepth {
-            encoder.clear_buffer(&targets.landed, 0, None);
+        if let [true, _] = part.bounds {
+            for cleared in part.stage.clears {
+                match cleared {
+                    Clears::ListHeader => encoder.clear_buffer(&targets.list, 0, Some(LIST_HEADER)),
+                    Clears::Attributes => encoder.clear_buffer(&targets.attributes, 0, None),
+                    Clears::Landed => encoder.clear_buffer(&targets.landed, 0, None),
+                }
+            }
         }
         let mut pass = self.timer.part(encoder, part.pass, part.bounds);
         match part.extent {
@@ -285,17 +296,10 @@ fn in_strides(parts: &[Part], constants: &Frame, tolerances: &Tolerances) -> Vec
     let mut bytes = Vec::with_capacity(parts.len() * FRAME_STRIDE as usize);
     for part in parts {
         let Rows { stride, row, end, turn } = part.rows;
-        let Tolerances { norm: norm_tolerance, gcol: gcol_tolerance, .. } = tolerances.at(stride.max(2));
+        let Tolerances { norm, gcol, .. } = tolerances.at(stride.max(2));
         let of_part = Frame {
-            norm_tolerance,
-            gcol_tolerance,
-            first: part.first,
-            stride,
-            row,
-            end,
-            turn,
-            step: part.step,
-            walk: part.walk,
+            part: FramePart { first: part.first, stride, row, end, turn, walk: part.walk, step: part.step },
+            tolerances: FrameTolerances { norm, gcol, ..constants.tolerances },
             ..*constants
         };
         bytes.extend_from_slice(bytemuck::bytes_of(&of_part));

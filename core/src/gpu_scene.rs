@@ -8,7 +8,7 @@ use crate::{
     Error, Features, Gpu, Result,
     atlas::Atlas,
     bvh::Bvh,
-    gpu::{Words, mirror::gpu_struct},
+    gpu::{Tier, Words, mirror::gpu_struct},
     scene::{self, Emitters, Environment, LightKind, MAX_LIGHTS, Material, Scene, Thinness},
 };
 
@@ -59,6 +59,25 @@ gpu_struct! {
     }
 }
 
+/// What is known of a scene besides its [`Features`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SceneFacts {
+    /// It stores texture coordinates.
+    pub has_texcoords: bool,
+    /// It stores vertex colours.
+    pub has_colors: bool,
+    /// Some primitive emits.
+    pub emits: bool,
+    /// Groups on the traversal stack.
+    pub bvh_stack: u32,
+    /// Lights.
+    pub lights: u32,
+    /// Objects.
+    pub objects: u32,
+    /// Points of thin features.
+    pub landmarks: u32,
+}
+
 /// A scene on the device: geometry, acceleration structure, materials, lights, textures. A clone is another handle to the
 /// same memory on the device, which is freed with the last of them.
 #[derive(Clone)]
@@ -72,18 +91,13 @@ pub struct GpuScene {
     landmarks: wgpu::Buffer,
     emitters: wgpu::Buffer,
     atlas: Arc<Atlas>,
-    pub(crate) bvh_stack: u32,
-    pub(crate) light_count: u32,
-    pub(crate) object_count: u32,
+    facts: SceneFacts,
     pub(crate) emitter_count: u32,
     /// 1 over the sum of strength times area of all emitters; 0 where there are none.
     pub(crate) emitter_scale: f32,
     pub(crate) environment: Environment,
-    /// What `vertices` holds.
-    pub(crate) has_texcoords: bool,
-    pub(crate) has_colors: bool,
-    /// The device is a CPU.
-    pub(crate) on_cpu: bool,
+    /// What the device's kernels read it as.
+    pub(crate) tier: Tier,
     features: Features,
     thinness: Arc<Thinness>,
     bounds: (Vec3, Vec3),
@@ -148,13 +162,17 @@ impl GpuScene {
             emitters,
             emitter_count: emitting.primitives.len() as u32,
             emitter_scale: if emitting.total > 0.0 { (1.0 / emitting.total) as f32 } else { 0.0 },
-            bvh_stack: stack,
-            light_count: scene.lights.len() as u32,
-            object_count: scene.objects.len() as u32,
+            facts: SceneFacts {
+                has_texcoords,
+                has_colors,
+                emits: !emitting.primitives.is_empty(),
+                bvh_stack: stack,
+                lights: scene.lights.len() as u32,
+                objects: scene.objects.len() as u32,
+                landmarks: thinness.landmarks().len() as u32,
+            },
             environment: scene.environment,
-            has_texcoords,
-            has_colors,
-            on_cpu: gpu.on_cpu,
+            tier: gpu.tier,
             features,
             thinness: Arc::new(thinness),
             bounds,
@@ -174,10 +192,9 @@ impl GpuScene {
         self.thinness.is_thin(rows, block)
     }
 
-    /// How many points of thin things are known: [`Thinness::landmarks`].
-    #[must_use]
-    pub fn landmark_count(&self) -> u32 {
-        self.thinness.landmarks().len() as u32
+    /// What is known of it besides.
+    pub(crate) fn facts(&self) -> SceneFacts {
+        self.facts
     }
 
     /// The box around everything.

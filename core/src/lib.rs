@@ -95,11 +95,13 @@
 mod atlas;
 mod bvh;
 mod camera;
+mod counters;
 mod error;
 mod frame;
 pub mod gpu;
 mod gpu_scene;
 mod image;
+mod inspection;
 pub mod metrics;
 mod mip;
 mod missing;
@@ -129,6 +131,7 @@ pub use glam;
 pub use wgpu;
 
 pub use camera::Camera;
+pub use counters::{Check, Cost, Counts, FailedChecks, Origin, Rays, Samples};
 pub use error::{Error, Result};
 pub use gpu::{Gpu, instance};
 pub use gpu_scene::GpuScene;
@@ -136,7 +139,7 @@ pub use image::{DisplayImage, LinearImage, encode_display};
 #[cfg(feature = "images")]
 pub use image::{Picture, to_exr, to_png};
 pub use missing::Missing;
-pub use passes::{Demand, Demands, Linked};
+pub use passes::{Demand, Demands, Linked, Tracing};
 pub use plan::SAMPLES_PER_SUBMISSION;
 pub use pose::{Lens, Pose};
 pub use renderer::{FrameCommands, Renderer};
@@ -148,7 +151,4 @@ pub use settings::{
     options,
 };
 pub use show::Show;
-pub use stats::{
-    CHECK_NAMES, Cost, Counts, FailedChecks, FrameTime, Inspection, Memory, Origin, PassTime, PixelRecord,
-    Rays, Samples,
-};
+pub use stats::{FrameTime, Inspection, Memory, PassTime, PixelRecord};

@@ -7,18 +7,13 @@ mod target;
 
 pub use commands::FrameCommands;
 
-use glam::Vec3;
-
 use crate::{
-    Camera, Cost, Counts, Denoise, DisplayImage, Error, FailedChecks, FrameTime, Gpu, GpuScene, Inspection,
-    LinearImage, Memory, Method, Origin, Paths, PixelRecord, Postcorrect, Rays, Result, Samples, Settings,
-    frame::{self, Frame, Passes},
+    Camera, Denoise, DisplayImage, Error, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Method,
+    Paths, Postcorrect, Result, Settings,
+    frame::{Frame, FramePaths, Passes},
     gpu::Kernels,
-    passes::{
-        COUNTER_CLAIMED, COUNTER_FAILED, COUNTER_NODE_VISITS, COUNTER_ORIGINS, COUNTER_PRIMITIVE_TESTS,
-        COUNTER_RAYS, COUNTER_WORDS, Output, RAY_KINDS, Variant,
-    },
-    scene::octahedral_decode,
+    inspection,
+    passes::{FrameSpec, Output},
     sequence::{Sequence, Step},
     targets::{Targets, inspection_buffer, inspection_fits, texture},
 };
@@ -51,10 +46,10 @@ impl Renderer {
     pub fn new(gpu: &Gpu, scene: &GpuScene, size: [u32; 2], settings: &Settings) -> Result<Self> {
         settings.validate()?;
         let settings = resolved(settings, scene, size);
-        let variant = Variant::new(scene, &settings);
-        let targets = Targets::new(gpu, scene, &variant, &settings, size)?;
+        let spec = FrameSpec::new(scene, &settings);
+        let targets = Targets::new(gpu, &spec, size)?;
         let mut kernels = Kernels::default();
-        let passes = Passes::new(gpu, scene, &targets, &variant, &mut kernels, &targets.display, None)?;
+        let passes = Passes::new(gpu, scene, &targets, &spec, &mut kernels, &targets.display, None)?;
         let sequence = Sequence::new(&settings);
         Ok(Self {
             gpu: gpu.clone(),
@@ -91,15 +86,15 @@ impl Renderer {
                     ..self.settings
                 })
         {
-            let variant = Variant::new(&self.scene, &settings);
-            let mut targets = Targets::new(&self.gpu, &self.scene, &variant, &settings, size)?;
+            let spec = FrameSpec::new(&self.scene, &settings);
+            let mut targets = Targets::new(&self.gpu, &spec, size)?;
             let has_target = self.has_target && size == self.targets.size;
             if has_target {
                 targets.display = self.targets.display.clone();
             }
             let kernels = &mut self.kernels;
             self.passes =
-                Passes::new(&self.gpu, &self.scene, &targets, &variant, kernels, &targets.display, None)?;
+                Passes::new(&self.gpu, &self.scene, &targets, &spec, kernels, &targets.display, None)?;
             (self.targets, self.has_target) = (targets, has_target);
             self.forget_linked();
             self.sequence = Sequence::new(&settings);
@@ -247,15 +242,16 @@ impl Renderer {
     fn link_counting(&mut self, output: Output, target: &wgpu::Texture) -> Result<(Passes, wgpu::Buffer)> {
         let buffer = inspection_buffer(&self.gpu, self.records())?;
         let records = self.records() > 0;
-        let variant = Variant { inspect: true, records, output, ..Variant::new(&self.scene, &self.settings) };
-        Ok((self.link(&variant, target, Some(&buffer))?, buffer))
+        let spec =
+            FrameSpec { inspect: true, records, output, ..FrameSpec::new(&self.scene, &self.settings) };
+        Ok((self.link(&spec, target, Some(&buffer))?, buffer))
     }
 
     fn count(&self, camera: &Camera, passes: &Passes, buffer: &wgpu::Buffer) -> Result<Inspection> {
         let step = self.sequence.again(camera);
         self.run(passes, camera, &step, Some(buffer))?;
         let bytes = self.gpu.read_buffer(buffer)?;
-        let inspection = inspection(&bytes, self.targets.grid, self.records())?;
+        let inspection = inspection::decode(&bytes, self.targets.grid, self.records());
         if inspection.uncorrected > 0 {
             log::warn!("postcorrection found {} samples that it did not come to", inspection.uncorrected);
         }
@@ -304,8 +300,8 @@ impl Renderer {
             return Ok(linked);
         }
         let target = self.linear_target()?;
-        let variant = Variant { output: Output::Linear, ..Variant::new(&self.scene, &self.settings) };
-        Ok((self.link(&variant, &target, None)?, target))
+        let spec = FrameSpec { output: Output::Linear, ..FrameSpec::new(&self.scene, &self.settings) };
+        Ok((self.link(&spec, &target, None)?, target))
     }
 
     fn linear_target(&self) -> Result<wgpu::Texture> {
@@ -355,12 +351,12 @@ impl Renderer {
 
     fn link(
         &mut self,
-        variant: &Variant,
+        spec: &FrameSpec,
         color: &wgpu::Texture,
         inspection: Option<&wgpu::Buffer>,
     ) -> Result<Passes> {
         let Self { gpu, scene, targets, kernels, .. } = self;
-        Passes::new(gpu, scene, targets, variant, kernels, color, inspection)
+        Passes::new(gpu, scene, targets, spec, kernels, color, inspection)
     }
 
     fn constants(&self, camera: &Camera, step: &Step) -> Result<Frame> {
@@ -368,13 +364,13 @@ impl Renderer {
             let expected = "a perspective camera with method vr";
             return Err(Error::setting("camera", expected, "an orthographic one, which has no eyes"));
         }
+        let frame = Frame::new(&self.scene, &self.settings, self.targets.grid, camera);
         Ok(Frame {
             renewed_from: step.first,
             renewed: step.count,
             still: u32::from(step.still),
-            sample: step.sample,
-            merged: step.merged,
-            ..Frame::new(&self.scene, &self.settings, self.targets.grid, camera)
+            paths: FramePaths { sample: step.sample, merged: step.merged, ..frame.paths },
+            ..frame
         })
     }
 
@@ -406,74 +402,4 @@ fn resolved(settings: &Settings, scene: &GpuScene, [_, height]: [u32; 2]) -> Set
         _ => Postcorrect::Off,
     };
     Settings { postcorrect, ..*settings }
-}
-
-fn inspection(bytes: &[u8], grid: [u32; 2], recorded: u64) -> Result<Inspection> {
-    let (counters, records) = bytes.split_at(4 * COUNTER_WORDS);
-    let words: Vec<u32> = bytemuck::pod_collect_to_vec(counters);
-    let counter = |i: usize| u64::from(words[2 * i]) | u64::from(words[2 * i + 1]) << 32;
-    let rays: [u64; RAY_KINDS] = std::array::from_fn(|i| counter(COUNTER_RAYS + i));
-    let origins: [u64; 6] = std::array::from_fn(|i| counter(COUNTER_ORIGINS + i));
-    let failed: [u64; 7] = std::array::from_fn(|i| counter(COUNTER_FAILED + i));
-    let postcorrected = origins[Origin::Postcorrected as usize];
-    let records = records.chunks_exact(size_of::<frame::PixelRecord>()).map(bytemuck::pod_read_unaligned);
-    Ok(Inspection {
-        counts: Counts {
-            rays: Rays {
-                primary: rays[0],
-                shadow: rays[1],
-                reflection: rays[2],
-                refraction: rays[3],
-                diffuse: rays[4],
-                total: rays.iter().sum(),
-            },
-            samples: Samples {
-                total: u64::from(grid[0]) * u64::from(grid[1]),
-                base: origins[Origin::Base as usize],
-                traced_a1: origins[Origin::TracedA1 as usize],
-                traced_a2: origins[Origin::TracedA2 as usize],
-                postcorrected,
-                extra: origins[Origin::Extra as usize],
-                // What was traced again had been interpolated.
-                interpolated: origins[Origin::Interpolated as usize].saturating_sub(postcorrected),
-            },
-            cost: Cost {
-                node_visits: counter(COUNTER_NODE_VISITS),
-                primitive_tests: counter(COUNTER_PRIMITIVE_TESTS),
-                traced_share: None,
-            },
-            failed_checks: FailedChecks {
-                oid: failed[0],
-                pos: failed[1],
-                norm: failed[2],
-                convex: failed[3],
-                tex: failed[4],
-                shadow: failed[5],
-                gcol: failed[6],
-            },
-        },
-        uncorrected: counter(COUNTER_CLAIMED).saturating_sub(postcorrected),
-        pixels: records.take(recorded as usize).map(|record| pixel_record(&record)).collect(),
-    })
-}
-
-fn pixel_record(record: &frame::PixelRecord) -> PixelRecord {
-    let hit = record.object != 0;
-    PixelRecord {
-        origin: match record.origin {
-            0 => Origin::Base,
-            1 => Origin::TracedA1,
-            2 => Origin::TracedA2,
-            4 => Origin::Postcorrected,
-            _ => Origin::Interpolated,
-        },
-        failed: record.failed,
-        cost: record.cost,
-        active: record.edges & 15,
-        differing: record.edges >> 4,
-        cells: record.cells,
-        object: hit.then(|| record.object - 1),
-        depth: if hit { record.depth } else { f32::INFINITY },
-        normal: if hit { octahedral_decode(record.normal).into() } else { Vec3::ZERO.into() },
-    }
 }

@@ -1,6 +1,6 @@
 //! Pictures of what is known about the pixels, made from an inspection.
 
-use crate::{CHECK_NAMES, DisplayImage, Error, Method, PixelRecord, Result, Settings, THRESHOLD_NAMES};
+use crate::{Check, DisplayImage, Error, Method, Origin, PixelRecord, Result, Settings, THRESHOLD_NAMES};
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,8 +10,8 @@ pub enum Show {
     Final,
     /// How each pixel came to be.
     Origin,
-    /// The pixels that fail a check, by its index in [`CHECK_NAMES`].
-    Check(usize),
+    /// The pixels that fail a similarity check.
+    Check(Check),
     /// How many quarters of a pixel get extra samples (Jin 2009, Figure 1).
     Active,
     /// The pixels of which an attribute differs from a neighbour's, by its index in [`THRESHOLD_NAMES`].
@@ -31,7 +31,7 @@ impl Show {
     pub fn all() -> impl Iterator<Item = Self> {
         [Self::Final, Self::Origin]
             .into_iter()
-            .chain((0..CHECK_NAMES.len()).map(Self::Check))
+            .chain(Check::ALL.map(Self::Check))
             .chain([Self::Cost, Self::Depth, Self::Normal, Self::Oid, Self::Active])
             .chain((0..THRESHOLD_NAMES.len()).map(Self::Attribute))
     }
@@ -42,7 +42,7 @@ impl Show {
         match self {
             Self::Final => "final".to_owned(),
             Self::Origin => "origin".to_owned(),
-            Self::Check(check) => format!("check:{}", CHECK_NAMES[check]),
+            Self::Check(check) => format!("check:{}", check.name()),
             Self::Active => "active".to_owned(),
             Self::Attribute(attribute) => format!("attr:{}", THRESHOLD_NAMES[attribute]),
             Self::Cost => "cost".to_owned(),
@@ -93,14 +93,18 @@ impl std::str::FromStr for Show {
 
 type Rgb = [u8; 3];
 
-/// The colours of [`crate::Origin`], in its order.
-const ORIGINS: [(&str, &str, Rgb); 5] = [
-    ("base", "white", [240, 240, 240]),
-    ("traced in A1", "orange", [240, 150, 30]),
-    ("traced in A2", "magenta", [210, 30, 130]),
-    ("interpolated", "dark blue", [20, 50, 90]),
-    ("postcorrected", "green", [60, 200, 80]),
-];
+/// The name and the colour of the pixels of an origin, in words and numbers; `None` where no pixel is of it.
+fn origin_color(origin: Origin) -> Option<(&'static str, &'static str, Rgb)> {
+    match origin {
+        Origin::Base => Some(("base", "white", [240, 240, 240])),
+        Origin::TracedA1 => Some(("traced in A1", "orange", [240, 150, 30])),
+        Origin::TracedA2 => Some(("traced in A2", "magenta", [210, 30, 130])),
+        Origin::Postcorrected => Some(("postcorrected", "green", [60, 200, 80])),
+        Origin::Interpolated => Some(("interpolated", "dark blue", [20, 50, 90])),
+        Origin::Extra => None,
+    }
+}
+
 /// Pixels by the number of their active quarters (Jin 2009, Figure 1).
 const ACTIVE: [(&str, Rgb); 5] = [
     ("black", [0, 0, 0]),
@@ -158,14 +162,14 @@ pub fn grouped(number: u64) -> String {
 }
 
 fn origin(frame: &DisplayImage, pixels: &[PixelRecord]) -> (DisplayImage, String) {
-    let mut counts = [0_u64; 5];
-    for pixel in pixels {
-        counts[pixel.origin as usize] += 1;
-    }
-    let entry =
-        |((name, color, _), count): (&(&str, &str, Rgb), u64)| format!("{name} {color} ({})", grouped(count));
-    let legend: Vec<_> = ORIGINS.iter().zip(counts).map(entry).collect();
-    (painted(frame, pixels, |_, p| ORIGINS[p.origin as usize].2), legend.join(", "))
+    let entry = |origin| {
+        let (name, color, _) = origin_color(origin)?;
+        let count = pixels.iter().filter(|pixel| pixel.origin == origin).count() as u64;
+        Some(format!("{name} {color} ({})", grouped(count)))
+    };
+    let legend: Vec<_> = Origin::ALL.into_iter().filter_map(entry).collect();
+    let color = |origin| origin_color(origin).map_or(NOTHING, |(_, _, color)| color);
+    (painted(frame, pixels, |_, p| color(p.origin)), legend.join(", "))
 }
 
 fn active(frame: &DisplayImage, pixels: &[PixelRecord]) -> (DisplayImage, String) {
@@ -185,9 +189,9 @@ fn differing(frame: &DisplayImage, pixels: &[PixelRecord], attribute: usize) -> 
     marked(frame, pixels, &what, |p| p.differing & (1 << attribute) != 0)
 }
 
-fn failing(frame: &DisplayImage, pixels: &[PixelRecord], check: usize) -> (DisplayImage, String) {
-    let what = format!("that fail check {}", CHECK_NAMES[check]);
-    marked(frame, pixels, &what, |p| p.failed & (1 << check) != 0)
+fn failing(frame: &DisplayImage, pixels: &[PixelRecord], check: Check) -> (DisplayImage, String) {
+    let what = format!("that fail check {} ({}, {})", check.name(), check.letters(), check.what());
+    marked(frame, pixels, &what, |p| p.failed & check.bit() != 0)
 }
 
 /// Some pixels in red, the frame around them in grey.
@@ -281,8 +285,6 @@ fn hashed(object: u32) -> Rgb {
 
 #[cfg(test)]
 mod tests {
-    use crate::Origin;
-
     use super::*;
 
     const HIT: PixelRecord = PixelRecord {
@@ -322,13 +324,13 @@ mod tests {
     #[test]
     fn each_picture_shows_what_it_is_named_for() {
         let (colors, legend) = shown(Show::Origin);
-        assert_eq!(colors, [ORIGINS[0].2, ORIGINS[3].2]);
+        assert_eq!(colors, [[240; 3], [20, 50, 90]]);
         assert!(legend.contains("base white (1)") && legend.contains("traced in A1 orange (0)"), "{legend}");
 
-        let (colors, legend) = shown(Show::Check(4));
+        let (colors, legend) = shown(Show::Check(Check::Tex));
         assert_eq!(colors, [[100, 100, 100], FAILED]);
-        assert_eq!(legend, "red: 1 pixels that fail check tex");
-        assert_eq!(shown(Show::Check(0)).0, [[100; 3], [50; 3]]);
+        assert_eq!(legend, "red: 1 pixels that fail check tex (TX, texture seam)");
+        assert_eq!(shown(Show::Check(Check::Oid)).0, [[100; 3], [50; 3]]);
 
         let (colors, legend) = shown(Show::Cost);
         assert_eq!(colors, [RAMP[4], RAMP[0]]);
@@ -348,12 +350,11 @@ mod tests {
     }
 
     #[test]
-    fn colours_of_origins_are_distinct_and_in_the_order_of_the_type() {
-        let order =
-            [Origin::Base, Origin::TracedA1, Origin::TracedA2, Origin::Interpolated, Origin::Postcorrected];
-        assert!(order.iter().enumerate().all(|(i, o)| *o as usize == i));
-        for (i, a) in ORIGINS.iter().enumerate() {
-            assert!(ORIGINS[..i].iter().all(|b| a.2 != b.2));
+    fn colours_of_origins_are_distinct() {
+        let colors: Vec<_> = Origin::ALL.into_iter().filter_map(origin_color).collect();
+        assert_eq!(colors.len(), Origin::ALL.len() - 1, "all but extra samples");
+        for (i, a) in colors.iter().enumerate() {
+            assert!(colors[..i].iter().all(|b| a.2 != b.2 && a.0 != b.0));
         }
     }
 

@@ -1,10 +1,11 @@
 //! The buffers and images of a frame.
 
 use crate::{
-    Denoise, Error, Gpu, GpuScene, Memory, Method, Result, Settings,
+    Denoise, Error, Gpu, GpuScene, Memory, Method, Result,
+    counters::COUNTER_WORDS,
     frame::{FRAME_STRIDE, Frame, PixelRecord},
-    passes::{COUNTER_WORDS, REFINE_MOST, REFINE_STEP, REFINE_WORDS, Variant},
-    plan::{self, Plan, Shape},
+    passes::{FrameSpec, REFINE_MOST, REFINE_STEP, REFINE_WORDS, Recipe},
+    plan::{self, Plan},
 };
 
 /// A listed pixel is one word: 16 bits a coordinate.
@@ -27,12 +28,6 @@ const CROSSING_SAMPLE_BYTES: u64 = 36;
 
 /// A bit for each sample of a quincunx that a pixel may share with others.
 const CLAIM_BYTES: u64 = 4;
-
-/// Places for samples of a quincunx in a pixel: of both levels.
-const QUINCUNX_SAMPLES: u64 = 32;
-
-/// Rows of a band whose samples' places, in eighths of a pixel, are told in 15 bits.
-const QUINCUNX_ROWS: u32 = 4000;
 
 /// Bytes that a frame leaves of a pixel: a point and its radiance.
 const HISTORY_BYTES: u64 = 24;
@@ -77,13 +72,8 @@ impl Targets {
     ///
     /// # Errors
     /// A size that is not a frame's, or a device that cannot hold it.
-    pub fn new(
-        gpu: &Gpu,
-        scene: &GpuScene,
-        variant: &Variant,
-        settings: &Settings,
-        size: [u32; 2],
-    ) -> Result<Self> {
+    pub fn new(gpu: &Gpu, spec: &FrameSpec, size: [u32; 2]) -> Result<Self> {
+        let settings = &spec.settings;
         let grid = grid(gpu, size, settings.sampling)?;
         if (settings.supersamples() || settings.method == Method::Quincunx)
             && size.iter().any(|side| *side > MAX_SUPERSAMPLED_SIDE)
@@ -91,50 +81,23 @@ impl Targets {
             let expected = format!("at most {MAX_SUPERSAMPLED_SIDE} pixels a side with extra samples");
             return Err(Error::setting("size", expected, format!("{}x{}", size[0], size[1])));
         }
-        let supersamples = settings.supersamples();
         // Of two rows.
         let quincunx = settings.method == Method::Quincunx;
-        let attribute_bytes = if quincunx { 2 * CLAIM_BYTES } else { 4 * u64::from(variant.stored_planes()) };
-        let stored = match settings.method {
-            Method::Quincunx => QUINCUNX_SAMPLES,
-            Method::Checkerboard | Method::Path | Method::Vr => 1,
-            _ => u64::from(settings.sampling > 1),
-        };
+        let attribute_bytes = if quincunx { 2 * CLAIM_BYTES } else { 4 * u64::from(spec.stored_planes()) };
+        let of_method = Recipe::of(settings.method).storage;
+        let stored = of_method.radiances.max(u64::from(settings.sampling > 1));
         let sample_bytes = stored * if settings.crosses() { CROSSING_SAMPLE_BYTES } else { SAMPLE_BYTES };
         // A sample is listed once at most, or its quarters are.
-        let listed = match settings.method {
+        let listed = match (settings.refines(), settings.supersamples()) {
             // An entry for each step, and what is known of the pixel.
-            _ if settings.refines() => u64::from(REFINE_MOST / REFINE_STEP + REFINE_WORDS),
-            _ if supersamples => 4,
-            Method::Quincunx => QUINCUNX_SAMPLES,
-            Method::Adaptive | Method::Reproject => 1,
-            _ => 0,
+            (true, _) => u64::from(REFINE_MOST / REFINE_STEP + REFINE_WORDS),
+            (false, true) => 4,
+            (false, false) => of_method.listed,
         };
         let list_bytes = 4 * listed;
         let row_bytes = u64::from(grid[0]) * sample_bytes.max(attribute_bytes.div_ceil(2)).max(list_bytes);
         let band = plan::band_rows(settings.sampling, BAND_BYTES / row_bytes.max(1));
-        let band = match settings.method {
-            // Later passes, or frames, look across the borders of bands.
-            Method::Checkerboard | Method::Frameless | Method::Reproject | Method::Path | Method::Vr => {
-                u32::MAX
-            }
-            Method::Quincunx => band.min(QUINCUNX_ROWS),
-            _ => band,
-        };
-        let shape = Shape {
-            grid,
-            sampling: settings.sampling,
-            block: settings.block,
-            band,
-            postcorrect: settings.postcorrect,
-            supersamples,
-            refines: settings.refines(),
-            filter: settings.filter,
-            denoise: settings.denoise(),
-            landmarks: scene.landmark_count(),
-            crosses: settings.crosses(),
-        };
-        let plan = Plan::new(settings.method, &shape);
+        let plan = Plan::new(spec, grid, of_method.band_rows.map_or(u32::MAX, |most| band.min(most)));
         // The corners of a pixel are beside and below it.
         let border = u64::from(quincunx);
         let rows = u64::from(plan.stored_rows) + border;

@@ -124,7 +124,10 @@ fn every_option_of_render_arrives() {
     );
     assert_eq!(options.frame.size, Size([640, 480]));
     assert_eq!(options.frame.camera.as_deref(), Some("top"));
-    assert_eq!((options.show, options.frames, options.reference), (Show::Check(4), 7, true));
+    assert_eq!(
+        (options.show, options.frames, options.reference),
+        (Show::Check(glimpse::Check::Tex), 7, true)
+    );
     assert!(options.output.linear);
 }
 

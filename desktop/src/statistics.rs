@@ -1,28 +1,13 @@
 //! The statistics JSON: what was rendered, with what, how long it took and what it cost.
 
 use glimpse::metrics::ErrorReport;
-use glimpse::{Cost, FailedChecks, FrameTime, Memory, Missing, Rays, Samples, Settings};
+use glimpse::{Cost, FailedChecks, FrameTime, Memory, Missing, Rays, Samples, Settings, Tracing};
 use glimpse_measure::statistics::{AdapterStatistics, SceneStatistics, Spread};
 use serde::Serialize;
 
 use crate::cores::Sides;
 use crate::measure::{Run, Stage};
 use crate::pan::PanStatistics;
-
-/// The passes that trace rays; every other one is overhead of the adaptive method.
-const TRACING_PASSES: [&str; 11] = [
-    "base",
-    "trace_a1",
-    "trace_a2",
-    "postcorrect",
-    "postcorrect_scan",
-    "full",
-    "checkerboard",
-    "frameless",
-    "renew",
-    "path",
-    "look",
-];
 
 /// One method on one scene.
 #[derive(Clone, Debug, Serialize)]
@@ -106,6 +91,8 @@ pub struct Times {
 pub struct PassMedian {
     /// Its name.
     pub name: &'static str,
+    /// Whether it traces rays.
+    pub tracing: Tracing,
     /// Over the frames.
     pub median: f64,
 }
@@ -190,13 +177,17 @@ pub fn pass_medians(frames: &[FrameTime]) -> Vec<PassMedian> {
     first
         .passes
         .iter()
-        .map(|pass| PassMedian { name: pass.name, median: Spread::of(times(pass.name)).median })
+        .map(|pass| PassMedian {
+            name: pass.name,
+            tracing: pass.tracing,
+            median: Spread::of(times(pass.name)).median,
+        })
         .collect()
 }
 
 /// The part of a frame spent in passes that trace nothing.
 pub fn non_tracing_share(passes: &[PassMedian], frame_ms: f64) -> Option<f64> {
-    let other = passes.iter().filter(|p| !TRACING_PASSES.contains(&p.name));
+    let other = passes.iter().filter(|p| p.tracing == Tracing::No);
     (!passes.is_empty() && frame_ms > 0.0).then(|| other.map(|p| p.median).sum::<f64>() / frame_ms)
 }
 

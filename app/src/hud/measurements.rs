@@ -1,7 +1,6 @@
 //! What was measured, as rows with bars.
 
 use egui::{Color32, ProgressBar, RichText, Ui};
-use glimpse::{CHECK_NAMES, Counts};
 
 use super::{amounts, style};
 use crate::Readings;
@@ -23,27 +22,20 @@ pub fn rays(ui: &mut Ui, readings: &Readings) {
     };
     style::reading(ui, "RT ratio", &amounts::percent(counts.rt_ratio()));
     bar(ui, counts.rt_ratio(), 1.0);
-    let rays = counts.rays;
-    let kinds = [
-        ("primary rays", rays.primary),
-        ("shadow rays", rays.shadow),
-        ("reflected rays", rays.reflection),
-        ("refracted rays", rays.refraction),
-    ];
-    for (name, count) in kinds {
-        style::reading(ui, name, &amounts::count(count));
-        bar(ui, count as f64, rays.total as f64);
+    for (kind, count) in counts.rays.labelled() {
+        style::reading(ui, &format!("{kind} rays"), &amounts::count(count));
+        bar(ui, count as f64, counts.rays.total as f64);
     }
-    style::reading(ui, "all rays", &amounts::count(rays.total));
-    style::reading(ui, "interpolated samples", &amounts::count(counts.samples.interpolated));
-    style::reading(ui, "postcorrected samples", &amounts::count(counts.samples.postcorrected));
+    style::reading(ui, "all rays", &amounts::count(counts.rays.total));
+    for (origin, count) in counts.samples.labelled() {
+        style::reading(ui, &format!("{origin} samples"), &amounts::count(count));
+    }
 }
 
 /// How often each check asked for a ray.
 pub fn failed_checks(ui: &mut Ui, readings: &Readings) {
     let Some(counts) = readings.counts else { return };
-    let failed = failures(&counts);
-    for (name, count) in CHECK_NAMES.into_iter().zip(failed) {
+    for (name, count) in counts.failed_checks.labelled() {
         style::reading(ui, name, &amounts::count(count));
         bar(ui, count as f64, counts.samples.total as f64);
     }
@@ -75,11 +67,6 @@ pub fn scene(ui: &mut Ui, readings: &Readings) {
     for warning in &readings.warnings {
         ui.label(RichText::new(warning.as_str()).small().color(style::WARNING));
     }
-}
-
-fn failures(counts: &Counts) -> [u64; CHECK_NAMES.len()] {
-    let failed = counts.failed_checks;
-    [failed.oid, failed.pos, failed.norm, failed.convex, failed.tex, failed.shadow, failed.gcol]
 }
 
 /// A bar over the width, as long as the part in the whole.

@@ -34,6 +34,32 @@ pub use adapter::{AdapterFacts, instance};
 /// slowest frame that is still useful (a software driver, 16384x16384) takes a few minutes.
 pub const PATIENCE: Duration = Duration::from_secs(600);
 
+/// What kernels are made for and how scene data is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Tier {
+    /// A software device: scene data in images, which it reads a vector at a time, and workgroups dealt out so that the
+    /// ranges which its cores take cost alike.
+    Cpu,
+    /// Any other device: scene data in storage buffers, workgroups in order.
+    Gpu,
+}
+
+impl Tier {
+    fn of(device: wgpu::DeviceType) -> Self {
+        if device == wgpu::DeviceType::Cpu { Self::Cpu } else { Self::Gpu }
+    }
+
+    /// Scene data is stored in images, not in buffers.
+    pub(crate) fn stores_images(self) -> bool {
+        self == Self::Cpu
+    }
+
+    /// Workgroups are dealt out in strides, not in order.
+    pub(crate) fn deals_workgroups(self) -> bool {
+        self == Self::Cpu
+    }
+}
+
 /// A device and its queue. Threads may share it; they take turns at waiting for it. A clone is another handle to the same
 /// device.
 ///
@@ -53,7 +79,7 @@ pub struct Gpu {
     /// Pipelines that the driver compiled in earlier runs.
     compiled: Option<wgpu::PipelineCache>,
     /// Whether the device is a CPU, for which other kernels are linked.
-    pub(crate) on_cpu: bool,
+    pub(crate) tier: Tier,
 }
 
 impl Gpu {
@@ -160,7 +186,7 @@ impl Gpu {
         let wgpu::AdapterInfo { name, backend, driver_info, .. } = &facts.info;
         log::debug!("adapter {name} ({backend}), driver {driver_info}");
         Ok(Self {
-            on_cpu: facts.info.device_type == wgpu::DeviceType::Cpu,
+            tier: Tier::of(facts.info.device_type),
             device,
             queue,
             adapter,
@@ -175,7 +201,7 @@ impl Gpu {
     /// With the kernels that a GPU gets, even if it is none: for tests of them where there is no GPU.
     #[must_use]
     pub fn as_hardware(self) -> Self {
-        Self { on_cpu: false, ..self }
+        Self { tier: Tier::Gpu, ..self }
     }
 
     /// Waits at most that long for a frame or a readback ([`PATIENCE`]).

@@ -1,11 +1,11 @@
 //! Timestamp queries around every pass of a frame.
 
 use super::Gpu;
-use crate::{FrameTime, PassTime, Result};
+use crate::{FrameTime, PassTime, Result, passes::Tracing};
 
 /// Queries for a fixed list of passes; does nothing where the adapter has no timestamps, or not enough for so many.
 pub struct Timer {
-    names: Vec<&'static str>,
+    passes: Vec<(&'static str, Tracing)>,
     queries: Option<Queries>,
 }
 
@@ -17,12 +17,12 @@ struct Queries {
 }
 
 impl Timer {
-    /// A timer for passes of these names, in order.
+    /// A timer for passes of these names and classes, in order.
     ///
     /// # Errors
     /// A device that is out of memory.
-    pub fn new(gpu: &Gpu, names: &[&'static str]) -> Result<Self> {
-        let count = 2 * names.len() as u32;
+    pub fn new(gpu: &Gpu, passes: Vec<(&'static str, Tracing)>) -> Result<Self> {
+        let count = 2 * passes.len() as u32;
         let timed = gpu.device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
         let queries = if timed && count <= wgpu::QUERY_SET_MAX_QUERIES {
             Some(gpu.checked("the timer", Some(8 * u64::from(count)), |device| Queries {
@@ -42,7 +42,7 @@ impl Timer {
         } else {
             None
         };
-        Ok(Self { names: names.to_vec(), queries })
+        Ok(Self { passes, queries })
     }
 
     /// Begins the compute pass at this position of the frame, with its timestamps.
@@ -65,7 +65,7 @@ impl Timer {
             end_of_pass_write_index: last.then_some(2 * index as u32 + 1),
         });
         encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
-            label: Some(self.names[index]),
+            label: Some(self.passes[index].0),
             timestamp_writes,
         })
     }
@@ -73,7 +73,7 @@ impl Timer {
     /// Resolves the queries and copies them for reading; comes after the last pass.
     pub fn resolve(&self, encoder: &mut wgpu::CommandEncoder) {
         if let Some(queries) = &self.queries {
-            encoder.resolve_query_set(&queries.set, 0..2 * self.names.len() as u32, &queries.resolved, 0);
+            encoder.resolve_query_set(&queries.set, 0..2 * self.passes.len() as u32, &queries.resolved, 0);
         }
     }
 
@@ -87,11 +87,11 @@ impl Timer {
         let ticks: Vec<u64> = bytemuck::pod_collect_to_vec(&bytes);
         let ms = |from: u64, to: u64| to.saturating_sub(from) as f64 * f64::from(queries.period) * 1e-6;
         let mut passes: Vec<PassTime> = Vec::new();
-        for (name, t) in self.names.iter().zip(ticks.chunks_exact(2)) {
+        for (&(name, tracing), t) in self.passes.iter().zip(ticks.chunks_exact(2)) {
             let ms = ms(t[0], t[1]);
-            match passes.iter_mut().find(|pass| pass.name == *name) {
+            match passes.iter_mut().find(|pass| pass.name == name) {
                 Some(pass) => pass.ms += ms,
-                None => passes.push(PassTime { name, ms }),
+                None => passes.push(PassTime { name, tracing, ms }),
             }
         }
         Ok(FrameTime {

@@ -41,7 +41,7 @@ fn image_bytes(rows: u32) -> u64 {
 impl Gpu {
     /// Words, four at a time, where the device reads them faster.
     pub(crate) fn words<T: bytemuck::NoUninit>(&self, label: &str, content: &[T]) -> Result<Words> {
-        if self.on_cpu {
+        if self.tier.stores_images() {
             self.texels(label, bytemuck::cast_slice(content))
         } else {
             Ok(Words::Buffer(self.storage(label, content)?))
@@ -50,7 +50,7 @@ impl Gpu {
 
     /// Three corners a primitive, as [`Gpu::words`]; in an image each has a texel.
     pub(crate) fn corners(&self, label: &str, content: &[[[f32; 3]; 3]]) -> Result<Words> {
-        if self.on_cpu {
+        if self.tier.stores_images() {
             let texels: Vec<_> =
                 content.iter().map(|corners| corners.map(|[x, y, z]| [x, y, z, 0.0])).collect();
             self.words(label, &texels)
@@ -68,7 +68,7 @@ impl Gpu {
         texcoords: bool,
         colors: bool,
     ) -> Result<Words> {
-        if !self.on_cpu {
+        if !self.tier.stores_images() {
             return self.words(label, content);
         }
         let coordinates = 6 * usize::from(texcoords);
@@ -89,7 +89,7 @@ impl Gpu {
 
     /// Whether the device can hold the corners of that many primitives.
     pub(crate) fn check_corners(&self, label: &str, primitives: usize) -> Result<()> {
-        if self.on_cpu {
+        if self.tier.stores_images() {
             self.check_texels(label, (primitives * size_of::<[[f32; 4]; 3]>()) as u64)
         } else {
             self.check_binding(label, (primitives * size_of::<[[f32; 3]; 3]>()) as u64)

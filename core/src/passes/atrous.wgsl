@@ -5,7 +5,7 @@ fn atrous_side(index: i32) -> vec2i {
     let turn = vec2i(index & 1, index >> 1u) * 2 - 1;
     let beside = select(vec2i(0, turn.x), vec2i(turn.x, 0), turn.y < 0);
     // The pattern turns by 45 degrees from level to level: diagonal for steps of 1 and 4.
-    return select(turn, beside, (frame.step.x & 5) != 0);
+    return select(turn, beside, (frame.part.step.x & 5) != 0);
 }
 
 // Two of the shares of a pixel's light, and their sum.
@@ -33,7 +33,7 @@ fn main(
     var weights = 1.0;
     for (var i = 0; i < 4; i += 1) {
         let side = atrous_side(i);
-        let at = vec2i(pixel) + frame.step * side;
+        let at = vec2i(pixel) + frame.part.step * side;
         let tap = vec2u(clamp(at, vec2i(0), vec2i(frame.size) - 1));
         let q = filtered_before[guides_place(tap)];
         let counts = all(tap == vec2u(at)) && eyes_same(pixel, tap);

@@ -25,7 +25,7 @@ fn atrous_kept(pixel: vec2u, kind: u32, own: f32) -> f32 {
         count += f32(counts);
     }
     let most = ATROUS_BRIGHTER * sum / max(count, 1.0);
-    let settled = min(f32(frame.sample + frame.merged) / ATROUS_SETTLED, 1.0);
+    let settled = min(f32(frame.paths.sample + frame.paths.merged) / ATROUS_SETTLED, 1.0);
     return select(own, mix(most, own, settled * settled), count > 0.0 && own > most);
 }
 

@@ -3,7 +3,7 @@
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let index = list.begin + frame.first + group.x * TRACE_GROUP + local;
+    let index = list.begin + frame.part.first + group.x * TRACE_GROUP + local;
     if index >= list.end {
         return;
     }
@@ -50,7 +50,7 @@ fn cell_differing(pixel: vec2u) -> u32 {
         let d = shown[beside.x + 4u * beside.y];
         let low = min(min(a, b), min(c, d));
         let high = max(max(a, b), max(c, d));
-        differing |= select(0u, 1u << i, contrast_exceeds(low, high, CELL_CONTRAST * frame.tau_least));
+        differing |= select(0u, 1u << i, contrast_exceeds(low, high, CELL_CONTRAST * frame.tolerances.tau_least));
     }
     return differing;
 }
@@ -59,7 +59,7 @@ fn cell_differing(pixel: vec2u) -> u32 {
 fn cell_shown(pixel: vec2u, i: u32) -> vec3f {
     let at = clamp(2 * vec2i(pixel) + vec2i(i32(i % 4u), i32(i / 4u)) - 1, vec2i(0), 2 * vec2i(frame.size) - 1);
     let owner = vec2u(at) / 2u;
-    let stored = owner.y >= frame.row && owner.y < frame.end;
+    let stored = owner.y >= frame.part.row && owner.y < frame.part.end;
     if !stored || (refine_known(owner) & REFINE_TRACED) == 0u {
         return contrast_shown(edges_color(edges_inside(vec2i(owner))));
     }

@@ -8,7 +8,7 @@ fn main(
 ) {
     let at = 8u * order_tile(group, groups, ORDER_SINGLY) + frame_tile(local);
     let pixel = vec2u(2u * at.x + (at.y & 1u), at.y);
-    if pixel.x >= frame.size.x || pixel.y >= frame.end {
+    if pixel.x >= frame.size.x || pixel.y >= frame.part.end {
         return;
     }
     let traced = sample_trace(pixel);

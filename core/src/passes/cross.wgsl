@@ -3,7 +3,7 @@
 
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let pixel = 16u * (group.xy + vec2u(0u, frame.first)) + frame_tile(local);
+    let pixel = 16u * (group.xy + vec2u(0u, frame.part.first)) + frame_tile(local);
     if any(pixel >= frame.size) {
         return;
     }

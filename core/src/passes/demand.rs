@@ -4,10 +4,13 @@ use std::ops::{Add, AddAssign};
 
 use serde::{Deserialize, Serialize};
 
-use super::{Stage, Variant, operations::count};
+use super::{FrameSpec, Recipe, operations::count, recipe::Loops};
 use crate::{
-    GpuScene, Method, Result, Settings,
-    gpu::shader::{Linked, link},
+    GpuScene, Result, Settings,
+    gpu::{
+        Tier,
+        shader::{Linked, link},
+    },
 };
 
 /// What some work asks of a device.
@@ -89,29 +92,20 @@ impl Demands {
     /// [`crate::Error::Shader`] where a kernel does not link.
     pub fn of(scene: &GpuScene, settings: &Settings) -> Result<Self> {
         // As a GPU has them.
-        let variant = Variant { on_cpu: false, ..Variant::new(scene, settings) };
-        Self::of_variant(&variant, settings.method)
+        let spec = FrameSpec { tier: Tier::Gpu, ..FrameSpec::new(scene, settings) };
+        Self::of_spec(&spec)
     }
 
-    fn of_variant(variant: &Variant, method: Method) -> Result<Self> {
-        let traced = match method {
-            Method::Full => Stage::Full,
-            Method::Adaptive => Stage::TraceA1,
-            Method::Checkerboard => Stage::Checkerboard,
-            Method::Supersample => Stage::Presample,
-            Method::Quincunx => Stage::QuincunxBase,
-            Method::Frameless => Stage::Frameless,
-            Method::Reproject => Stage::Renew,
-            Method::Path | Method::Vr => Stage::Path,
-        };
-        let kernel = link(&variant.sources(traced))?;
+    fn of_spec(spec: &FrameSpec) -> Result<Self> {
+        let recipe = Recipe::of(spec.settings.method);
+        let kernel = link(&spec.sources(recipe.traced))?;
         let of = |function, apart: &[&str]| count(&kernel, function, apart).unwrap_or_default();
         let tree = [RARE.as_slice(), &AVERAGES, &[TRAVERSAL]].concat();
         let [sample, followed, light] = of(None, &[tree.as_slice(), &[SHADOWS]].concat());
         // Its own loop is over lights.
         let [surface, shadow, _] = of(Some(SHADOWS), &tree);
         let [ray, node_visit, primitive_test] = of(Some(TRAVERSAL), &RARE);
-        let (interpolated, interpolated_light) = between(variant, method)?;
+        let (interpolated, interpolated_light) = between(spec, recipe)?;
         Ok(Self {
             sample,
             followed_ray: followed + surface + average(&kernel),
@@ -133,45 +127,29 @@ fn average(kernel: &Linked) -> Demand {
 }
 
 /// What is not traced: at each sample, and there for each light.
-fn between(variant: &Variant, method: Method) -> Result<(Demand, Demand)> {
-    let of = |stage| {
-        let kernel = link(&variant.sources(stage))?;
-        let [once, neighbour, deeper] = count(&kernel, None, &AVERAGES).unwrap_or_default();
-        Ok::<_, crate::Error>([once + average(&kernel), neighbour, deeper])
-    };
-    Ok(match method {
-        Method::Full
-        | Method::Supersample
-        | Method::Quincunx
-        | Method::Frameless
-        | Method::Path
-        | Method::Vr => Default::default(),
-        Method::Adaptive => {
-            let [once, light, deeper] = of(Stage::SimilarityA1)?;
-            (once, light + deeper)
+fn between(spec: &FrameSpec, recipe: &Recipe) -> Result<(Demand, Demand)> {
+    let (mut sample, mut light) = (Demand::default(), Demand::default());
+    for (stage, loops) in recipe.interpolated {
+        let kernel = link(&spec.sources(stage))?;
+        let [once, inner, deeper] = count(&kernel, None, &AVERAGES).unwrap_or_default();
+        sample += once + average(&kernel);
+        match loops {
+            Loops::OverLights => light += inner + deeper,
+            Loops::Repeated(turns) => sample += inner.times(*turns),
         }
-        Method::Checkerboard => {
-            let [once, neighbour, _] = of(Stage::Fill)?;
-            (once + neighbour.times(4.0), Demand::default())
-        }
-        Method::Reproject => {
-            let [reused, side, _] = of(Stage::Reuse)?;
-            let [moved, ..] = of(Stage::ReprojectDepth)?;
-            let [found, ..] = of(Stage::ReprojectSource)?;
-            (reused + side.times(4.0) + moved + found, Demand::default())
-        }
-    })
+    }
+    Ok((sample, light))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Linking, scene::builtin};
+    use crate::{Linking, Method, scene::builtin};
 
     fn demands(scene: &str, method: Method) -> Demands {
         let settings = Settings { method, features: Linking::Auto, ..Settings::default() };
-        let variant = Variant::of_scene(&builtin(scene).expect(scene), &settings);
-        Demands::of_variant(&variant, method).expect("links")
+        let spec = FrameSpec::of_scene(&builtin(scene).expect(scene), &settings);
+        Demands::of_spec(&spec).expect("links")
     }
 
     /// The node of Ylitie 2017 has 80 bytes, a triangle of this crate 36: what the code reads of them is the check that the
@@ -209,7 +187,7 @@ mod tests {
     }
 
     fn adaptive_planes() -> usize {
-        Variant::of_scene(&builtin("room").expect("room"), &Settings::default()).planes().len()
+        FrameSpec::of_scene(&builtin("room").expect("room"), &Settings::default()).planes().len()
     }
 
     #[test]
@@ -223,9 +201,11 @@ mod tests {
     #[test]
     fn rare_functions_are_there() {
         let settings = Settings { method: Method::Full, ..Settings::default() };
-        let kernel =
-            link(&Variant::of_scene(&builtin("room").expect("room"), &settings).sources(Stage::Full))
-                .expect("links");
+        let kernel = link(
+            &FrameSpec::of_scene(&builtin("room").expect("room"), &settings)
+                .sources(&super::super::full::FULL),
+        )
+        .expect("links");
         for name in RARE.into_iter().chain(AVERAGES).chain([TRAVERSAL, SHADOWS]) {
             assert!(count(&kernel, Some(name), &[]).is_some(), "{name}");
         }

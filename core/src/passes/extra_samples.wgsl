@@ -6,7 +6,7 @@ var<workgroup> extra_colors: array<vec3f, TRACE_GROUP>;
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let index = (frame.first + group.x * TRACE_GROUP + local) / ACTIVE_SAMPLES;
+    let index = (frame.part.first + group.x * TRACE_GROUP + local) / ACTIVE_SAMPLES;
     var entry = ACTIVE_NONE;
     if index < list.end {
         entry = list.pixels[index];

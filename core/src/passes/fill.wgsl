@@ -2,8 +2,8 @@
 
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let pixel = 16u * (group.xy + vec2u(0u, frame.first)) + frame_tile(local);
-    if pixel.x >= frame.size.x || pixel.y >= frame.end {
+    let pixel = 16u * (group.xy + vec2u(0u, frame.part.first)) + frame_tile(local);
+    if pixel.x >= frame.size.x || pixel.y >= frame.part.end {
         return;
     }
     if ((pixel.x + pixel.y) & 1u) == 0u {

@@ -8,7 +8,7 @@ fn main(
 ) {
     let at = order_tile(group, groups, ORDER_SINGLY);
     let index = at.x * TRACE_GROUP + local;
-    let tile = frame.first + index / frame.renewed;
+    let tile = frame.part.first + index / frame.renewed;
     let across = (frame.size.x + RANK_TILE - 1u) / RANK_TILE;
     let corner = RANK_TILE * vec2u(tile % across, tile / across);
     let rank = frame.renewed_from + index % frame.renewed;

@@ -2,11 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use super::{Stage, Variant};
+use super::{FrameSpec, stages};
 use crate::{
-    Linking, Method, Postcorrect, Result, Scene, Settings,
-    gpu::shader::link,
-    plan::{Plan, Shape},
+    Linking, Postcorrect, Result, Scene, Settings, gpu::shader::link, gpu_scene::SceneFacts, plan::Plan,
     scene::Thinness,
 };
 
@@ -36,28 +34,17 @@ impl Linked {
         let everything = linking == Linking::All;
         let corrects = everything || thinness.is_thin(SIZE[1], settings.block);
         let postcorrect = if corrects { Postcorrect::On } else { Postcorrect::Off };
-        let variant = Variant::of_scene(scene, &Settings { postcorrect, ..settings });
+        let spec = FrameSpec::of_scene(scene, &Settings { postcorrect, ..settings });
+        let landmarks = spec.scene.landmarks.max(u32::from(everything));
+        let spec = FrameSpec { scene: SceneFacts { landmarks, ..spec.scene }, ..spec };
         let mut linked = Self {
             files: BTreeSet::new(),
             bindings: BTreeSet::new(),
-            attribute_bytes: size_of::<u32>() * variant.planes().len(),
+            attribute_bytes: size_of::<u32>() * spec.planes().len(),
         };
-        let shape = Shape {
-            grid: SIZE,
-            sampling: settings.sampling,
-            block: settings.block,
-            band: SIZE[1],
-            postcorrect,
-            supersamples: false,
-            refines: false,
-            filter: settings.filter,
-            denoise: settings.paths.denoise,
-            landmarks: thinness.landmarks().len().max(usize::from(everything)) as u32,
-            crosses: false,
-        };
-        let passes = Plan::new(Method::Adaptive, &shape).passes();
-        for stage in Stage::ALL.into_iter().filter(|stage| passes.contains(stage)) {
-            let sources = variant.sources(stage);
+        let passes = Plan::new(&spec, SIZE, SIZE[1]).passes();
+        for stage in stages().filter(|stage| passes.contains(stage)) {
+            let sources = spec.sources(stage);
             let kernel = link(&sources)?;
             linked.bindings.extend(kernel.used_resources().map(|(name, ..)| name.to_owned()));
             linked.files.extend(sources.iter().map(|source| source.file));

@@ -26,10 +26,10 @@ fn look_send(place: u32, crossing: Crossing) {
     let radiance = samples_radiance(samples[place].crossing);
     let sum = crossing.own * radiance;
     let before = samples_radiance(samples[place].sum);
-    samples[place].sum = samples_words(select(sum, sum + before, frame.sample > 0u));
+    samples[place].sum = samples_words(select(sum, sum + before, frame.paths.sample > 0u));
     samples[place].crossing = samples_words(crossing.other * radiance);
     if CROSSING_COUNTS {
-        samples[place].second = select(1u, samples[place].second + 1u, frame.sample > 0u);
+        samples[place].second = select(1u, samples[place].second + 1u, frame.paths.sample > 0u);
     }
     if crossing.landing != 0u {
         samples[place].next = atomicExchange(&samples[crossing.landing - 1u].landed, place + 1u);

@@ -8,7 +8,7 @@ const NOWHERE: u32 = 0xffffffffu;
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let index = list.begin + frame.first + group.x * TRACE_GROUP + local;
+    let index = list.begin + frame.part.first + group.x * TRACE_GROUP + local;
     if index >= list.end {
         return;
     }
@@ -18,7 +18,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     var heading = vec2u(0u);
     // All threads together trace no more than a round may.
     let share = ROUND_SAMPLES / (list.end - list.begin);
-    for (var steps = clamp(share, 1u, frame.walk); steps > 0u && entry != NOWHERE; steps -= 1u) {
+    for (var steps = clamp(share, 1u, frame.part.walk); steps > 0u && entry != NOWHERE; steps -= 1u) {
         let pixel = list_pixel(entry);
         let traced = sample_trace(pixel);
         output(pixel, traced.color);

@@ -5,7 +5,7 @@ const NO_IDENTITY: vec2u = vec2u(0xffffffffu);
 
 // Claims a neighbour inside the band whose identity differs, so that one thread alone traces it.
 fn postcorrect_claim(pixel: vec2u, unlike: vec2u) -> bool {
-    let inside = pixel.x < frame.size.x && pixel.y >= frame.row && pixel.y < frame.end;
+    let inside = pixel.x < frame.size.x && pixel.y >= frame.part.row && pixel.y < frame.part.end;
     if !inside || !attributes_claim(pixel, unlike) {
         return false;
     }

@@ -7,8 +7,8 @@ fn main(
     @builtin(local_invocation_index) local: u32,
 ) {
     let at = 8u * order_tile(group, groups, ORDER_SINGLY) + frame_tile(local);
-    let pixel = at + vec2u(0u, frame.row);
-    if pixel.x >= frame.size.x || pixel.y >= frame.end {
+    let pixel = at + vec2u(0u, frame.part.row);
+    if pixel.x >= frame.size.x || pixel.y >= frame.part.end {
         return;
     }
     let traced = sample_trace(pixel);

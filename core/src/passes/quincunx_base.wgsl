@@ -7,9 +7,9 @@ fn main(
     @builtin(local_invocation_index) local: u32,
 ) {
     let at = 8u * order_tile(group, groups, ORDER_SINGLY) + frame_tile(local);
-    let pixel = vec2u(at.x / 2u, at.y + frame.row);
+    let pixel = vec2u(at.x / 2u, at.y + frame.part.row);
     let centred = at.x % 2u == 1u;
-    let beyond = vec2u(frame.size.x, frame.end) + select(1u, 0u, centred);
+    let beyond = vec2u(frame.size.x, frame.part.end) + select(1u, 0u, centred);
     if any(pixel >= beyond) {
         return;
     }

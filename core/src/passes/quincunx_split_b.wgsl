@@ -2,8 +2,8 @@
 
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let at = 16u * (group.xy + vec2u(0u, frame.first)) + frame_tile(local);
-    if any(at >= 4u * vec2u(frame.size.x, frame.end - frame.row)) {
+    let at = 16u * (group.xy + vec2u(0u, frame.part.first)) + frame_tile(local);
+    if any(at >= 4u * vec2u(frame.size.x, frame.part.end - frame.part.row)) {
         return;
     }
     let pixel = at / 4u;

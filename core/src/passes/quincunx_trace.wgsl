@@ -4,7 +4,7 @@ var<storage, read> list: List;
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let index = list.begin + frame.first + group.x * TRACE_GROUP + local;
+    let index = list.begin + frame.part.first + group.x * TRACE_GROUP + local;
     if index >= list.end {
         return;
     }

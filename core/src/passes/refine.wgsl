@@ -32,7 +32,7 @@ fn refine_spread(pixel: vec2u, part: u32, local: u32) {
         // The fifth is the pixel itself.
         let index = select(i, i + 1u, i >= 4u);
         let beside = vec2i(pixel) + vec2i(i32(index % 3u), i32(index / 3u)) - 1;
-        let inside = beside.x >= 0 && beside.y >= i32(frame.row) && beside.x < i32(frame.size.x) && beside.y < i32(frame.end);
+        let inside = beside.x >= 0 && beside.y >= i32(frame.part.row) && beside.x < i32(frame.size.x) && beside.y < i32(frame.part.end);
         if !inside || refine_known(vec2u(beside)) != 0u || !refine_surprises(vec2u(beside), shown) {
             continue;
         }
@@ -47,7 +47,7 @@ fn refine_surprises(neighbour: vec2u, shown: array<vec3f, 4>) -> bool {
     let range = edges_range(neighbour);
     for (var i = 0u; i < REFINE_STEP; i += 1u) {
         let nearest = clamp(shown[i], range.low, range.high);
-        if contrast_exceeds(min(shown[i], nearest), max(shown[i], nearest), frame.tau_least) {
+        if contrast_exceeds(min(shown[i], nearest), max(shown[i], nearest), frame.tolerances.tau_least) {
             return true;
         }
     }

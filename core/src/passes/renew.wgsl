@@ -9,7 +9,7 @@ const RENEW_BEYOND: f32 = 1.0e30;
 // behind everything is a point far away, unless rays are parallel: there it would be one for all of them.
 fn renew_point(pixel: vec2u, traced: Sample) -> vec3f {
     let hit = traced.attributes.object != 0u;
-    if traced.bounced || !(hit || frame.orthographic == 0.0) {
+    if traced.bounced || !(hit || frame.camera.orthographic == 0.0) {
         return vec3f(FAR);
     }
     let ray = frame_ray(pixel);
@@ -18,7 +18,7 @@ fn renew_point(pixel: vec2u, traced: Sample) -> vec3f {
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let index = list.begin + frame.first + group.x * TRACE_GROUP + local;
+    let index = list.begin + frame.part.first + group.x * TRACE_GROUP + local;
     if index >= list.end {
         return;
     }

@@ -7,9 +7,9 @@ fn main(
     @builtin(local_invocation_index) local: u32,
 ) {
     let at = 16u * order_tile(group, groups, ORDER_RUNS) + frame_tile(local);
-    let reach = vec2u(frame.stride / 2u, 0u);
-    let pixel = frame.stride * at + vec2u(0u, frame.row) + reach;
-    if pixel.x >= frame.size.x || pixel.y >= frame.end {
+    let reach = vec2u(frame.part.stride / 2u, 0u);
+    let pixel = frame.part.stride * at + vec2u(0u, frame.part.row) + reach;
+    if pixel.x >= frame.size.x || pixel.y >= frame.part.end {
         return;
     }
     similarity_step(pixel, pixel - reach, pixel + reach);

@@ -7,9 +7,9 @@ fn main(
     @builtin(local_invocation_index) local: u32,
 ) {
     let at = 16u * order_tile(group, groups, ORDER_RUNS) + frame_tile(local);
-    let reach = vec2u(0u, frame.stride / 2u);
-    let pixel = vec2u(reach.y, frame.stride) * at + vec2u(0u, frame.row);
-    if pixel.x >= frame.size.x || pixel.y >= frame.end {
+    let reach = vec2u(0u, frame.part.stride / 2u);
+    let pixel = vec2u(reach.y, frame.part.stride) * at + vec2u(0u, frame.part.row);
+    if pixel.x >= frame.size.x || pixel.y >= frame.part.end {
         return;
     }
     similarity_step(pixel, pixel - reach, pixel + reach);

@@ -13,9 +13,9 @@ fn main(
     @builtin(local_invocation_index) local: u32,
 ) {
     let at = 8u * order_tile(group, groups, ORDER_RUNS) + frame_tile(local);
-    let pixel = at + vec2u(0u, frame.row);
+    let pixel = at + vec2u(0u, frame.part.row);
     var mask = 0u;
-    if pixel.x < frame.size.x && pixel.y < frame.end {
+    if pixel.x < frame.size.x && pixel.y < frame.part.end {
         let test = quarters_test(pixel);
         mask = test.quarters;
         inactive_output(pixel, mask);

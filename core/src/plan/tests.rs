@@ -1,4 +1,9 @@
 use super::*;
+use crate::{
+    Denoise, Method, Paths, Postcorrect, Refine, Scene, Settings,
+    gpu_scene::SceneFacts,
+    passes::{PATH_TILE, TRACED_TILE, Work, adaptive, frameless, full, path, postcorrect},
+};
 
 const SIZES: [[u32; 2]; 10] = [
     [1, 1],
@@ -13,26 +18,46 @@ const SIZES: [[u32; 2]; 10] = [
     [32_768, 8],
 ];
 
+/// A frame to plan.
+#[derive(Clone, Copy, Debug)]
+struct Shape {
+    grid: [u32; 2],
+    band: u32,
+    landmarks: u32,
+    settings: Settings,
+}
+
+impl Shape {
+    fn plan(&self, method: Method) -> Plan {
+        let settings = Settings { method, ..self.settings };
+        let spec = FrameSpec::of_scene(&Scene::default(), &settings);
+        let facts = SceneFacts { landmarks: self.landmarks, ..spec.scene };
+        Plan::new(&FrameSpec { scene: facts, ..spec }, self.grid, self.band)
+    }
+
+    fn with(self, settings: Settings) -> Self {
+        Self { settings, ..self }
+    }
+}
+
 /// Frames of all sizes and blocks, in one band and in as many as there can be.
 fn shapes() -> impl Iterator<Item = Shape> {
     let of_size = |grid| {
         [(2, 1, u32::MAX), (2, 1, 16), (4, 1, 48), (8, 1, 16), (8, 2, 1024), (2, 4, 64), (4, 3, 48)].map(
             |(block, sampling, band)| Shape {
-                supersamples: false,
-                refines: false,
-                filter: Filter::Box,
-                denoise: Denoise::Off,
                 grid: grid_of(grid, sampling),
-                sampling,
-                block,
                 band,
-                postcorrect: match block {
-                    2 => Postcorrect::On,
-                    4 => Postcorrect::Off,
-                    _ => Postcorrect::Scans,
-                },
                 landmarks: 2000,
-                crosses: true,
+                settings: Settings {
+                    sampling,
+                    block,
+                    postcorrect: match block {
+                        2 => Postcorrect::On,
+                        4 => Postcorrect::Off,
+                        _ => Postcorrect::Scans,
+                    },
+                    ..Settings::default()
+                },
             },
         )
     };
@@ -44,24 +69,31 @@ fn grid_of(size: [u32; 2], sampling: u32) -> [u32; 2] {
 }
 
 fn plans() -> impl Iterator<Item = (Shape, Plan)> {
-    let whole = |s: &Shape| Shape { sampling: 1, band: u32::MAX, ..*s };
+    let whole = |s: &Shape| Shape { band: u32::MAX, ..*s }.with(Settings { sampling: 1, ..s.settings });
     shapes().flat_map(move |s| {
         let of_one_sample = [Method::Checkerboard, Method::Frameless, Method::Reproject]
-            .map(|method| (whole(&s), Plan::new(method, &whole(&s))));
+            .map(|method| (whole(&s), whole(&s).plan(method)));
         let supersampled = [false, true].map(|refines| {
-            let shape = Shape { sampling: 1, band: s.band.min(1024), supersamples: true, refines, ..s };
-            (shape, Plan::new(Method::Supersample, &shape))
+            let refine = if refines { Refine::On } else { Refine::Off };
+            let shape = Shape { band: s.band.min(1024), ..s };
+            let shape = shape.with(Settings { sampling: 1, refine, ..s.settings });
+            (shape, shape.plan(Method::Supersample))
         });
         let paths = Denoise::ALL.map(|denoise| {
-            let shape = Shape { denoise, ..whole(&s) };
-            (shape, Plan::new(Method::Path, &shape))
+            let shape = denoised(whole(&s), denoise);
+            (shape, shape.plan(Method::Vr))
         });
-        [(s, Plan::new(Method::Full, &s)), (s, Plan::new(Method::Adaptive, &s))]
+        [(s, s.plan(Method::Full)), (s, s.plan(Method::Adaptive))]
             .into_iter()
             .chain(paths)
             .chain(of_one_sample)
             .chain(supersampled)
     })
+}
+
+fn denoised(shape: Shape, denoise: Denoise) -> Shape {
+    let paths = Paths { denoise, ..shape.settings.paths };
+    shape.with(Settings { paths, ..shape.settings })
 }
 
 #[test]
@@ -74,8 +106,9 @@ fn no_submission_exceeds_the_bound_and_no_part_is_lost() {
             let samples: u32 = parts.iter().map(|(_, part)| part.samples).sum();
             // A row of workgroups is not divided, and neither is a workgroup of scans.
             let [width, height] = shape.grid;
-            let scans = if shape.postcorrect == Postcorrect::Scans { 64 * width.max(height) } else { 0 };
-            let paths = parts.iter().any(|(_, part)| part.stage == Stage::Path);
+            let scans =
+                if shape.settings.postcorrect == Postcorrect::Scans { 64 * width.max(height) } else { 0 };
+            let paths = parts.iter().any(|(_, part)| *part.stage == path::PATH);
             let tile = if paths { PATH_TILE } else { TRACED_TILE };
             let bound = SAMPLES_PER_SUBMISSION.max(tile * width.next_multiple_of(tile)).max(scans);
             assert!(samples <= bound, "{shape:?}: {samples} in {parts:?}");
@@ -93,7 +126,9 @@ fn every_pass_is_covered_once() {
                 assert_eq!(part.first, next, "{shape:?} {part:?}");
                 assert_eq!(part.bounds, [i == 0, i + 1 == parts.len()], "{shape:?} {part:?}");
                 next += match part.extent {
-                    Extent::Groups([groups, 1]) if part.stage == Stage::PostcorrectScan => 64 * groups,
+                    Extent::Groups([groups, 1]) if *part.stage == postcorrect::POSTCORRECT_SCAN => {
+                        64 * groups
+                    }
                     Extent::Groups([_, rows]) => rows,
                     Extent::Renewed(tiles) => tiles,
                     Extent::Chunk(chunk) => {
@@ -107,9 +142,24 @@ fn every_pass_is_covered_once() {
     }
 }
 
+#[test]
+fn dispatches_have_the_shape_that_their_stage_says() {
+    for (shape, plan) in plans() {
+        for part in &plan.parts {
+            let fits = match part.stage.work {
+                Work::Tiles(_) | Work::Fixed => matches!(part.extent, Extent::Groups(_)),
+                Work::Lines => matches!(part.extent, Extent::Groups([_, 1])) && part.step != [0, 0],
+                Work::List => matches!(part.extent, Extent::Chunk(_)),
+                Work::Ranks => matches!(part.extent, Extent::Renewed(_)),
+            };
+            assert!(fits, "{shape:?} {part:?}");
+        }
+    }
+}
+
 /// The rows that a stage of a plan treats, in order; for the adaptive steps those of references at one distance.
-fn rows_of(plan: &Plan, stage: Stage, stride: u32) -> Vec<u32> {
-    let parts = plan.parts.iter().filter(|part| part.stage == stage && part.bounds[0]);
+fn rows_of(plan: &Plan, stage: &Stage, stride: u32) -> Vec<u32> {
+    let parts = plan.parts.iter().filter(|part| *part.stage == *stage && part.bounds[0]);
     let rows = parts.map(|part| part.rows).filter(|rows| rows.stride == stride);
     rows.flat_map(|rows| (rows.row..rows.end).step_by(rows.stride as usize)).collect()
 }
@@ -119,23 +169,27 @@ fn every_row_is_made_once_and_stored_once_at_a_time() {
     for shape in shapes() {
         let [_, height] = shape.grid;
         let every = |from: u32, stride: u32| (from..height).step_by(stride as usize).collect::<Vec<_>>();
-        let full = Plan::new(Method::Full, &shape);
-        assert_eq!(rows_of(&full, Stage::Full, 1), every(0, 1), "{shape:?}");
-        let adaptive = Plan::new(Method::Adaptive, &shape);
-        assert_eq!(rows_of(&adaptive, Stage::Base, shape.block), every(0, shape.block), "{shape:?}");
-        for stride in [8, 4, 2].into_iter().filter(|stride| *stride <= shape.block) {
-            assert_eq!(rows_of(&adaptive, Stage::SimilarityA1, stride), every(0, stride), "{shape:?}");
+        let full = shape.plan(Method::Full);
+        assert_eq!(rows_of(&full, &full::FULL, 1), every(0, 1), "{shape:?}");
+        let adaptive = shape.plan(Method::Adaptive);
+        assert_eq!(
+            rows_of(&adaptive, &adaptive::BASE, shape.settings.block),
+            every(0, shape.settings.block),
+            "{shape:?}"
+        );
+        for stride in [8, 4, 2].into_iter().filter(|stride| *stride <= shape.settings.block) {
+            assert_eq!(rows_of(&adaptive, &adaptive::SIMILARITY_A1, stride), every(0, stride), "{shape:?}");
             assert_eq!(
-                rows_of(&adaptive, Stage::SimilarityA2, stride),
+                rows_of(&adaptive, &adaptive::SIMILARITY_A2, stride),
                 every(stride / 2, stride),
                 "{shape:?}"
             );
         }
         for plan in [full, adaptive] {
-            let pixels: Vec<_> = (0..height / shape.sampling).collect();
-            let resolved = if shape.sampling > 1 { pixels } else { vec![] };
-            assert_eq!(rows_of(&plan, Stage::Resolve, 1), resolved, "{shape:?}");
-            for part in plan.parts.iter().filter(|part| part.stage != Stage::Resolve) {
+            let pixels: Vec<_> = (0..height / shape.settings.sampling).collect();
+            let resolved = if shape.settings.sampling > 1 { pixels } else { vec![] };
+            assert_eq!(rows_of(&plan, &full::RESOLVE, 1), resolved, "{shape:?}");
+            for part in plan.parts.iter().filter(|part| *part.stage != full::RESOLVE) {
                 let (Rows { row, end, turn, .. }, rows) = (part.rows, plan.stored_rows);
                 let folded = |y: u32| y.abs_diff(turn);
                 assert!(row >= end || folded(row).max(folded(end - 1)) < rows, "{shape:?} {part:?}");
@@ -148,8 +202,8 @@ fn every_row_is_made_once_and_stored_once_at_a_time() {
 #[test]
 fn levels_of_a_filter_take_turns() {
     for shape in shapes() {
-        let shape = Shape { denoise: Denoise::Atrous, crosses: false, sampling: 1, band: u32::MAX, ..shape };
-        let plan = Plan::new(Method::Path, &shape);
+        let shape = denoised(Shape { band: u32::MAX, ..shape }, Denoise::Atrous);
+        let plan = shape.with(Settings { sampling: 1, ..shape.settings }).plan(Method::Path);
         let passes: Vec<_> = plan.parts.iter().filter(|part| part.bounds[0]).collect();
         let steps: Vec<_> = passes.iter().map(|part| part.step[0]).collect();
         assert_eq!(steps, [0, 0, 1, 2, 4, 8], "{shape:?}");
@@ -165,7 +219,7 @@ fn every_tile_is_renewed_once() {
     for (shape, plan) in plans() {
         let tiles = shape.grid.map(|side| u64::from(side.div_ceil(16))).iter().product::<u64>();
         let mut renewed = 0;
-        for part in plan.parts.iter().filter(|part| part.stage == Stage::Frameless) {
+        for part in plan.parts.iter().filter(|part| *part.stage == frameless::FRAMELESS) {
             let Extent::Renewed(count) = part.extent else { panic!("{part:?}") };
             let last = part.bounds[1];
             assert!(last || (1..=256).all(|share| count * share % TRACE_GROUP == 0), "{shape:?} {part:?}");
@@ -214,20 +268,9 @@ fn small_frames_are_one_submission_of_one_dispatch_a_stage() {
         (Method::Frameless, 1),
         (Method::Reproject, 5),
     ] {
-        let shape = Shape {
-            supersamples: false,
-            refines: false,
-            filter: Filter::Box,
-            denoise: Denoise::Off,
-            grid: [450, 450],
-            sampling: 1,
-            block: 2,
-            band: 1024,
-            postcorrect: Postcorrect::Off,
-            landmarks: 0,
-            crosses: true,
-        };
-        let submissions = Plan::new(method, &shape).submissions();
+        let settings = Settings { postcorrect: Postcorrect::Off, ..Settings::default() };
+        let shape = Shape { grid: [450, 450], band: 1024, landmarks: 0, settings };
+        let submissions = shape.plan(method).submissions();
         assert_eq!(submissions.iter().map(Vec::len).collect::<Vec<_>>(), [stages], "{method:?}");
     }
 }

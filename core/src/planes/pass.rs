@@ -4,7 +4,7 @@ use crate::{
     Gpu, Result,
     frame::Frame,
     gpu::{Bound, Kernels},
-    passes::{Output, Stage, Variant},
+    passes::{FrameSpec, Output, path},
     targets::Targets,
 };
 
@@ -28,18 +28,18 @@ impl MergePass {
     pub fn new(
         gpu: &Gpu,
         targets: &Targets,
-        variant: &Variant,
+        spec: &FrameSpec,
         kernels: &mut Kernels,
         color: &wgpu::Texture,
     ) -> Result<Self> {
-        let stage = Stage::MergePlanes;
+        let stage = &path::MERGE_PLANES;
         let frame = gpu.buffer("frame", size_of::<Frame>() as u64, wgpu::BufferUsages::UNIFORM)?;
         let [width, height] = targets.size.map(u64::from);
         let planes =
             gpu.buffer("planes", width * height * size_of::<[f32; 3]>() as u64, wgpu::BufferUsages::STORAGE)?;
         let view = color.create_view(&wgpu::TextureViewDescriptor::default());
-        let output = if variant.output == Output::Linear { "linear" } else { "display" };
-        let bound = kernels.get(gpu, stage.name(), variant.sources(stage))?.bind(
+        let output = if spec.output == Output::Linear { "linear" } else { "display" };
+        let bound = kernels.get(gpu, stage.name, spec.sources(stage))?.bind(
             &gpu.device,
             &[
                 ("frame", frame.as_entire_binding()),

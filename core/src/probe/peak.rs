@@ -3,7 +3,7 @@
 use crate::{
     Gpu, Result,
     gpu::{Kernel, Timer, shader::Source},
-    passes::{TRACE_GROUP, wgsl},
+    passes::{TRACE_GROUP, Tracing, wgsl},
 };
 
 /// Turns of the kernel's loop, and operations of a turn: eight multiply-adds of four numbers each.
@@ -24,7 +24,7 @@ pub fn peak_gflops(gpu: &Gpu) -> Result<Option<f64>> {
     let results = gpu.buffer("results", 4 * u64::from(THREADS), wgpu::BufferUsages::STORAGE)?;
     let kernel = Kernel::new(gpu, "probe_arithmetic", &sources)?;
     let bound = kernel.bind(&gpu.device, &[("results", results.as_entire_binding())])?;
-    let timer = Timer::new(gpu, &["probe_arithmetic"])?;
+    let timer = Timer::new(gpu, vec![("probe_arithmetic", Tracing::No)])?;
     let mut times = Vec::with_capacity(1 + RUNS);
     for _ in 0..=RUNS {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());

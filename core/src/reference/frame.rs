@@ -24,7 +24,7 @@ pub struct Frame<'a> {
 pub struct Pixel {
     /// The step of the method that produced the pixel.
     pub origin: Origin,
-    /// The checks that fail between its two references, as bits in the order of [`crate::CHECK_NAMES`].
+    /// The checks that fail between its two references, as their [bits](crate::Check::bit).
     pub failed: u32,
     /// Attributes of the first hit, not yet quantised for storage.
     pub attributes: Attributes,

@@ -6,7 +6,10 @@ use super::{
     Frame, Rounding,
     contrast::{contrasts, exceeds, shown},
 };
-use crate::{Jitter, passes::CELL_CONTRAST, plan::REFINE_ROUNDS};
+use crate::{
+    Jitter,
+    passes::{CELL_CONTRAST, refine::REFINE_ROUNDS},
+};
 
 /// The first four of the sixteen samples, as bits.
 const FIRST: u32 = 0b1111;

@@ -3,7 +3,7 @@
 use super::Renderer;
 use crate::{
     Camera, Denoise, Error, LinearImage, Result,
-    passes::{Output, Variant},
+    passes::{FrameSpec, Output},
     planes::{Merge, MergePass, View},
     targets::texture,
 };
@@ -56,7 +56,7 @@ impl Renderer {
     }
 
     fn merge_pass(&mut self, output: Output, color: &wgpu::Texture) -> Result<MergePass> {
-        let variant = Variant { output, ..Variant::new(&self.scene, &self.settings) };
-        MergePass::new(&self.gpu, &self.targets, &variant, &mut self.kernels, color)
+        let spec = FrameSpec { output, ..FrameSpec::new(&self.scene, &self.settings) };
+        MergePass::new(&self.gpu, &self.targets, &spec, &mut self.kernels, color)
     }
 }

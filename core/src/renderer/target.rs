@@ -1,7 +1,7 @@
 //! Frames in a texture of the caller's.
 
 use super::Renderer;
-use crate::{Error, Result, passes::Variant};
+use crate::{Error, Result, passes::FrameSpec};
 
 impl Renderer {
     /// Frames go into this texture of the caller's from here on, which [`Renderer::display`] then gives, instead of one of the
@@ -16,8 +16,8 @@ impl Renderer {
     /// [`Error::Setting`] says what of the texture is not so; a device that failed. Frames then go where they went before.
     pub fn set_target(&mut self, target: &wgpu::Texture) -> Result<()> {
         check(target, self.targets.size)?;
-        let variant = Variant::new(&self.scene, &self.settings);
-        self.passes = self.link(&variant, target, None)?;
+        let spec = FrameSpec::new(&self.scene, &self.settings);
+        self.passes = self.link(&spec, target, None)?;
         self.targets.display = target.clone();
         self.has_target = true;
         self.forget_linked();

@@ -41,13 +41,13 @@ fn atrous_pixel(pixel: vec2u, words: vec4u) -> AtrousPixel {
     let above = eyes_ray(pixel, vec2f(0.5, 0.0));
     let width = ATROUS_PLANE / FRAME_SHARE * (ray.cone.x + ray.cone.y * depth);
     let scaled = normal / width;
-    let step = 2.0 * f32(frame.step.x);
+    let step = 2.0 * f32(frame.part.step.x);
     var p: AtrousPixel;
     p.words = words;
     p.normal = normal;
     p.albedo = atrous_albedo(words.x);
     p.sum = bitcast<f32>(words.z);
-    p.narrow = f32(frame.sample + 1u + frame.merged) * f32(frame.step.x * frame.step.x) / (ATROUS_LIGHT * ATROUS_LIGHT);
+    p.narrow = f32(frame.paths.sample + 1u + frame.paths.merged) * f32(frame.part.step.x * frame.part.step.x) / (ATROUS_LIGHT * ATROUS_LIGHT);
     if (words.x & FILTERED_MIRRORED) != 0u {
         let along = 1.0 / (ATROUS_DEPTH * depth);
         p.plane_own = vec2f(-depth * along, along);

@@ -28,7 +28,7 @@ fn crossing_find(look: ptr<function, Look>, s: Surface, lobes: Lobes) {
     var end = eyes_origin(to);
     if lobes.chances.y > 0.0 {
         let direction = reflect(normalize((*look).ray.direction), s.normal);
-        let distance = dot(frame.forward, end + frame.forward - s.position) / dot(frame.forward, direction);
+        let distance = dot(frame.camera.forward, end + frame.camera.forward - s.position) / dot(frame.camera.forward, direction);
         if !(distance > 0.0 && distance < FAR) {
             return;
         }

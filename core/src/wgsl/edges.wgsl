@@ -73,6 +73,6 @@ fn edges_neighbour(pixel: vec2u, index: u32) -> vec2u {
 
 // The nearest pixel of which is known what is compared.
 fn edges_inside(pixel: vec2i) -> vec2u {
-    let low = vec2i(0, i32(max(frame.row, EDGES_APRON) - EDGES_APRON));
+    let low = vec2i(0, i32(max(frame.part.row, EDGES_APRON) - EDGES_APRON));
     return vec2u(clamp(pixel, low, vec2i(frame.size) - 1));
 }

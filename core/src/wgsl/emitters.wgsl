@@ -11,7 +11,7 @@ const EMITTERS_REACH: f32 = 1.001;
 // cosine from so far away.
 fn emitters_density(object: u32, cosine: f32, distance: f32) -> f32 {
     let emission = object_at(object).emission;
-    return (emission.x + emission.y + emission.z) * frame.emitter_scale * distance * distance / abs(cosine);
+    return (emission.x + emission.y + emission.z) * frame.paths.emitter_scale * distance * distance / abs(cosine);
 }
 
 // What the emission counts for that a path met along a direction that was drawn with this density (0: not drawn); rays to
@@ -29,7 +29,7 @@ fn emitters_weight(density: f32, s: Surface, direction: vec3f) -> f32 {
 // The primitive that a number in [0, 1) draws: the first whose share ends behind it.
 fn emitters_draw(number: f32) -> u32 {
     var low = 0u;
-    var high = frame.emitters - 1u;
+    var high = frame.paths.emitters - 1u;
     while low < high {
         let middle = (low + high) / 2u;
         if bitcast<f32>(emitters[middle].y) <= number {

@@ -32,7 +32,7 @@ fn eyes_side(eye: u32) -> f32 {
 }
 
 fn eyes_origin(eye: u32) -> vec3f {
-    return frame.origin + (eyes_side(eye) * frame.eyes.x) * frame.right;
+    return frame.camera.origin + (eyes_side(eye) * frame.camera.eyes.x) * frame.camera.right;
 }
 
 // From the left border of an eye's picture to that of one in the middle of the frame.
@@ -44,23 +44,23 @@ fn eyes_aside() -> f32 {
 fn eyes_ray(pixel: vec2u, place: vec2f) -> Ray {
     var ray = frame_ray_at(vec2f(eyes_pixel(pixel)) + vec2f(eyes_aside(), 0.0) + place, 1.0, 1.0);
     let side = eyes_side(eyes_of(pixel));
-    ray.origin += (side * frame.eyes.x) * frame.right;
-    ray.direction -= (side * frame.eyes.y) * frame.right;
+    ray.origin += (side * frame.camera.eyes.x) * frame.camera.right;
+    ray.direction -= (side * frame.camera.eyes.y) * frame.camera.right;
     return ray;
 }
 
 // To a point, which is at 1 of the ray's parameter, and up to `t_max` of it.
 fn eyes_ray_to(eye: u32, point: vec3f, t_max: f32) -> Ray {
-    let depth = dot(point - frame.origin, frame.forward) / dot(frame.forward, frame.forward);
-    let side = frame_side(frame.inverse_height) * depth;
+    let depth = dot(point - frame.camera.origin, frame.camera.forward) / dot(frame.camera.forward, frame.camera.forward);
+    let side = frame_side(frame.camera.inverse_height) * depth;
     return Ray(eyes_origin(eye), t_max, point - eyes_origin(eye), MISS, 0.0, vec2f(0.0, side));
 }
 
 // Where the eye sees a point: the index of the pixel in the frame, row by row, + 1; 0 if it does not.
 fn eyes_find(eye: u32, point: vec3f) -> u32 {
     let side = eyes_side(eye);
-    let shift = vec2f(0.5 * side * frame.eyes.y * f32(frame.size.y) - eyes_aside(), 0.0);
-    let place = frame_place(point - (side * frame.eyes.x) * frame.right) + shift;
+    let shift = vec2f(0.5 * side * frame.camera.eyes.y * f32(frame.size.y) - eyes_aside(), 0.0);
+    let place = frame_place(point - (side * frame.camera.eyes.x) * frame.camera.right) + shift;
     let first = eye * eyes_width();
     let size = vec2f(f32(min(eyes_width(), frame.size.x - first)), f32(frame.size.y));
     if !(all(place >= vec2f(0.0)) && all(place < size)) {

@@ -1,23 +1,24 @@
 // The frame's constants and its primary rays.
 
-struct Frame {
+// Where primary rays start and where they go.
+struct FrameCamera {
     origin: vec3f,
+    // 1, or 0 of a perspective camera.
     orthographic: f32,
     right: vec3f,
-    min_weight: f32,
-    up: vec3f,
-    pos_tolerance: f32,
-    forward: vec3f,
-    norm_tolerance: f32,
-    background: vec3f,
-    tex_tolerance: f32,
-    ambient: vec3f,
-    gcol_tolerance: f32,
-    truncated: vec3f,
-    depth: u32,
-    size: vec2u,
-    // 1 / size.y, of samples
+    // 1 / size.y, of samples.
     inverse_height: f32,
+    up: vec3f,
+    padding_x: u32,
+    forward: vec3f,
+    padding_y: u32,
+    // How far the eyes are aside of the origin, and how far their pictures are shifted, in lengths of `right`.
+    eyes: vec2f,
+    padding_z: vec2u,
+}
+
+// What a dispatch treats.
+struct FramePart {
     // Where this part of the pass begins: a row of workgroups, or a place in the list.
     first: u32,
     // The samples that the pass treats: each stride-th row from `row` until before `end`.
@@ -26,39 +27,68 @@ struct Frame {
     end: u32,
     // What is stored of row y is in row |y - turn|.
     turn: u32,
-    // Where a scan goes.
-    step: vec2i,
     // The most samples that a thread of the postcorrection traces.
     walk: u32,
-    seed: u32,
+    // The direction of a scan, or the distance of the samples that a filter reads.
+    step: vec2i,
+}
+
+// How much may differ between samples that count as similar.
+struct FrameTolerances {
+    // Kim 2016, Table 1.
+    pos: f32,
+    norm: f32,
+    tex: f32,
+    gcol: f32,
     // Of objects, normals, shadow counts and textures, at the primary hit and at the secondary one (Jin 2009, Table 1).
     tau_primary: vec4f,
     tau_secondary: vec4f,
     tau_col: f32,
+    // The least of the nine thresholds.
+    tau_least: f32,
     // The objects whose differences count: OID + 1 of the first and of the last.
     focus_first: u32,
     focus_last: u32,
     // How much the ends of a quincunx may differ.
     similar: f32,
-    // The ranks that are traced anew: the first and how many.
-    renewed_from: u32,
-    renewed: u32,
-    // Not 0 where the camera is that of the frame before.
-    still: u32,
-    // The least of the nine thresholds.
-    tau_least: f32,
+    padding_x: u32,
+    padding_y: u32,
+    padding_z: u32,
+}
+
+// Of path tracing.
+struct FramePaths {
     // Where the eyes look, in pixels, and the probability of stopping for each pixel away from there.
     gaze: vec2f,
     stop: f32,
     // 1 over the sum of strength times area of all emitters.
     emitter_scale: f32,
+    emitters: u32,
     // Of each pixel, since the camera rests.
     sample: u32,
-    emitters: u32,
-    // How far the eyes are aside of the origin, and how far their pictures are shifted, in lengths of `right`.
-    eyes: vec2f,
     // Samples of each pixel that were traced elsewhere and added.
     merged: u32,
+    padding_x: u32,
+}
+
+struct Frame {
+    camera: FrameCamera,
+    part: FramePart,
+    tolerances: FrameTolerances,
+    paths: FramePaths,
+    background: vec3f,
+    min_weight: f32,
+    ambient: vec3f,
+    depth: u32,
+    truncated: vec3f,
+    seed: u32,
+    // In samples.
+    size: vec2u,
+    // The ranks that are traced anew: the first and how many.
+    renewed_from: u32,
+    renewed: u32,
+    // Not 0 where the camera is that of the frame before.
+    still: u32,
     padding_x: u32,
     padding_y: u32,
     padding_z: u32,
@@ -101,35 +131,35 @@ const FRAME_SHARE: f32 = 0.85;
 
 // The width of a cell at depth 1, from its scale.
 fn frame_side(scale: f32) -> f32 {
-    return FRAME_SHARE * 2.0 * scale * length(frame.up);
+    return FRAME_SHARE * 2.0 * scale * length(frame.camera.up);
 }
 
 // Through a place in such a grid, for a square of so many cells' side.
 fn frame_ray_at(at: vec2f, fineness: f32, cells: f32) -> Ray {
     let size = fineness * vec2f(frame.size);
-    let scale = frame.inverse_height / fineness;
+    let scale = frame.camera.inverse_height / fineness;
     let x = (2.0 * at.x - size.x) * scale;
     let y = (size.y - 2.0 * at.y) * scale;
-    let spread = x * frame.right + y * frame.up;
+    let spread = x * frame.camera.right + y * frame.camera.up;
     let side = frame_side(scale) * cells;
     return Ray(
-        frame.origin + frame.orthographic * spread,
+        frame.camera.origin + frame.camera.orthographic * spread,
         FAR,
-        frame.forward + (1.0 - frame.orthographic) * spread,
+        frame.camera.forward + (1.0 - frame.camera.orthographic) * spread,
         MISS,
         0.0,
-        side * vec2f(frame.orthographic, 1.0 - frame.orthographic),
+        side * vec2f(frame.camera.orthographic, 1.0 - frame.camera.orthographic),
     );
 }
 
 // The place in the image, in samples from the upper left, where a point is seen; negative behind the camera.
 fn frame_place(point: vec3f) -> vec2f {
     let size = vec2f(frame.size);
-    let away = point - frame.origin;
-    let depth = dot(away, frame.forward) / dot(frame.forward, frame.forward);
-    let x = dot(away, frame.right) / dot(frame.right, frame.right);
-    let y = dot(away, frame.up) / dot(frame.up, frame.up);
-    let along = select(depth, 1.0, frame.orthographic != 0.0);
+    let away = point - frame.camera.origin;
+    let depth = dot(away, frame.camera.forward) / dot(frame.camera.forward, frame.camera.forward);
+    let x = dot(away, frame.camera.right) / dot(frame.camera.right, frame.camera.right);
+    let y = dot(away, frame.camera.up) / dot(frame.camera.up, frame.camera.up);
+    let along = select(depth, 1.0, frame.camera.orthographic != 0.0);
     if !(depth > 0.0) {
         return vec2f(-1.0);
     }
@@ -138,7 +168,7 @@ fn frame_place(point: vec3f) -> vec2f {
 
 // Where a row of the frame is stored in the band.
 fn frame_folded(y: u32) -> u32 {
-    return u32(abs(i32(y) - i32(frame.turn)));
+    return u32(abs(i32(y) - i32(frame.part.turn)));
 }
 
 // The place of a thread in a square tile, along a Z-order curve: threads that run together see neighbouring pixels.

@@ -58,10 +58,10 @@ fn guides_end(path: Path) {
     var kind = select(found.kind, GUIDE_NONE, found.shone);
     var albedo = found.albedo;
     var surface = vec2u(found.normal, bitcast<u32>(found.depth));
-    if frame.sample > 0u {
+    if frame.paths.sample > 0u {
         let before = guides[place];
         kind = select(guides_kind(before), GUIDE_NONE, kind == GUIDE_NONE);
-        albedo = mix(guides_albedo(before), albedo, 1.0 / f32(frame.sample + 1u));
+        albedo = mix(guides_albedo(before), albedo, 1.0 / f32(frame.paths.sample + 1u));
         surface = before.xy;
     }
     let smoothed = u32(found.stopped && !found.specular);

@@ -14,14 +14,14 @@ struct PixelRecord {
 }
 
 struct Inspection {
-    // Pairs of low and high words, see COUNTER_*.
-    counters: array<atomic<u32>, 64>,
+    // A low and a high word of each.
+    counters: array<atomic<u32>, COUNTER_WORDS>,
     pixels: array<PixelRecord>,
 }
 
 var<storage, read_write> inspection: Inspection;
 
-var<private> inspect_rays: array<u32, RAY_KINDS>;
+var<private> inspect_rays: array<u32, RAY_COUNT>;
 var<private> inspect_nodes: u32;
 var<private> inspect_primitives: u32;
 
@@ -49,7 +49,7 @@ fn inspect_count(counter: u32, amount: u32) {
 
 // The checks that a listed pixel fails; the rest of its record comes when it is traced.
 fn inspect_failed(pixel: vec2u, failed: u32) {
-    for (var check = 0u; check < 7u; check += 1u) {
+    for (var check = 0u; check < CHECK_COUNT; check += 1u) {
         inspect_count(COUNTER_FAILED + check, (failed >> check) & 1u);
     }
     if HAS_RECORDS {
@@ -59,7 +59,7 @@ fn inspect_failed(pixel: vec2u, failed: u32) {
 
 // Counts a pixel that postcorrection is to trace.
 fn inspect_claim() {
-    inspect_count(COUNTER_CLAIMED, 1u);
+    inspect_count(COUNTER_POSTCORRECTION + POSTCORRECTION_CLAIMED, 1u);
 }
 
 // What was counted since the last time is an origin's; returns its cost.
@@ -69,12 +69,12 @@ fn inspect_work(origin: u32) -> u32 {
 }
 
 fn inspect_cost() -> u32 {
-    for (var kind = 0u; kind < RAY_KINDS; kind += 1u) {
+    for (var kind = 0u; kind < RAY_COUNT; kind += 1u) {
         inspect_count(COUNTER_RAYS + kind, inspect_rays[kind]);
         inspect_rays[kind] = 0u;
     }
-    inspect_count(COUNTER_NODE_VISITS, inspect_nodes);
-    inspect_count(COUNTER_PRIMITIVE_TESTS, inspect_primitives);
+    inspect_count(COUNTER_COST + COST_NODE_VISITS, inspect_nodes);
+    inspect_count(COUNTER_COST + COST_PRIMITIVE_TESTS, inspect_primitives);
     let cost = inspect_nodes + inspect_primitives;
     inspect_nodes = 0u;
     inspect_primitives = 0u;

@@ -3,7 +3,7 @@
 
 fn numbers_words(pixel: vec2u, dimension: u32) -> vec2u {
     let keys = numbers_pcg4d(vec4u(pixel, 0u, dimension));
-    let index = numbers_owen(frame.sample, keys.x);
+    let index = numbers_owen(frame.paths.sample, keys.x);
     return vec2u(numbers_owen(reverseBits(index), keys.y), numbers_owen(numbers_sobol(index), keys.z));
 }
 

@@ -19,5 +19,5 @@ fn order_tile(group: vec3u, groups: vec3u, run: u32) -> vec2u {
         let offset = reverseBits(index / part) / (0x80000000u / (ORDER_PARTS / 2u));
         index = (place / run * ORDER_PARTS + offset) * run + place % run;
     }
-    return vec2u(index % groups.x, index / groups.x + frame.first);
+    return vec2u(index % groups.x, index / groups.x + frame.part.first);
 }

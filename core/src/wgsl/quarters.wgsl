@@ -37,7 +37,7 @@ fn quarters_test(pixel: vec2u) -> Test {
         if contrast_exceeds(low, high, quarters_threshold(differing)) {
             test.quarters |= 1u << quarter;
         }
-        test.differing |= select(0u, 1u, contrast_exceeds(low, high, frame.tau_col)) | (differing << 1u);
+        test.differing |= select(0u, 1u, contrast_exceeds(low, high, frame.tolerances.tau_col)) | (differing << 1u);
     }
     return test;
 }
@@ -45,12 +45,12 @@ fn quarters_test(pixel: vec2u) -> Test {
 // Colours that differ less than this around the whole pixel differ less around each quarter, whatever the attributes are.
 fn quarters_may_differ(pixel: vec2u) -> bool {
     let range = edges_range(pixel);
-    return contrast_exceeds(range.low, range.high, 0.999 * frame.tau_least);
+    return contrast_exceeds(range.low, range.high, 0.999 * frame.tolerances.tau_least);
 }
 
 fn quarters_in_focus(word: u32) -> bool {
     let object = word & EDGES_OBJECT;
-    return object >= frame.focus_first && object <= frame.focus_last;
+    return object >= frame.tolerances.focus_first && object <= frame.tolerances.focus_last;
 }
 
 fn quarters_textures(own: Edges) -> u32 {
@@ -72,18 +72,18 @@ fn quarters_differing_at(a: u32, b: u32, a_normal: u32, b_normal: u32) -> u32 {
     let shadows = ((a ^ b) & ~EDGES_TEXTURE) >> EDGES_SHADOW_SHIFT;
     let both = (a & EDGES_OBJECT) != 0u && (b & EDGES_OBJECT) != 0u;
     let bent = both && a_normal != b_normal
-        && dot(octahedral_decode(a_normal), octahedral_decode(b_normal)) <= frame.norm_tolerance;
+        && dot(octahedral_decode(a_normal), octahedral_decode(b_normal)) <= frame.tolerances.norm;
     return select(0u, 1u, objects != 0u) | select(0u, 2u, bent) | select(0u, 4u, shadows != 0u);
 }
 
 fn quarters_threshold(differing: u32) -> f32 {
     if differing == 0u {
-        return frame.tau_col;
+        return frame.tolerances.tau_col;
     }
     var least = 1.0;
     for (var i = 0u; i < 4u; i += 1u) {
-        least = min(least, select(1.0, frame.tau_primary[i], (differing & (1u << i)) != 0u));
-        least = min(least, select(1.0, frame.tau_secondary[i], (differing & (16u << i)) != 0u));
+        least = min(least, select(1.0, frame.tolerances.tau_primary[i], (differing & (1u << i)) != 0u));
+        least = min(least, select(1.0, frame.tolerances.tau_secondary[i], (differing & (16u << i)) != 0u));
     }
     return least;
 }

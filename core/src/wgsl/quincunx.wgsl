@@ -13,7 +13,7 @@ fn quincunx_place(point: vec2u) -> u32 {
     if (point.x & 1u) == 0u {
         return 3u * (point.y / QUINCUNX_STEP * (across + 1u) + point.x / QUINCUNX_STEP);
     }
-    let lattice = (4u * (frame.end - frame.row) + 1u) * (across + 1u);
+    let lattice = (4u * (frame.part.end - frame.part.row) + 1u) * (across + 1u);
     return 3u * (lattice + point.y / QUINCUNX_STEP * across + point.x / QUINCUNX_STEP);
 }
 
@@ -60,10 +60,10 @@ fn quincunx_part(q: Quad, part: u32) -> Quad {
 fn quincunx_differs(q: Quad) -> bool {
     let a = contrast_shown(quincunx_load(q.inner));
     let b = contrast_shown(quincunx_load(q.outer));
-    return contrast_exceeds(min(a, b), max(a, b), frame.similar);
+    return contrast_exceeds(min(a, b), max(a, b), frame.tolerances.similar);
 }
 
 // The pixel that counts a sample which several pixels share.
 fn quincunx_pixel(point: vec2u) -> vec2u {
-    return min(point / 8u + vec2u(0u, frame.row), frame.size - 1u);
+    return min(point / 8u + vec2u(0u, frame.part.row), frame.size - 1u);
 }

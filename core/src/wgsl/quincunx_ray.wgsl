@@ -9,5 +9,5 @@ fn quincunx_ray(point: vec2u) -> Ray {
     let first = all(inside == vec2u(0u)) && !odd;
     let second = inside.x == inside.y && (inside.x & 1u) == 0u;
     let side = SQRT_2 * select(select(1.0, 2.0, second), 4.0, first);
-    return frame_ray_at(vec2f(point + vec2u(0u, 8u * frame.row)), 8.0, side);
+    return frame_ray_at(vec2f(point + vec2u(0u, 8u * frame.part.row)), 8.0, side);
 }

@@ -11,7 +11,7 @@ struct Refining {
 }
 
 fn refine_begin(group: u32, local: u32) -> Refining {
-    let index = list.begin + (frame.first + group * TRACE_GROUP + local) / REFINE_STEP;
+    let index = list.begin + (frame.part.first + group * TRACE_GROUP + local) / REFINE_STEP;
     let listed = index < list.end;
     var entry = 0u;
     if listed {

@@ -30,7 +30,7 @@ fn reproject_move(pixel: vec2u) -> Move {
     if !(all(at >= vec2f(0.0)) && all(at < vec2f(frame.size))) {
         return Move(0u, 0u);
     }
-    let depth = dot(point - frame.origin, frame.forward);
+    let depth = dot(point - frame.camera.origin, frame.camera.forward);
     let aside = fract(at) - 0.5;
     let offset = u32(dot(aside, aside) * f32((2u << MOVE_OFFSET_BITS) - 2u));
     // Depths are positive: the sign bit is shifted out of the key.

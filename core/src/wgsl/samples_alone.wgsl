@@ -5,7 +5,7 @@ fn samples_add(pixel: vec2u, crossing: Crossing, radiance: vec3f) {
         return;
     }
     var sum = radiance;
-    if frame.sample > 0u {
+    if frame.paths.sample > 0u {
         sum += samples_load(pixel);
     }
     samples_store(pixel, sum);

@@ -38,6 +38,6 @@ fn samples_load(pixel: vec2u) -> vec3f {
 // The mean of a pixel's samples.
 fn samples_mean(pixel: vec2u) -> vec3f {
     let place = samples_place(pixel);
-    let count = select(frame.sample + 1u + frame.merged, samples[place].second, CROSSING_COUNTS);
+    let count = select(frame.paths.sample + 1u + frame.paths.merged, samples[place].second, CROSSING_COUNTS);
     return samples_radiance(samples[place].sum) / f32(count);
 }

@@ -11,7 +11,7 @@ fn similarity_position(pixel: vec2u, depth: f32) -> vec3f {
 }
 
 fn similarity_seam(a: vec2f, b: vec2f) -> bool {
-    let t = frame.tex_tolerance;
+    let t = frame.tolerances.tex;
     let low = min(a, b);
     let high = max(a, b);
     return any((low < vec2f(t)) & (high > vec2f(1.0 - t)));
@@ -24,17 +24,17 @@ fn similarity_failed(a: Attributes, a_pixel: vec2u, b: Attributes, b_pixel: vec2
     }
     if a.object == 0u {
         // Two references without a hit pass every check, unless the tolerance traces everything.
-        return select(CHECK_POS, 0u, frame.pos_tolerance > 0.0);
+        return select(CHECK_POS, 0u, frame.tolerances.pos > 0.0);
     }
     let a_position = similarity_position(a_pixel, a.depth);
     let b_position = similarity_position(b_pixel, b.depth);
     let step = b_position - a_position;
     let distance = length(step);
-    var failed = select(CHECK_POS, 0u, distance < frame.pos_tolerance);
-    failed |= select(CHECK_NORM, 0u, dot(a.normal, b.normal) > frame.norm_tolerance);
+    var failed = select(CHECK_POS, 0u, distance < frame.tolerances.pos);
+    failed |= select(CHECK_NORM, 0u, dot(a.normal, b.normal) > frame.tolerances.norm);
     let from_a = dot(step, a.face);
     let from_b = -dot(step, b.face);
-    let extent = dot(abs(a_position) + abs(frame.origin), vec3f(1.0));
+    let extent = dot(abs(a_position) + abs(frame.camera.origin), vec3f(1.0));
     let rounding = 1.5 * NORMAL_ERROR * distance + 5.0e-7 * (extent + a.depth + b.depth);
     failed |= select(0u, CHECK_CONVEX, from_a * from_b < 0.0 && min(abs(from_a), abs(from_b)) > rounding);
     if HAS_TEXTURES {
@@ -45,7 +45,7 @@ fn similarity_failed(a: Attributes, a_pixel: vec2u, b: Attributes, b_pixel: vec2
         failed |= select(CHECK_SHADOW, 0u, a.shadow == b.shadow);
     }
     if HAS_GCOL {
-        failed |= select(CHECK_GCOL, 0u, length(a.gcol - b.gcol) < frame.gcol_tolerance);
+        failed |= select(CHECK_GCOL, 0u, length(a.gcol - b.gcol) < frame.tolerances.gcol);
     }
     return failed;
 }
@@ -57,7 +57,7 @@ fn similarity_interpolate(a: Attributes, b: Attributes) -> Attributes {
     if a.object == 0u {
         return middle;
     }
-    let perspective = frame.orthographic == 0.0;
+    let perspective = frame.camera.orthographic == 0.0;
     let a_weight = select(0.5, b.depth / (a.depth + b.depth), perspective);
     let b_weight = 1.0 - a_weight;
     middle.depth = select(0.5 * (a.depth + b.depth), 2.0 * a.depth * a_weight, perspective);

@@ -13,5 +13,5 @@ fn stopping_weight(pixel: vec2u) -> f32 {
 }
 
 fn stopping_probability(pixel: vec2u) -> f32 {
-    return frame.stop * distance(vec2f(eyes_pixel(pixel)) + 0.5, frame.gaze);
+    return frame.paths.stop * distance(vec2f(eyes_pixel(pixel)) + 0.5, frame.paths.gaze);
 }

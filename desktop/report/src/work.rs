@@ -1,39 +1,14 @@
 //! What a frame asks of a device: its counters, times what each counted thing takes.
 
-use glimpse::{Demand, Demands, Inspection, Origin};
+use glimpse::{Demand, Demands, Inspection, Origin, Tracing};
 use serde::{Deserialize, Serialize};
 
-/// Passes whose threads run differently well together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Neighbouring samples are traced.
-    Neighbours,
-    /// Samples from all over a tile are traced, as a list has them.
-    Listed,
-    /// Nothing is traced.
-    Untraced,
-}
-
-impl Kind {
-    /// In the order of [`Work::loads`].
-    pub const ALL: [Self; 3] = [Self::Neighbours, Self::Listed, Self::Untraced];
-
-    /// That of a pass by its name.
-    pub fn of(pass: &str) -> Self {
-        match pass {
-            "full" | "base" | "checkerboard" => Self::Neighbours,
-            "trace_a1" | "trace_a2" | "postcorrect" | "postcorrect_scan" => Self::Listed,
-            _ => Self::Untraced,
-        }
-    }
-
-    /// As the page has it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Neighbours => "traced neighbours",
-            Self::Listed => "traced lists",
-            Self::Untraced => "passes that trace nothing",
-        }
+/// What passes of a class do, as the page has it.
+pub fn class_name(class: Tracing) -> &'static str {
+    match class {
+        Tracing::Neighbours => "traced neighbours",
+        Tracing::Listed => "traced lists",
+        Tracing::No => "passes that trace nothing",
     }
 }
 
@@ -44,7 +19,7 @@ pub struct Work {
     pub node_visits: u64,
     /// Tested triangles and spheres.
     pub primitive_tests: u64,
-    /// By [`Kind`].
+    /// By class, in the order of [`Tracing::ALL`].
     pub loads: [Demand; 3],
 }
 
@@ -150,30 +125,5 @@ mod tests {
         let expected = [0.75 * traced + 2.0, 0.25 * traced + 2.0, 7.0 * (1e6 + 2.0 * 1e7)];
         assert_eq!(work.loads.map(|load| load.operations), expected);
         assert_eq!((work.node_visits, work.primitive_tests), (16, 8));
-    }
-
-    #[test]
-    fn passes_that_trace_are_told_from_those_that_do_not() {
-        let of = |kind| move |pass: &&str| Kind::of(pass) == kind;
-        let passes = [
-            "full",
-            "base",
-            "checkerboard",
-            "trace_a1",
-            "trace_a2",
-            "postcorrect",
-            "postcorrect_scan",
-            "similarity_a1",
-            "compact_a1",
-            "compact_seed",
-            "postcorrect_seed",
-            "postcorrect_landmarks",
-            "compact_postcorrect",
-            "fill",
-            "resolve",
-        ];
-        let [neighbours, listed, untraced] =
-            Kind::ALL.map(|kind| passes.iter().filter(|pass| of(kind)(pass)).count());
-        assert_eq!((neighbours, listed, untraced), (3, 4, 8));
     }
 }

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::{DVec3, Vec3, dvec3, vec3};
 use glimpse::{
-    CHECK_NAMES, Camera, Features, Method, Origin, Scene, Settings, Tolerances,
+    Camera, Check, Features, Method, Origin, Scene, Settings, Tolerances,
     reference::{
         Attributes, Cause, Crossing, Frame, Limits, Ray, Reference, Rounding, Tracer, fresnel_dielectric,
     },
@@ -235,7 +235,7 @@ fn the_strictest_tolerance_traces_everything() {
         let adaptive = frame.adaptive(pixel, None, &mut Rounding::none());
         assert_ne!(adaptive.origin, Origin::Interpolated);
         assert_eq!(adaptive.color, frame.traced(pixel, &mut Rounding::none()).color);
-        let pos = 1 << CHECK_NAMES.iter().position(|n| *n == "pos").unwrap();
+        let pos = Check::Pos.bit();
         assert!(adaptive.failed == 0 || adaptive.failed & (pos | 1) != 0, "{adaptive:?}");
     }
 }

@@ -6,7 +6,7 @@ mod sizes;
 
 use egui::{Rect, Response, Sense, Vec2};
 use egui_kittest::Harness;
-use glimpse::{Counts, Memory, PassTime, Rays, Samples};
+use glimpse::{Counts, Memory, PassTime, Rays, Samples, Tracing};
 
 use super::{Hud, Wish};
 use crate::{Busy, Choices, Overlay, Readings};
@@ -66,7 +66,9 @@ fn readings() -> Readings {
         features: vec!["textures", "reflection"],
         left_out: vec!["refraction"],
         adapter: "llvmpipe (LLVM 15.0.7, 256 bits), Mesa 25.0.7".to_owned(),
-        passes: ["base", "similarity_a1", "trace_a1"].map(|name| PassTime { name, ms: 3.25 }).to_vec(),
+        passes: ["base", "similarity_a1", "trace_a1"]
+            .map(|name| PassTime { name, tracing: Tracing::of_pass(name).unwrap(), ms: 3.25 })
+            .to_vec(),
         size: [960, 540],
         view: [1920, 1080],
         counts: Some(Counts {

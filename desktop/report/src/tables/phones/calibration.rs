@@ -1,12 +1,12 @@
 //! The shares of its peak that this device reaches, from the times of its passes; and how well they predict a scene that
 //! they were not taken from.
 
-use glimpse::Demand;
+use glimpse::{Demand, Tracing};
 use glimpse_measure::statistics::Spread;
 
 use crate::bench::Measured;
 use crate::record::Frame;
-use crate::work::Kind;
+use crate::work::class_name;
 
 /// A frame that was counted and timed.
 #[derive(Clone, Debug)]
@@ -15,7 +15,7 @@ pub struct Cell {
     pub scene: String,
     /// The setting's label.
     pub method: String,
-    /// By [`Kind`].
+    /// By [`Tracing`].
     pub loads: [Demand; 3],
     /// The timed ones.
     pub frames: Vec<Timed>,
@@ -54,12 +54,12 @@ impl Cell {
         self.loads.iter().map(|load| load.operations).sum()
     }
 
-    /// The share of the peak that a kind of pass reaches: the median over frames, each against the peak of its own moment, so
+    /// The share of the peak that a class of passes reaches: the median over frames, each against the peak of its own moment, so
     /// that what else the device does counts on both sides. None where nothing was timed.
-    fn share(&self, kind: Kind) -> Option<f64> {
-        let operations = self.loads[kind as usize].operations;
+    fn share(&self, class: Tracing) -> Option<f64> {
+        let operations = self.loads[class as usize].operations;
         let shares = self.frames.iter().filter_map(|frame| {
-            let share = operations / frame.ms[kind as usize] * 1e-6 / frame.peak_gflops?;
+            let share = operations / frame.ms[class as usize] * 1e-6 / frame.peak_gflops?;
             positive(&share).then_some(share)
         });
         median(shares)
@@ -79,7 +79,7 @@ impl Cell {
 /// The time of a frame.
 #[derive(Clone, Debug)]
 pub struct Timed {
-    /// Milliseconds by [`Kind`]; zero where nothing was timed.
+    /// Milliseconds by [`Tracing`]; zero where nothing was timed.
     pub ms: [f64; 3],
     /// Billions of operations a second, measured right after it.
     pub peak_gflops: Option<f64>,
@@ -89,7 +89,7 @@ impl Timed {
     fn of(frame: &Frame) -> Self {
         let mut ms = [0.0; 3];
         for (pass, time) in &frame.passes {
-            ms[Kind::of(pass) as usize] += time;
+            ms[Tracing::of_pass(pass).unwrap_or(Tracing::No) as usize] += time;
         }
         Self { ms, peak_gflops: frame.peak_gflops }
     }
@@ -109,7 +109,7 @@ fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
 pub struct Calibration {
     /// Measured, billions of operations a second.
     pub peak_gflops: f64,
-    /// Shares of it by [`Kind`], medians over frames.
+    /// Shares of it by [`Tracing`], medians over frames.
     pub shares: [f64; 3],
 }
 
@@ -122,9 +122,9 @@ impl Calibration {
         let peak_gflops = median(cells.clone().flat_map(Cell::peaks))
             .ok_or("the device's peak could not be measured, as it has no timestamps")?;
         let mut shares = [0.0; 3];
-        for kind in Kind::ALL {
-            shares[kind as usize] = median(cells.clone().filter_map(|cell| cell.share(kind)))
-                .ok_or_else(|| format!("no frame has times of {}", kind.name()))?;
+        for class in Tracing::ALL {
+            shares[class as usize] = median(cells.clone().filter_map(|cell| cell.share(class)))
+                .ok_or_else(|| format!("no frame has times of {}", class_name(class)))?;
         }
         Ok(Self { peak_gflops, shares })
     }

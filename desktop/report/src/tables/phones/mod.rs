@@ -176,7 +176,7 @@ impl Predictions {
         let device = Device { gflops: phone.gflops.value, gigabytes: phone.gigabytes.value };
         let mut by_bound = [0.0; 2];
         for (load, share) in cell.loads.iter().zip(self.calibration.shares) {
-            // Kinds of passes are to each other as on this device.
+            // Classes of passes are to each other as on this device.
             let arithmetic = self.arithmetic[case] * share / self.calibration.shares[0];
             let reach = Reach { arithmetic, bandwidth: BANDWIDTH[case], missed: MISSED[case] };
             let (ms, bound) = milliseconds(load, device, reach);
