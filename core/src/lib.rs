@@ -84,6 +84,11 @@
 //!   Illumination Filtering", High Performance Graphics.
 //! - *lecture*: Akenine-Moller, Assarsson, "Ray Tracing I", Chalmers; with Heckbert's minimal ray tracer.
 
+// Without the optional modules some of what they share with the renderer has no user.
+#![cfg_attr(
+    not(all(feature = "reference", feature = "stress")),
+    allow(dead_code, unused_imports, reason = "what optional modules use")
+)]
 // Lists of what is not allowed are in .clippy.toml.
 #![cfg_attr(not(test), warn(clippy::disallowed_macros, clippy::disallowed_methods, clippy::disallowed_types))]
 
@@ -98,6 +103,8 @@ pub mod metrics;
 mod passes;
 #[cfg(feature = "stress")]
 pub mod probe;
+#[cfg(feature = "reference")]
+mod random;
 #[cfg(feature = "reference")]
 pub mod reference;
 pub mod scene;

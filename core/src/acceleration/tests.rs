@@ -4,7 +4,7 @@ use glam::{Vec3A, vec3a};
 use obvhs::{aabb::Aabb, bvh2::Bvh2};
 
 use super::{Bvh, cluster::cluster, depth, inner_children, quantise};
-use crate::stress::Random;
+use crate::random::Random;
 
 fn point(p: Vec3A) -> Aabb {
     Aabb { min: p, max: p }

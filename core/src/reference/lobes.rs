@@ -112,7 +112,7 @@ fn tangents(n: DVec3) -> [DVec3; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::stress::Random;
+    use crate::random::Random;
 
     #[test]
     fn tangents_are_a_right_handed_basis() {

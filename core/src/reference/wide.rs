@@ -86,7 +86,7 @@ impl Wide {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{reference::Tracer, scene::Scene, scene::builtin, stress::Random};
+    use crate::{random::Random, reference::Tracer, scene::Scene, scene::builtin};
 
     fn rays(scene: &Scene, away: f64, seed: u64) -> impl Iterator<Item = Ray> {
         let (low, high) = scene.bounds().expect("something");

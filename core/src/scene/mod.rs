@@ -212,6 +212,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`crate::Error::Scene`] names the element of the file, what was expected and what was found.
+    #[cfg(feature = "gltf")]
     pub fn from_gltf(
         bytes: &[u8],
         resolve: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
