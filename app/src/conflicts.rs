@@ -21,7 +21,7 @@ impl Choices {
     /// Why nothing can be governed; `None` if it can.
     #[must_use]
     pub fn governor_rests(&self) -> Option<&'static str> {
-        let keeps = self.settings.method.keeps_frames();
+        let keeps = self.settings.method.has_history();
         keeps.then_some(
             "A frame of another size keeps nothing of the one before: this method is not governed.",
         )
@@ -29,7 +29,7 @@ impl Choices {
 
     /// Why nothing is bent for lenses; `None` if it is.
     #[must_use]
-    pub fn lenses_rest(&self) -> Option<&'static str> {
+    pub fn lenses_inapplicable(&self) -> Option<&'static str> {
         match (self.settings.method, self.split) {
             (Method::Vr, None) => None,
             (Method::Vr, Some(_)) => Some("A split view is looked at without lenses."),
@@ -40,12 +40,12 @@ impl Choices {
     /// Are pictures bent for lenses?
     #[must_use]
     pub fn bends(&self) -> bool {
-        self.lenses != Lenses::None && self.lenses_rest().is_none()
+        self.lenses != Lenses::None && self.lenses_inapplicable().is_none()
     }
 
     /// Why the scale changes nothing; `None` if it does.
     #[must_use]
-    pub fn scale_rests(&self) -> Option<&'static str> {
+    pub fn scale_inapplicable(&self) -> Option<&'static str> {
         self.governed().map(|_| "The governor chooses the scale: switch it off first.")
     }
 }

@@ -9,7 +9,7 @@ pub const HISTORY: usize = 240;
 
 /// Everything that the overlay displays.
 #[derive(Clone, Debug, Default)]
-pub struct Readings {
+pub struct HudState {
     /// The name of the scene.
     pub scene: String,
     /// Number of triangles and spheres.
@@ -64,7 +64,7 @@ pub struct Busy {
     pub step: [u32; 2],
 }
 
-impl Readings {
+impl HudState {
     /// Appends a frame time in milliseconds, and drops the oldest beyond [`HISTORY`].
     pub fn push_frame(&mut self, ms: f32) {
         if self.frame_ms.len() == HISTORY {
@@ -95,22 +95,22 @@ mod tests {
 
     #[test]
     fn the_time_that_is_read_is_of_the_last_half_second() {
-        let mut readings = Readings::default();
-        assert_eq!(readings.recent_ms(), None);
+        let mut hud_state = HudState::default();
+        assert_eq!(hud_state.recent_ms(), None);
         for ms in [1000.0, 200.0, 100.0, 300.0] {
-            readings.push_frame(ms);
+            hud_state.push_frame(ms);
         }
-        assert_eq!(readings.recent_ms(), Some(200.0));
-        readings.push_frame(900.0);
-        assert_eq!(readings.recent_ms(), Some(900.0));
+        assert_eq!(hud_state.recent_ms(), Some(200.0));
+        hud_state.push_frame(900.0);
+        assert_eq!(hud_state.recent_ms(), Some(900.0));
     }
 
     #[test]
     fn the_oldest_times_are_forgotten() {
-        let mut readings = Readings::default();
+        let mut hud_state = HudState::default();
         for frame in 0..HISTORY + 7 {
-            readings.push_frame(frame as f32);
+            hud_state.push_frame(frame as f32);
         }
-        assert_eq!((readings.frame_ms.len(), readings.frame_ms[0]), (HISTORY, 7.0));
+        assert_eq!((hud_state.frame_ms.len(), hud_state.frame_ms[0]), (HISTORY, 7.0));
     }
 }

@@ -33,14 +33,14 @@ pub use choices::{Choices, FrameRate, Navigation, Overlay, SCALES, TEXT_SCALES, 
 pub use gestures::{Gestures, Motion};
 pub use glimpse::Show;
 pub use governor::{FrameReport, Governor, Quality};
-pub use hud::{FLY_KEYS, Hud, Wish};
-pub use hud_state::{Busy, HISTORY, Readings};
+pub use hud::{FLY_KEYS, Hud, UserRequest};
+pub use hud_state::{Busy, HISTORY, HudState};
 pub use lenses::Lenses;
 pub use loading::SceneFacts;
 pub use painter::{Painter, Painting};
 pub use phones::{Phone, Sourced};
-pub use scene_renderer::{Counted, Frame, Job};
-pub use worker::{Files, News, Wake, Worker};
+pub use scene_renderer::{Counted, Job, RenderedFrame};
+pub use worker::{Files, Wake, Worker, WorkerEvent};
 
 /// The names of the built-in scenes, as `builtin:NAME`, in the order in which they are offered.
 pub fn scenes() -> impl Iterator<Item = String> {

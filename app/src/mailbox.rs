@@ -8,7 +8,7 @@ use crate::{Job, loading::Loaded};
 
 /// The slots of the mailbox, one for each kind of request. A newer request replaces an older one of its kind.
 #[derive(Default)]
-pub(crate) struct Desk {
+pub(crate) struct Slots {
     pub scene: Option<Loaded>,
     pub job: Option<(u64, Job)>,
     pub capture: Option<Job>,
@@ -23,9 +23,9 @@ pub(crate) struct Desk {
 
 /// The mailbox: slots under a lock, and the condition variable that wakes the worker.
 #[derive(Default)]
-pub(crate) struct Office {
-    desk: Mutex<Desk>,
-    pub bell: Condvar,
+pub(crate) struct Mailbox {
+    slots: Mutex<Slots>,
+    pub posted: Condvar,
 }
 
 /// The next task of the worker.
@@ -37,51 +37,51 @@ pub(crate) enum Order {
     Leave,
 }
 
-impl Office {
+impl Mailbox {
     /// Locks the slots.
-    pub fn desk(&self) -> MutexGuard<'_, Desk> {
-        self.desk.lock().unwrap_or_else(PoisonError::into_inner)
+    pub fn slots(&self) -> MutexGuard<'_, Slots> {
+        self.slots.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Waits for a loaded scene; `None` when the thread has to end.
     pub fn scene(&self) -> Option<Loaded> {
-        let mut desk = self.desk();
+        let mut slots = self.slots();
         loop {
-            if desk.stop {
+            if slots.stop {
                 return None;
             }
-            if let Some(loaded) = desk.scene.take() {
+            if let Some(loaded) = slots.scene.take() {
                 // A job that is still waiting is one for the scene before.
-                desk.job = None;
+                slots.job = None;
                 return Some(loaded);
             }
-            desk = self.bell.wait(desk).unwrap_or_else(PoisonError::into_inner);
+            slots = self.posted.wait(slots).unwrap_or_else(PoisonError::into_inner);
         }
     }
 
     /// Waits for a request. Points are picked before pictures are captured, and those before frames are rendered.
     pub fn next(&self) -> Order {
-        let mut desk = self.desk();
+        let mut slots = self.slots();
         loop {
-            if desk.stop || desk.scene.is_some() {
+            if slots.stop || slots.scene.is_some() {
                 return Order::Leave;
             }
-            if let Some((camera, at)) = desk.pick.take() {
+            if let Some((camera, at)) = slots.pick.take() {
                 return Order::Pick(camera, at);
             }
-            if let Some(job) = desk.capture.take() {
+            if let Some(job) = slots.capture.take() {
                 return Order::Capture(job);
             }
-            if let Some((number, job)) = desk.job.take() {
+            if let Some((number, job)) = slots.job.take() {
                 return Order::Frame(number, job);
             }
-            desk = self.bell.wait(desk).unwrap_or_else(PoisonError::into_inner);
+            slots = self.posted.wait(slots).unwrap_or_else(PoisonError::into_inner);
         }
     }
 
     /// Whether a frame at rest is to be cancelled because another request waits or the view is hidden.
     pub fn is_urgent(&self) -> bool {
-        let desk = self.desk();
-        desk.hidden || desk.stop || desk.scene.is_some() || desk.job.is_some() || desk.pick.is_some()
+        let slots = self.slots();
+        slots.hidden || slots.stop || slots.scene.is_some() || slots.job.is_some() || slots.pick.is_some()
     }
 }

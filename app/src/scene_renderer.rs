@@ -11,8 +11,8 @@ use glimpse::{
 };
 
 use crate::{
-    mailbox::{Office, Order},
-    worker::{News, Teller},
+    mailbox::{Mailbox, Order},
+    worker::{EventSender, WorkerEvent},
 };
 
 /// Everything that determines a frame.
@@ -42,7 +42,7 @@ impl Job {
 }
 
 /// A rendered frame.
-pub struct Frame {
+pub struct RenderedFrame {
     /// The number of the request.
     pub number: u64,
     /// The job that it was rendered for.
@@ -75,7 +75,7 @@ pub struct Counted {
 }
 
 /// The renderers of one scene.
-pub(crate) struct Studio<'a> {
+pub(crate) struct SceneRenderer<'a> {
     gpu: &'a Gpu,
     scene: &'a GpuScene,
     shown: Option<Renderer>,
@@ -84,7 +84,7 @@ pub(crate) struct Studio<'a> {
     pictures: Vec<Arc<wgpu::Texture>>,
 }
 
-impl<'a> Studio<'a> {
+impl<'a> SceneRenderer<'a> {
     pub fn new(gpu: &'a Gpu, scene: &'a GpuScene) -> Self {
         Self { gpu, scene, shown: None, full: None, pictures: Vec::new() }
     }
@@ -92,30 +92,32 @@ impl<'a> Studio<'a> {
     /// Serves requests until another scene is waiting or the thread has to end.
     /// || # Errors
     /// The device was lost.
-    pub fn serve(mut self, office: &Office, teller: &Teller) -> std::result::Result<(), String> {
+    pub fn serve(mut self, mailbox: &Mailbox, event_sender: &EventSender) -> std::result::Result<(), String> {
         loop {
-            let result = match office.next() {
+            let result = match mailbox.next() {
                 Order::Leave => return Ok(()),
-                Order::Frame(number, job) => self.frame(number, job, office, teller),
-                Order::Capture(job) => self.capture(&job).map(|image| teller.tell(News::Captured(image))),
+                Order::Frame(number, job) => self.frame(number, job, mailbox, event_sender),
+                Order::Capture(job) => {
+                    self.capture(&job).map(|image| event_sender.send(WorkerEvent::Captured(image)))
+                }
                 Order::Pick(camera, at) => {
-                    self.pick(&camera, at).map(|point| teller.tell(News::Picked(point)))
+                    self.pick(&camera, at).map(|point| event_sender.send(WorkerEvent::Picked(point)))
                 }
             };
             match result {
                 Ok(()) => {}
                 Err(error @ (Error::Lost { .. } | Error::Timeout { .. })) => return Err(error.to_string()),
-                Err(error) => teller.tell(News::Failed(error.to_string())),
+                Err(error) => event_sender.send(WorkerEvent::Failed(error.to_string())),
             }
         }
     }
 
-    fn frame(&mut self, number: u64, job: Job, office: &Office, teller: &Teller) -> Result<()> {
-        let cancelled = || job.is_still() && office.is_urgent();
+    fn frame(&mut self, number: u64, job: Job, mailbox: &Mailbox, event_sender: &EventSender) -> Result<()> {
+        let cancelled = || job.is_still() && mailbox.is_urgent();
         let known = self.shown.as_ref().map_or(0, Renderer::kernels);
         let renderer = changed(&mut self.shown, self.gpu, self.scene, job.size, &job.settings)?;
         let Some(time) = renderer.render_until(&job.camera, &cancelled)? else {
-            teller.tell(News::GivenUp(number));
+            event_sender.send(WorkerEvent::Cancelled(number));
             return Ok(());
         };
         let compiled = renderer.kernels() > known;
@@ -131,7 +133,7 @@ impl<'a> Studio<'a> {
             let settings = Settings { method: Method::Full, ..job.settings };
             let renderer = changed(&mut self.full, self.gpu, self.scene, job.size, &settings)?;
             if renderer.render_until(&job.camera, &cancelled)?.is_none() {
-                teller.tell(News::GivenUp(number));
+                event_sender.send(WorkerEvent::Cancelled(number));
                 return Ok(());
             }
             Some(self.handed_out(true)?)
@@ -140,7 +142,7 @@ impl<'a> Studio<'a> {
         };
         let (camera, still, split) = (job.camera, job.is_still(), job.split);
         let (ms, passes) = (time.ms, time.passes);
-        teller.tell(News::Frame(Box::new(Frame {
+        event_sender.send(WorkerEvent::Frame(Box::new(RenderedFrame {
             number,
             job,
             picture,
@@ -153,10 +155,10 @@ impl<'a> Studio<'a> {
             legend,
         })));
         if still && settled {
-            teller.tell(if office.is_urgent() {
-                News::GivenUp(number)
+            event_sender.send(if mailbox.is_urgent() {
+                WorkerEvent::Cancelled(number)
             } else {
-                News::Counted(number, Box::new(self.count(&camera, split)?))
+                WorkerEvent::Counted(number, Box::new(self.count(&camera, split)?))
             });
         }
         Ok(())

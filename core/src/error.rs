@@ -64,7 +64,7 @@ pub enum Error {
         /// The adapter's name.
         adapter: String,
     },
-    /// The device was not done in time; see [`crate::Gpu::with_patience`]. It may be slow or hung.
+    /// The device was not done in time; see [`crate::Gpu::with_timeout`]. It may be slow or hung.
     #[error("the graphics device `{adapter}` was not done after {} s", .waited.as_secs_f32())]
     Timeout {
         /// The adapter's name.

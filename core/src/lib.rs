@@ -124,11 +124,11 @@ pub use image::{Picture, to_exr, to_png};
 pub use metrics::missing::Missing;
 pub use passes::{Demand, Demands, Linked, Tracing};
 pub use scene::camera::Camera;
-pub use scene::look_at::{Lens, Pose};
+pub use scene::look_at::{Lens, LookAt};
 pub use scene::{Features, Scene};
 pub use settings::{
-    Crossing, Denoise, Direct, Filter, Focus, Inactive, Jitter, Linking, MAX_CPU_THREADS, MAX_DEPTH,
+    Denoise, DirectLight, Filter, Focus, Foveation, Jitter, LightSelection, MAX_CPU_THREADS, MAX_DEPTH,
     MAX_GAZE, MAX_LIGHT_SAMPLES, MAX_RAYS, MAX_SAMPLING, Method, Mip, Paths, Postcorrect, Preset, Refine,
-    Robustness, Roulette, Sampler, Settings, Shining, Stopping, THRESHOLD_NAMES, Thresholds, Tolerances,
-    options,
+    Robustness, Roulette, Sampler, Settings, Specialize, StereoReuse, THRESHOLD_NAMES, Thresholds,
+    Tolerances, Unsampled, options,
 };

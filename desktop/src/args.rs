@@ -16,7 +16,7 @@ mod vary;
 #[cfg(test)]
 pub use frame_options::default_text;
 pub use frame_options::{FrameOptions, Recursion, TypedOptions, method_parser};
-pub use look_at::PoseOptions;
+pub use look_at::LookAtOptions;
 pub use vary::Variation;
 
 /// The largest side of a frame.

@@ -4,12 +4,12 @@ use std::panic::resume_unwind;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use glimpse::cpu_tracer::{Merge, View, Worker};
+use glimpse::cpu_tracer::{Accumulator, View, Worker};
 use glimpse::reference::Reference;
 use glimpse::{Camera, Error, Renderer};
 use serde::Serialize;
 
-use crate::focus::Wish;
+use crate::focus::FrameRequest;
 
 /// Who brought which samples while a picture's were completed, and how busy they were.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -21,7 +21,7 @@ pub struct Sides {
     /// The GPU.
     pub gpu: Side,
     /// Each core.
-    pub cores: Vec<Side>,
+    pub cpu_threads: Vec<Side>,
     /// The cores' samples that were not finished by then.
     pub given_up: u64,
 }
@@ -39,10 +39,10 @@ pub struct Side {
 ///
 /// # Errors
 /// There are none.
-pub fn check(wishes: &[Wish], frames: u32) -> glimpse::Result<()> {
+pub fn check(requests: &[FrameRequest], frames: u32) -> glimpse::Result<()> {
     // And one more, in which drivers finish compiling.
     let alone = frames.saturating_add(1);
-    let all = wishes.iter().map(|wish| &wish.settings.paths);
+    let all = requests.iter().map(|request| &request.settings.paths);
     let idle = all.into_iter().find(|paths| paths.cpu_threads > 0 && paths.samples <= alone);
     idle.map_or(Ok(()), |paths| {
         let expected = format!("more than the {alone} of the timed frames, with --cpu-threads");
@@ -61,7 +61,7 @@ pub struct Unfinished<'a> {
     /// The scene, where cores are to help.
     pub reference: Option<&'a Reference>,
     /// How many.
-    pub cores: u32,
+    pub cpu_threads: u32,
 }
 
 impl Unfinished<'_> {
@@ -71,8 +71,8 @@ impl Unfinished<'_> {
     /// # Errors
     /// A device that failed.
     pub fn finish(self, doing: impl Fn(u32)) -> glimpse::Result<Option<Sides>> {
-        let Self { renderer, camera, size, reference, cores } = self;
-        if !renderer.settings().method.follows_paths() {
+        let Self { renderer, camera, size, reference, cpu_threads } = self;
+        if !renderer.settings().method.is_path_traced() {
             return Ok(None);
         }
         let wanted = renderer.settings().paths.samples;
@@ -86,11 +86,11 @@ impl Unfinished<'_> {
         }
         let picture = renderer.settings().method.picture(size);
         let view = View::new(camera, picture, renderer.settings());
-        let (merge, workers) = Merge::new(&view, cores as usize);
+        let (accumulator, workers) = Accumulator::new(&view, cpu_threads as usize);
         let start = Instant::now();
         thread::scope(|scope| {
             // Where this is left early the owner goes, and the threads end.
-            let mut merge = merge;
+            let mut accumulator = accumulator;
             let threads: Vec<_> = match reference {
                 Some(scene) => {
                     workers.into_iter().map(|worker| scope.spawn(move || trace(worker, scene))).collect()
@@ -102,17 +102,17 @@ impl Unfinished<'_> {
                 doing(renderer.samples());
                 gpu_ms += renderer.render(camera)?.ms;
                 samples += 1;
-                if cores > 0 {
-                    renderer.merge(&mut merge)?;
+                if cpu_threads > 0 {
+                    renderer.accumulate(&mut accumulator)?;
                 }
             }
-            merge.finish();
-            if cores > 0 {
-                renderer.merge(&mut merge)?;
+            accumulator.finish();
+            if cpu_threads > 0 {
+                renderer.accumulate(&mut accumulator)?;
             }
             let wall = start.elapsed();
             let busy = threads.into_iter().map(|t| t.join().unwrap_or_else(|panic| resume_unwind(panic)));
-            Ok(Some(Sides::of(samples, gpu_ms, &merge, busy, wall)))
+            Ok(Some(Sides::of(samples, gpu_ms, &accumulator, busy, wall)))
         })
     }
 }
@@ -133,20 +133,20 @@ impl Sides {
     fn of(
         samples: u32,
         gpu_ms: f64,
-        merge: &Merge,
+        accumulator: &Accumulator,
         busy: impl Iterator<Item = Duration>,
         wall: Duration,
     ) -> Self {
         let wall_s = wall.as_secs_f64();
         let of_core =
             |(samples, busy): (u32, Duration)| Side { samples, utilisation: busy.as_secs_f64() / wall_s };
-        let merged: u32 = merge.samples().iter().sum();
+        let merged: u32 = accumulator.samples().iter().sum();
         Self {
             wall_ms: 1000.0 * wall_s,
             samples_per_s: f64::from(samples.saturating_add(merged)) / wall_s,
             gpu: Side { samples, utilisation: gpu_ms / (1000.0 * wall_s) },
-            cores: merge.samples().into_iter().zip(busy).map(of_core).collect(),
-            given_up: merge.fates().given_up,
+            cpu_threads: accumulator.samples().into_iter().zip(busy).map(of_core).collect(),
+            given_up: accumulator.sample_counts().given_up,
         }
     }
 }
@@ -158,18 +158,19 @@ mod tests {
 
     use crate::args::FrameOptions;
 
-    fn wish(samples: u32, cores: u32) -> Wish {
+    fn request(samples: u32, cpu_threads: u32) -> FrameRequest {
         let options = FrameOptions::default().with("samples", &samples.to_string());
-        let options = options.and_then(|options| options.with("cpu-threads", &cores.to_string())).unwrap();
-        Wish::of(&options, Method::Path).unwrap()
+        let options =
+            options.and_then(|options| options.with("cpu-threads", &cpu_threads.to_string())).unwrap();
+        FrameRequest::of(&options, Method::Path).unwrap()
     }
 
     #[test]
     fn cores_without_samples_to_bring_are_told() {
-        for fine in [wish(1, 0), wish(5, 2)] {
+        for fine in [request(1, 0), request(5, 2)] {
             assert!(check(&[fine], 3).is_ok());
         }
-        let error = check(&[wish(5, 2), wish(4, 2)], 3).unwrap_err().to_string();
+        let error = check(&[request(5, 2), request(4, 2)], 3).unwrap_err().to_string();
         assert_eq!(
             error,
             "samples: expected more than the 4 of the timed frames, with --cpu-threads, found 4"
@@ -181,9 +182,9 @@ mod tests {
         let options = FrameOptions::default();
         let camera = *glimpse::scene::builtin("cornell").unwrap().camera(None).unwrap();
         let settings = options.settings(Method::Path).unwrap();
-        let (merge, _workers) = Merge::new(&View::new(&camera, [4, 3], &settings), 2);
+        let (accumulator, _workers) = Accumulator::new(&View::new(&camera, [4, 3], &settings), 2);
         let busy = [1000, 500].map(Duration::from_millis).into_iter();
-        let sides = Sides::of(6, 1500.0, &merge, busy, Duration::from_secs(2));
+        let sides = Sides::of(6, 1500.0, &accumulator, busy, Duration::from_secs(2));
         let text = "GPU 6 samples (75 % busy), core 0 0 samples (50 % busy), core 1 0 samples (25 % busy) in 2000 ms, \
                     3.000 samples/s";
         assert_eq!(crate::summary::sides(&sides), text);
@@ -192,10 +193,10 @@ mod tests {
     #[test]
     fn cores_trace_paths_alone() {
         let options = FrameOptions::default().with("cpu-threads", "2").unwrap();
-        let error = Wish::of(&options, Method::Adaptive).unwrap_err().to_string();
+        let error = FrameRequest::of(&options, Method::Adaptive).unwrap_err().to_string();
         let expected = "0 with method adaptive: only path and vr add samples up";
         assert_eq!(error, format!("cpu-threads: expected {expected}, found 2"));
-        let beside = |method| Wish::beside(&options, method).unwrap().settings.paths.cpu_threads;
+        let beside = |method| FrameRequest::beside(&options, method).unwrap().settings.paths.cpu_threads;
         assert_eq!([Method::Full, Method::Path].map(beside), [0, 2]);
     }
 }

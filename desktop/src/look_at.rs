@@ -3,11 +3,11 @@
 use std::str::FromStr;
 
 use clap::Args;
-use glimpse::{Camera, Lens, Pose};
+use glimpse::{Camera, Lens, LookAt};
 
 /// A camera of one's own instead of one of the scene.
 #[derive(Clone, Debug, Default, PartialEq, Args)]
-pub struct PoseOptions {
+pub struct LookAtOptions {
     /// A camera at this point of the scene
     #[arg(long, value_name = "X,Y,Z", value_parser = Point::from_str, allow_negative_numbers = true,
         requires = "target", conflicts_with = "camera")]
@@ -32,7 +32,7 @@ pub struct PoseOptions {
     pub ortho: Option<f32>,
 }
 
-impl PoseOptions {
+impl LookAtOptions {
     /// The camera, if one was asked for.
     pub fn camera(&self) -> glimpse::Result<Option<Camera>> {
         let (Some(Point(eye)), Some(Point(target))) = (self.eye, self.target) else { return Ok(None) };
@@ -41,7 +41,7 @@ impl PoseOptions {
             None => Lens::Perspective { vertical_fov_degrees: self.fov.unwrap_or(45.0) },
         };
         let up = self.up.map_or([0.0, 1.0, 0.0], |Point(up)| up);
-        Pose { eye: eye.into(), target: target.into(), up: up.into(), lens }.camera().map(Some)
+        LookAt { eye: eye.into(), target: target.into(), up: up.into(), lens }.camera().map(Some)
     }
 }
 

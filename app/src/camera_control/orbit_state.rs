@@ -1,7 +1,7 @@
 //! Position, direction and lens of the camera in `f64`, and the exact motions of them.
 
 use glam::{DMat3, DQuat, DVec2, DVec3, Vec3};
-use glimpse::{Camera, Lens, Pose};
+use glimpse::{Camera, Lens, LookAt};
 
 /// The size and centre of the scene, to which motions are relative.
 #[derive(Clone, Copy, Debug)]
@@ -51,7 +51,7 @@ impl Extent {
 
 /// An orbit: a target, an eye at a distance from it, and a lens.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stance {
+pub(super) struct OrbitState {
     /// Centre of the orbit, in world space.
     pub target: DVec3,
     /// Rotation from view space to world space: x is right, y is up, z is backward.
@@ -74,11 +74,11 @@ fn believed(lens: Lens, extent: &Extent) -> Lens {
     }
 }
 
-impl Stance {
+impl OrbitState {
     /// The orbit of a camera. The target is the point on the optical axis at the depth of the scene's centre.
     pub fn of(camera: &Camera, extent: &Extent) -> Self {
         // With the origin at zero, the pose's target is the view direction, without rounding by the eye's position.
-        let Pose { target, up, lens, .. } = Pose::of(&Camera { origin: Vec3::ZERO, ..*camera }, 1.0);
+        let LookAt { target, up, lens, .. } = LookAt::of(&Camera { origin: Vec3::ZERO, ..*camera }, 1.0);
         let eye = extent.place(camera.origin.as_dvec3());
         let forward = target.as_dvec3().normalize_or(DVec3::NEG_Z);
         let right = forward.cross(up.as_dvec3()).normalize_or(forward.any_orthonormal_vector());
@@ -129,7 +129,7 @@ impl Stance {
         self.view = (yaw * self.view * pitch).normalize();
     }
 
-    /// Rotates around the eye, by the same angles as [`Stance::orbit`].
+    /// Rotates around the eye, by the same angles as [`OrbitState::orbit`].
     pub fn turn(&mut self, by: DVec2, extent: &Extent) {
         let eye = self.eye();
         self.orbit(by);
@@ -196,10 +196,10 @@ impl Stance {
 
     /// The pose for the command line. The target of a pose only gives a direction: it is at least as far from the eye
     /// as the eye is from the origin, so that rounding does not rotate the view.
-    pub fn pose(&self) -> Pose {
+    pub fn look_at(&self) -> LookAt {
         let eye = self.eye();
         let ahead = self.distance.max(eye.length());
-        Pose {
+        LookAt {
             eye: eye.as_vec3(),
             target: (eye + self.forward() * ahead).as_vec3(),
             up: self.up().as_vec3(),

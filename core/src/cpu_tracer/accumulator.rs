@@ -6,14 +6,14 @@ use std::sync::{
     mpsc::{Receiver, Sender, channel, sync_channel},
 };
 
-use super::{Delivery, Fates, Order, Plane, Tally, View, Worker};
+use super::{Delivery, Order, SampleCounts, SampleImage, Tally, View, Worker};
 
 /// Takes what cores finish, each plane once, and never waits for them until the work ends.
-pub struct Merge {
+pub struct Accumulator {
     order: Arc<Order>,
     cores: Vec<Core>,
     /// Merged, and not yet with the renderer.
-    fresh: Option<Plane>,
+    fresh: Option<SampleImage>,
     merged: u64,
     tally: Arc<Tally>,
 }
@@ -27,7 +27,7 @@ struct Core {
     samples: u32,
 }
 
-impl Merge {
+impl Accumulator {
     /// Work on a view for so many cores, and the side of each.
     #[must_use]
     pub fn new(view: &View, cores: usize) -> (Self, Vec<Worker>) {
@@ -50,9 +50,9 @@ impl Merge {
             return;
         }
         self.order = Order::new(view, &self.tally);
-        if let Some(plane) = self.fresh.take() {
-            self.merged -= u64::from(plane.samples);
-            self.tally.give_up(plane.samples);
+        if let Some(image) = self.fresh.take() {
+            self.merged -= u64::from(image.samples);
+            self.tally.give_up(image.samples);
         }
         for core in &mut self.cores {
             core.samples = 0;
@@ -73,7 +73,7 @@ impl Merge {
     }
 
     /// What has been merged since this was last asked for.
-    pub fn take(&mut self) -> Option<Plane> {
+    pub fn take(&mut self) -> Option<SampleImage> {
         self.fresh.take()
     }
 
@@ -82,7 +82,7 @@ impl Merge {
         self.cores.iter_mut().for_each(|core| core.orders = None);
     }
 
-    /// [Closes](Merge::close), and merges the last of every core: waits until each has come to the end of its row, or is gone.
+    /// [Closes](Accumulator::close), and merges the last of every core: waits until each has come to the end of its row, or is gone.
     /// For workers on threads of their own; who steps them by itself closes, steps and collects.
     pub fn finish(&mut self) {
         self.close();
@@ -101,24 +101,24 @@ impl Merge {
 
     /// How many samples were begun, finished and dropped so far.
     #[must_use]
-    pub fn fates(&self) -> Fates {
-        Fates {
+    pub fn sample_counts(&self) -> SampleCounts {
+        SampleCounts {
             begun: self.tally.begun.load(Ordering::Relaxed),
             merged: self.merged,
             given_up: self.tally.given_up.load(Ordering::Relaxed),
         }
     }
 
-    fn receive(&mut self, index: usize, Delivery { order, plane }: Delivery) {
+    fn receive(&mut self, index: usize, Delivery { order, image }: Delivery) {
         if !Arc::ptr_eq(&order, &self.order) {
-            self.tally.give_up(plane.samples);
+            self.tally.give_up(image.samples);
             return;
         }
-        self.cores[index].samples += plane.samples;
-        self.merged += u64::from(plane.samples);
+        self.cores[index].samples += image.samples;
+        self.merged += u64::from(image.samples);
         match &mut self.fresh {
-            Some(fresh) => fresh.add(&plane),
-            None => self.fresh = Some(plane),
+            Some(fresh) => fresh.add(&image),
+            None => self.fresh = Some(image),
         }
     }
 }

@@ -1,15 +1,15 @@
 //! Samples of paths from the cores of a CPU beside those of a GPU (Kim & Sung 2021, 3.1 and Algorithms 1, 2, 4, 5).
 //!
 //! A core traces *planes*: one sample of every pixel of the picture, both eyes' where there are two, by
-//! [`reference::Frame::path`](crate::reference::Frame::path), which is the estimator of the shaders in f64. It begins the
-//! next one as soon as it has one, at its own pace. One [`Merge`] takes what is finished between two frames of the GPU and
-//! hands the sum to [`Renderer::merge`](crate::Renderer::merge).
+//! [`reference::ReferenceFrame::path`](crate::reference::ReferenceFrame::path), which is the estimator of the shaders in f64. It begins the
+//! next one as soon as it has one, at its own pace. One [`Accumulator`] takes what is finished between two frames of the GPU and
+//! hands the sum to [`Renderer::accumulate`](crate::Renderer::accumulate).
 //!
 //! | Kim & Sung 2021 | here |
 //! | --- | --- |
 //! | Algorithm 2: a core fills its colour buffer | [`Worker::step`], a row at a time |
-//! | Algorithm 1: core 1 merges what is finished, and no other core writes there | [`Merge::collect`] |
-//! | Algorithm 4, lines 2 and 3: merged colours are delivered | the upload in [`Renderer::merge`](crate::Renderer::merge) |
+//! | Algorithm 1: core 1 merges what is finished, and no other core writes there | [`Accumulator::collect`] |
+//! | Algorithm 4, lines 2 and 3: merged colours are delivered | the upload in [`Renderer::accumulate`](crate::Renderer::accumulate) |
 //! | Algorithm 5, lines 4 to 9: merged into the GPU's buffer | `passes/path/accumulate.wgsl` |
 //! | Algorithm 5, lines 10 to 14: noise is removed from the sum | `passes/denoise/median.wgsl`, or `atrous`, once more |
 //!
@@ -31,8 +31,8 @@ use std::sync::{
     atomic::{AtomicU32, AtomicU64, Ordering},
 };
 
-pub use accumulator::Merge;
-pub(crate) use pass::MergePass;
+pub use accumulator::Accumulator;
+pub(crate) use pass::AccumulatePass;
 pub use worker::Worker;
 
 use crate::{Camera, Denoise, Paths, Settings};
@@ -62,14 +62,14 @@ impl View {
 
 /// The sum of several samples of each pixel.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Plane {
+pub struct SampleImage {
     /// Number of samples of each pixel.
     pub samples: u32,
     /// Sums of linear RGB radiance, row by row from the top left.
     pub rgb: Vec<f32>,
 }
 
-impl Plane {
+impl SampleImage {
     fn add(&mut self, other: &Self) {
         self.samples += other.samples;
         self.rgb.iter_mut().zip(&other.rgb).for_each(|(sum, more)| *sum += more);
@@ -78,7 +78,7 @@ impl Plane {
 
 /// Numbers of samples by their state, over all views. The rest of those begun are still being traced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Fates {
+pub struct SampleCounts {
     /// Samples that were begun.
     pub begun: u64,
     /// Samples that were handed to the renderer or are ready to be.
@@ -122,5 +122,5 @@ impl Tally {
 /// A plane on its way, with what it was ordered for.
 struct Delivery {
     order: Arc<Order>,
-    plane: Plane,
+    image: SampleImage,
 }

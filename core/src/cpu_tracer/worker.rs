@@ -7,8 +7,8 @@ use std::sync::{
 
 use glam::DVec3;
 
-use super::{Delivery, Order, Plane};
-use crate::reference::{Frame, Reference, Rounding};
+use super::{Delivery, Order, SampleImage};
+use crate::reference::{Reference, ReferenceFrame, Rounding};
 
 /// Traces planes on whatever thread calls it.
 pub struct Worker {
@@ -17,7 +17,7 @@ pub struct Worker {
     order: Arc<Order>,
     begun: Option<Begun>,
     /// Finished samples that have not been handed over yet.
-    finished: Option<Plane>,
+    finished: Option<SampleImage>,
 }
 
 /// A sample of which the rows above `row` are traced.
@@ -66,7 +66,8 @@ impl Worker {
             row: 0,
             rgb: vec![0.0; place([0, height])],
         });
-        let frame = Frame { reference, camera: view.camera, size: view.size, settings: view.settings };
+        let frame =
+            ReferenceFrame { reference, camera: view.camera, size: view.size, settings: view.settings };
         let mut add = |pixel, radiance: DVec3| {
             let sum = begun.rgb[place(pixel)..].iter_mut();
             sum.zip(radiance.as_vec3().to_array()).for_each(|(sum, more)| *sum += more);
@@ -75,8 +76,8 @@ impl Worker {
         for pixel in row.flat_map(|y| (0..width).map(move |x| [x, y])) {
             let path = frame.path(pixel, begun.sample, &mut Rounding::none());
             add(pixel, path.own * path.radiance);
-            if let Some(landing) = path.landing {
-                add(landing.pixel, landing.share * path.radiance);
+            if let Some(splat) = path.splat {
+                add(splat.pixel, splat.share * path.radiance);
             }
         }
         begun.row += 1;
@@ -87,28 +88,28 @@ impl Worker {
 
     fn finish(&mut self) {
         let Some(Begun { rgb, .. }) = self.begun.take() else { return };
-        let plane = Plane { samples: 1, rgb };
+        let image = SampleImage { samples: 1, rgb };
         match &mut self.finished {
-            Some(finished) => finished.add(&plane),
-            None => self.finished = Some(plane),
+            Some(finished) => finished.add(&image),
+            None => self.finished = Some(image),
         }
     }
 
     /// Where the slot is taken it is tried again with the next row.
     fn hand_over(&mut self) {
-        let Some(plane) = self.finished.take() else { return };
-        match self.deliveries.try_send(Delivery { order: self.order.clone(), plane }) {
+        let Some(image) = self.finished.take() else { return };
+        match self.deliveries.try_send(Delivery { order: self.order.clone(), image }) {
             Ok(()) => {}
-            Err(TrySendError::Full(delivery)) => self.finished = Some(delivery.plane),
-            Err(TrySendError::Disconnected(delivery)) => self.order.tally.give_up(delivery.plane.samples),
+            Err(TrySendError::Full(delivery)) => self.finished = Some(delivery.image),
+            Err(TrySendError::Disconnected(delivery)) => self.order.tally.give_up(delivery.image.samples),
         }
     }
 
     /// The owner waits for what was finished, so this waits for the slot.
     fn end(&mut self) {
-        if let Some(plane) = self.finished.take() {
-            let samples = plane.samples;
-            if self.deliveries.send(Delivery { order: self.order.clone(), plane }).is_err() {
+        if let Some(image) = self.finished.take() {
+            let samples = image.samples;
+            if self.deliveries.send(Delivery { order: self.order.clone(), image }).is_err() {
                 self.order.tally.give_up(samples);
             }
         }
@@ -117,7 +118,7 @@ impl Worker {
 
     fn give_up(&mut self) {
         let begun = u32::from(self.begun.take().is_some());
-        self.order.tally.give_up(begun + self.finished.take().map_or(0, |plane| plane.samples));
+        self.order.tally.give_up(begun + self.finished.take().map_or(0, |image| image.samples));
     }
 }
 

@@ -8,7 +8,7 @@ use crate::{
     Error, Features, Gpu, Result,
     acceleration::Bvh,
     device::atlas::Atlas,
-    device::{Tier, Words, mirror::gpu_struct},
+    device::{SceneStorage, Tier, mirror::gpu_struct},
     scene::{self, Emitters, Environment, LightKind, MAX_LIGHTS, Material, Scene, Thinness},
 };
 
@@ -75,20 +75,20 @@ pub struct SceneFacts {
     /// Objects.
     pub objects: u32,
     /// Points of thin features.
-    pub landmarks: u32,
+    pub probe_points: u32,
 }
 
 /// A scene on the device: geometry, acceleration structure, materials, lights, textures. A clone is another handle to the
 /// same memory on the device, which is freed with the last of them.
 #[derive(Clone)]
 pub struct GpuScene {
-    nodes: Words,
-    primitives: Words,
-    shading: Words,
-    vertices: Words,
-    objects: Words,
+    nodes: SceneStorage,
+    primitives: SceneStorage,
+    shading: SceneStorage,
+    vertices: SceneStorage,
+    objects: SceneStorage,
     lights: wgpu::Buffer,
-    landmarks: wgpu::Buffer,
+    probe_points: wgpu::Buffer,
     emitters: wgpu::Buffer,
     atlas: Arc<Atlas>,
     facts: SceneFacts,
@@ -126,7 +126,7 @@ impl GpuScene {
         gpu.check_corners("primitives", primitive_count)?;
         let features = Features::of(&scene);
         let thinness = Thinness::of(&scene);
-        let landmarks: Vec<[f32; 3]> = thinness.landmarks().iter().map(|p| p.to_array()).collect();
+        let probe_points: Vec<[f32; 3]> = thinness.probe_points().iter().map(|p| p.to_array()).collect();
         let emitting = Emitters::of(&scene);
         let bvh = Bvh::build(&scene);
         let atlas = Atlas::upload(gpu, &mut scene)?;
@@ -156,7 +156,7 @@ impl GpuScene {
             shading,
             vertices,
             objects: gpu.words("objects", &objects)?,
-            landmarks: gpu.storage("landmarks", &landmarks)?,
+            probe_points: gpu.storage("probe_points", &probe_points)?,
             lights: gpu.filled("lights", &lights, wgpu::BufferUsages::UNIFORM)?,
             atlas: Arc::new(atlas),
             emitters,
@@ -169,7 +169,7 @@ impl GpuScene {
                 bvh_stack: stack,
                 lights: scene.lights.len() as u32,
                 objects: scene.objects.len() as u32,
-                landmarks: thinness.landmarks().len() as u32,
+                probe_points: thinness.probe_points().len() as u32,
             },
             environment: scene.environment,
             tier: gpu.tier,
@@ -218,7 +218,7 @@ impl GpuScene {
             ("vertices", self.vertices.binding()),
             ("objects", self.objects.binding()),
             ("lights", self.lights.as_entire_binding()),
-            ("landmarks", self.landmarks.as_entire_binding()),
+            ("probe_points", self.probe_points.as_entire_binding()),
             ("emitters", self.emitters.as_entire_binding()),
             ("atlas_color", wgpu::BindingResource::TextureView(&self.atlas.color)),
             ("atlas_data", wgpu::BindingResource::TextureView(&self.atlas.data)),
@@ -228,7 +228,7 @@ impl GpuScene {
     /// Bytes of everything but the acceleration structure, and of the latter.
     #[must_use]
     pub fn bytes(&self) -> (u64, u64) {
-        let buffers = [&self.lights, &self.landmarks, &self.emitters];
+        let buffers = [&self.lights, &self.probe_points, &self.emitters];
         let words = [&self.primitives, &self.shading, &self.vertices, &self.objects];
         let scene = buffers.iter().map(|b| b.size()).sum::<u64>()
             + words.iter().map(|w| w.bytes()).sum::<u64>()

@@ -25,7 +25,7 @@ use std::{
 use health::Health;
 
 pub use kernel::{Bound, Kernel, Kernels};
-pub(crate) use scene_storage::{TEXEL_ROW, Words};
+pub(crate) use scene_storage::{STORAGE_TEXTURE_WIDTH, SceneStorage};
 pub use timer::Timer;
 
 use crate::{Error, Result};
@@ -35,7 +35,7 @@ pub use adapter::{AdapterFacts, instance};
 
 /// The longest wait for a frame or a readback unless set otherwise. A device that needs more is taken for hung: the
 /// slowest frame that is still useful (a software driver, 16384x16384) takes a few minutes.
-pub const PATIENCE: Duration = Duration::from_secs(600);
+pub const TIMEOUT: Duration = Duration::from_secs(600);
 
 /// What kernels are made for and how scene data is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,10 +75,10 @@ pub struct Gpu {
     adapter: wgpu::Adapter,
     facts: Arc<AdapterFacts>,
     health: Arc<Health>,
-    patience: Duration,
+    timeout: Duration,
     /// Held from a submission until its result has been copied: whoever polls a lost device frees its buffers, those
     /// that another thread has mapped included.
-    turn: Arc<Mutex<()>>,
+    submit_lock: Arc<Mutex<()>>,
     /// Pipelines that the driver compiled in earlier runs.
     compiled: Option<wgpu::PipelineCache>,
     /// Whether the device is a CPU, for which other kernels are linked.
@@ -195,8 +195,8 @@ impl Gpu {
             adapter,
             facts: Arc::new(facts),
             health: Arc::default(),
-            patience: PATIENCE,
-            turn: Arc::default(),
+            timeout: TIMEOUT,
+            submit_lock: Arc::default(),
             compiled: None,
         })
     }
@@ -207,10 +207,10 @@ impl Gpu {
         Self { tier: Tier::Gpu, ..self }
     }
 
-    /// Waits at most that long for a frame or a readback ([`PATIENCE`]).
+    /// Waits at most that long for a frame or a readback ([`TIMEOUT`]).
     #[must_use]
-    pub fn with_patience(self, patience: Duration) -> Self {
-        Self { patience, ..self }
+    pub fn with_timeout(self, timeout: Duration) -> Self {
+        Self { timeout, ..self }
     }
 
     /// Gives the device up, as a driver does that resets it: from here on everything made from it gives

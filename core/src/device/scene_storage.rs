@@ -4,20 +4,20 @@ use super::Gpu;
 use crate::Result;
 
 /// Texels of an image's row, of four words each.
-pub const TEXEL_ROW: u32 = 4096;
+pub const STORAGE_TEXTURE_WIDTH: u32 = 4096;
 
 const TEXEL_BYTES: u32 = 16;
 
 /// 32-bit words in a storage buffer or an image.
 #[derive(Clone)]
-pub enum Words {
+pub enum SceneStorage {
     /// A storage buffer.
     Buffer(wgpu::Buffer),
     /// An RGBA32Uint image: four words a texel, row by row.
     Texels(wgpu::Texture, wgpu::TextureView),
 }
 
-impl Words {
+impl SceneStorage {
     pub fn binding(&self) -> wgpu::BindingResource<'_> {
         match self {
             Self::Buffer(buffer) => buffer.as_entire_binding(),
@@ -35,21 +35,21 @@ impl Words {
 }
 
 fn image_bytes(rows: u32) -> u64 {
-    u64::from(TEXEL_ROW) * u64::from(TEXEL_BYTES) * u64::from(rows)
+    u64::from(STORAGE_TEXTURE_WIDTH) * u64::from(TEXEL_BYTES) * u64::from(rows)
 }
 
 impl Gpu {
     /// Words, four at a time, where the device reads them faster.
-    pub(crate) fn words<T: bytemuck::NoUninit>(&self, label: &str, content: &[T]) -> Result<Words> {
+    pub(crate) fn words<T: bytemuck::NoUninit>(&self, label: &str, content: &[T]) -> Result<SceneStorage> {
         if self.tier.stores_images() {
             self.texels(label, bytemuck::cast_slice(content))
         } else {
-            Ok(Words::Buffer(self.storage(label, content)?))
+            Ok(SceneStorage::Buffer(self.storage(label, content)?))
         }
     }
 
     /// Three corners a primitive, as [`Gpu::words`]; in an image each has a texel.
-    pub(crate) fn corners(&self, label: &str, content: &[[[f32; 3]; 3]]) -> Result<Words> {
+    pub(crate) fn corners(&self, label: &str, content: &[[[f32; 3]; 3]]) -> Result<SceneStorage> {
         if self.tier.stores_images() {
             let texels: Vec<_> =
                 content.iter().map(|corners| corners.map(|[x, y, z]| [x, y, z, 0.0])).collect();
@@ -67,7 +67,7 @@ impl Gpu {
         content: &[u32],
         texcoords: bool,
         colors: bool,
-    ) -> Result<Words> {
+    ) -> Result<SceneStorage> {
         if !self.tier.stores_images() {
             return self.words(label, content);
         }
@@ -90,21 +90,21 @@ impl Gpu {
     /// Whether the device can hold the corners of that many primitives.
     pub(crate) fn check_corners(&self, label: &str, primitives: usize) -> Result<()> {
         if self.tier.stores_images() {
-            self.check_texels(label, (primitives * size_of::<[[f32; 4]; 3]>()) as u64)
+            self.check_storage_texture(label, (primitives * size_of::<[[f32; 4]; 3]>()) as u64)
         } else {
             self.check_binding(label, (primitives * size_of::<[[f32; 3]; 3]>()) as u64)
         }
     }
 
     /// An image with this content, of at least one row.
-    fn texels(&self, label: &str, content: &[u8]) -> Result<Words> {
-        self.check_texels(label, content.len() as u64)?;
+    fn texels(&self, label: &str, content: &[u8]) -> Result<SceneStorage> {
+        self.check_storage_texture(label, content.len() as u64)?;
         let row_bytes = image_bytes(1) as usize;
         let rows = content.len().div_ceil(row_bytes).max(1) as u32;
         self.checked(&format!("image `{label}`"), Some(image_bytes(rows)), |device| {
             let image = device.create_texture(&wgpu::TextureDescriptor {
                 label: Some(label),
-                size: wgpu::Extent3d { width: TEXEL_ROW, height: rows, depth_or_array_layers: 1 },
+                size: wgpu::Extent3d { width: STORAGE_TEXTURE_WIDTH, height: rows, depth_or_array_layers: 1 },
                 mip_level_count: 1,
                 sample_count: 1,
                 dimension: wgpu::TextureDimension::D2,
@@ -114,10 +114,10 @@ impl Gpu {
             });
             let (whole, rest) = content.split_at(content.len() / row_bytes * row_bytes);
             let begun = (whole.len() / row_bytes) as u32;
-            self.write_texels(&image, 0, [TEXEL_ROW, begun], whole);
+            self.write_texels(&image, 0, [STORAGE_TEXTURE_WIDTH, begun], whole);
             self.write_texels(&image, begun, [rest.len() as u32 / TEXEL_BYTES, 1], rest);
             let view = image.create_view(&wgpu::TextureViewDescriptor::default());
-            Words::Texels(image, view)
+            SceneStorage::Texels(image, view)
         })
     }
 
@@ -134,7 +134,7 @@ impl Gpu {
             texels,
             wgpu::TexelCopyBufferLayout {
                 offset: 0,
-                bytes_per_row: Some(TEXEL_ROW * TEXEL_BYTES),
+                bytes_per_row: Some(STORAGE_TEXTURE_WIDTH * TEXEL_BYTES),
                 rows_per_image: None,
             },
             wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
@@ -142,7 +142,7 @@ impl Gpu {
     }
 
     /// Whether one image can hold that many bytes.
-    fn check_texels(&self, label: &str, bytes: u64) -> Result<()> {
+    fn check_storage_texture(&self, label: &str, bytes: u64) -> Result<()> {
         let have = image_bytes(self.device.limits().max_texture_dimension_2d);
         self.check_bytes(format!("image `{label}`"), bytes, "in one image", have)
     }

@@ -18,7 +18,7 @@ impl Gpu {
     /// # Errors
     /// A device that failed, or a configuration that the surface does not take.
     pub fn configure(&self, surface: &wgpu::Surface<'_>, config: &wgpu::SurfaceConfiguration) -> Result<()> {
-        let _turn = self.turn();
+        let _submit_lock = self.submit_lock();
         let mut done = Ok(());
         for _ in 0..CONFIGURATIONS {
             done = self.checked("surface", None, |device| surface.configure(device, config));
@@ -40,7 +40,7 @@ impl Gpu {
         &self,
         commands: impl IntoIterator<Item = wgpu::CommandBuffer>,
     ) -> Result<()> {
-        self.submitted(commands, &self.turn())
+        self.submitted(commands, &self.submit_lock())
     }
 
     /// As [`Gpu::submit_all_and_wait`] with at most two submissions before the device at a time; submits no more once
@@ -50,7 +50,7 @@ impl Gpu {
         mut commands: impl ExactSizeIterator<Item = wgpu::CommandBuffer>,
         cancelled: &dyn Fn() -> bool,
     ) -> Result<bool> {
-        let _turn = self.turn();
+        let _submit_lock = self.submit_lock();
         let mut last = None;
         while commands.len() > 0 {
             if cancelled() {
@@ -124,25 +124,25 @@ impl Gpu {
             // Where nobody listens any more, the wait has failed before.
             let _ = done.send(result);
         });
-        let turn = self.turn();
-        self.submitted(iter::once(encoder).map(wgpu::CommandEncoder::finish), &turn)?;
-        match mapped.recv_timeout(self.patience) {
+        let submit_lock = self.submit_lock();
+        self.submitted(iter::once(encoder).map(wgpu::CommandEncoder::finish), &submit_lock)?;
+        match mapped.recv_timeout(self.timeout) {
             Ok(Ok(())) => {}
             Ok(Err(error)) => return Err(self.failed(error)),
-            Err(_) => return Err(self.out_of_patience()),
+            Err(_) => return Err(self.timed_out()),
         }
         let view = staging.slice(..).get_mapped_range().map_err(|error| self.failed(error))?;
         Ok(view.to_vec())
     }
 
-    fn turn(&self) -> MutexGuard<'_, ()> {
-        self.turn.lock().unwrap_or_else(PoisonError::into_inner)
+    fn submit_lock(&self) -> MutexGuard<'_, ()> {
+        self.submit_lock.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn submitted(
         &self,
         commands: impl IntoIterator<Item = wgpu::CommandBuffer>,
-        _turn: &MutexGuard<'_, ()>,
+        _submit_lock: &MutexGuard<'_, ()>,
     ) -> Result<()> {
         let mut commands = commands.into_iter();
         let mut last = None;
@@ -162,14 +162,14 @@ impl Gpu {
 
     /// Waits for a submission, or for all.
     fn wait_for(&self, submission: Option<wgpu::SubmissionIndex>) -> Result<()> {
-        let wait = wgpu::PollType::Wait { submission_index: submission, timeout: Some(self.patience) };
+        let wait = wgpu::PollType::Wait { submission_index: submission, timeout: Some(self.timeout) };
         // wgpu 30 panics where the driver reports the loss during the wait ("Error in Device::poll"), holding no lock
         // and after it has called back.
         let polled = catch_unwind(AssertUnwindSafe(|| self.device.poll(wait)));
         self.check_health()?;
         match polled {
             Ok(Ok(_)) => Ok(()),
-            Ok(Err(wgpu::PollError::Timeout)) => Err(self.out_of_patience()),
+            Ok(Err(wgpu::PollError::Timeout)) => Err(self.timed_out()),
             Ok(Err(error)) => Err(Error::Device(error.to_string())),
             // wgpu's own message; a caller who does not pass the loss on (Gpu::on_lost) gets no other.
             Err(panic) => match panic.downcast::<String>() {
@@ -179,9 +179,9 @@ impl Gpu {
         }
     }
 
-    fn out_of_patience(&self) -> Error {
+    fn timed_out(&self) -> Error {
         // The last handle of a queue waits for the device without bound when it goes. This one never goes.
         mem::forget(self.queue.clone());
-        Error::Timeout { adapter: self.facts.info.name.clone(), waited: self.patience }
+        Error::Timeout { adapter: self.facts.info.name.clone(), waited: self.timeout }
     }
 }

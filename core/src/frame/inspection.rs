@@ -28,7 +28,7 @@ fn pixel_record(record: &recorder::PixelRecord) -> PixelRecord {
         cost: record.cost,
         active: record.edges & 15,
         differing: record.edges >> 4,
-        cells: record.cells,
+        strata: record.strata,
         object: hit.then(|| record.object - 1),
         depth: if hit { record.depth } else { f32::INFINITY },
         normal: if hit { octahedral_decode(record.normal).into() } else { Vec3::ZERO.into() },

@@ -98,7 +98,7 @@ pub enum Extent {
     /// So many workgroups as this chunk of the list needs.
     Chunk(u32),
     /// So many workgroups as renew the frame's share of so many tiles.
-    Renewed(u32),
+    Refreshed(u32),
 }
 
 /// All dispatches of a frame, in order.

@@ -33,7 +33,7 @@ gpu_struct! {
         pos: f32, norm: f32, tex: f32, gcol: f32,
         tau_primary: [f32; 4], tau_secondary: [f32; 4],
         tau_col: f32, tau_least: f32, focus_first: u32, focus_last: u32,
-        similar: f32, padding_x: u32, padding_y: u32, padding_z: u32,
+        quincunx_threshold: f32, padding_x: u32, padding_y: u32, padding_z: u32,
     }
 }
 
@@ -47,12 +47,12 @@ gpu_struct! {
 
 gpu_struct! {
     /// The constants of a frame.
-    pub struct Frame {
+    pub struct FrameUniform {
         camera: FrameCamera, part: FramePart, tolerances: FrameTolerances, paths: FramePaths,
         background: [f32; 3], min_weight: f32,
         ambient: [f32; 3], depth: u32,
-        truncated: [f32; 3], seed: u32,
-        size: [u32; 2], renewed_from: u32, renewed: u32,
+        fallback_radiance: [f32; 3], seed: u32,
+        size: [u32; 2], refresh_first: u32, refresh_count: u32,
         still: u32, padding_x: u32, padding_y: u32, padding_z: u32,
     }
 }
@@ -60,14 +60,14 @@ gpu_struct! {
 gpu_struct! {
     /// What the counting kernels write of a pixel.
     pub struct PixelRecord {
-        origin: u32, failed: u32, cost: u32, object: u32, depth: f32, normal: u32, edges: u32, cells: u32,
+        origin: u32, failed: u32, cost: u32, object: u32, depth: f32, normal: u32, edges: u32, strata: u32,
     }
 }
 
-/// Bytes from one [`Frame`] to the next: a multiple of WebGPU's default for the alignment of uniform buffers.
-pub const FRAME_STRIDE: u64 = size_of::<Frame>().next_multiple_of(256) as u64;
+/// Bytes from one [`FrameUniform`] to the next: a multiple of WebGPU's default for the alignment of uniform buffers.
+pub const FRAME_STRIDE: u64 = size_of::<FrameUniform>().next_multiple_of(256) as u64;
 
-impl Frame {
+impl FrameUniform {
     /// The constants of one frame of a scene, of so many samples; those of a part are still to come.
     pub fn new(scene: &GpuScene, settings: &Settings, size: [u32; 2], camera: &Camera) -> Self {
         let environment = &scene.environment;
@@ -98,12 +98,12 @@ impl Frame {
                 // As objects are stored: 0 is no hit, which is in no focus but everything's.
                 focus_first: settings.focus.map_or(0, |focus| focus.first.saturating_add(1)),
                 focus_last: settings.focus.map_or(u32::MAX, |focus| focus.last.saturating_add(1)),
-                similar: settings.similar,
+                quincunx_threshold: settings.quincunx_threshold,
                 ..Default::default()
             },
             paths: FramePaths {
                 gaze,
-                stop: settings.paths.p_max / farthest(gaze, extent),
+                stop: settings.paths.foveation_max / farthest(gaze, extent),
                 emitter_scale: scene.emitter_scale,
                 emitters: scene.emitter_count,
                 ..Default::default()
@@ -112,7 +112,7 @@ impl Frame {
             min_weight: settings.min_weight,
             ambient: environment.ambient.into(),
             depth: settings.depth,
-            truncated: environment.truncated.into(),
+            fallback_radiance: environment.fallback_radiance.into(),
             seed: settings.seed,
             size,
             ..Default::default()
@@ -164,7 +164,7 @@ impl Passes {
             ("list", targets.list.as_entire_binding()),
             ("dispatch", targets.dispatch.as_entire_binding()),
             ("samples", targets.samples.as_entire_binding()),
-            ("guides", targets.guides.as_entire_binding()),
+            ("gbuffer", targets.gbuffer.as_entire_binding()),
         ]);
         let name = match spec.output {
             Output::Display => Some("display"),
@@ -173,13 +173,13 @@ impl Passes {
         };
         resources.extend(name.map(|name| (name, wgpu::BindingResource::TextureView(&color))));
         resources.extend(inspection.map(|buffer| ("inspection", buffer.as_entire_binding())));
-        resources.push(("landed", targets.landed.as_entire_binding()));
+        resources.push(("splats", targets.splats.as_entire_binding()));
         let bind = |side: usize, index: usize, part: &Part| {
             let mut resources = resources.clone();
             let filtered = part.filtered();
             resources.extend([
-                ("filtered", targets.filtered[filtered].as_entire_binding()),
-                ("filtered_before", targets.filtered[1 - filtered].as_entire_binding()),
+                ("atrous_buffer", targets.atrous_buffers[filtered].as_entire_binding()),
+                ("atrous_buffer_before", targets.atrous_buffers[1 - filtered].as_entire_binding()),
                 ("frame", targets.constants(index)),
                 ("history", targets.histories[side].as_entire_binding()),
                 ("history_before", targets.histories[1 - side].as_entire_binding()),
@@ -205,7 +205,7 @@ impl Passes {
         &'f self,
         gpu: &'f Gpu,
         targets: &'f Targets,
-        constants: &Frame,
+        constants: &FrameUniform,
         tolerances: &Tolerances,
         side: usize,
         cleared: Vec<&'f wgpu::Buffer>,
@@ -213,7 +213,7 @@ impl Passes {
         let parts = in_strides(&targets.plan.parts, constants, tolerances);
         let parts = gpu.filled("constants", &parts, wgpu::BufferUsages::COPY_SRC)?;
         let submissions = targets.plan.submissions();
-        let (count, renewed) = (submissions.len(), constants.renewed);
+        let (count, refresh_count) = (submissions.len(), constants.refresh_count);
         Ok(submissions.into_iter().enumerate().map(move |(submission, of_submission)| {
             let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             if submission == 0 {
@@ -221,7 +221,7 @@ impl Passes {
                 cleared.iter().for_each(|buffer| encoder.clear_buffer(buffer, 0, None));
             }
             for (index, part) in of_submission {
-                self.record(&mut encoder, targets, &self.bound[side][index], &part, renewed);
+                self.record(&mut encoder, targets, &self.bound[side][index], &part, refresh_count);
             }
             if submission + 1 == count {
                 self.timer.resolve(&mut encoder);
@@ -234,11 +234,11 @@ impl Passes {
     ///
     /// # Errors
     /// A device that failed.
-    pub fn remove_noise(
+    pub fn denoise(
         &self,
         gpu: &Gpu,
         targets: &Targets,
-        constants: &Frame,
+        constants: &FrameUniform,
         tolerances: &Tolerances,
     ) -> Result<()> {
         gpu.queue.write_buffer(&targets.frame, 0, &in_strides(&targets.plan.parts, constants, tolerances));
@@ -249,7 +249,7 @@ impl Passes {
         gpu.submit_all_and_wait(submissions.filter(|parts| !parts.is_empty()).map(|parts| {
             let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             for (index, part) in parts {
-                self.record(&mut encoder, targets, &self.bound[0][index], &part, constants.renewed);
+                self.record(&mut encoder, targets, &self.bound[0][index], &part, constants.refresh_count);
             }
             encoder.finish()
         }))
@@ -266,22 +266,22 @@ impl Passes {
         targets: &Targets,
         bound: &Bound,
         part: &Part,
-        renewed: u32,
+        refresh_count: u32,
     ) {
         if let [true, _] = part.bounds {
             for cleared in part.stage.clears {
                 match cleared {
                     Clears::ListHeader => encoder.clear_buffer(&targets.list, 0, Some(LIST_HEADER)),
                     Clears::Attributes => encoder.clear_buffer(&targets.attributes, 0, None),
-                    Clears::Landed => encoder.clear_buffer(&targets.landed, 0, None),
+                    Clears::Reprojected => encoder.clear_buffer(&targets.splats, 0, None),
                 }
             }
         }
         let mut pass = self.timer.part(encoder, part.pass, part.bounds);
         match part.extent {
             Extent::Groups(groups) => bound.dispatch(&mut pass, groups),
-            Extent::Renewed(tiles) => {
-                bound.dispatch(&mut pass, [(tiles * renewed).div_ceil(TRACE_GROUP), 1]);
+            Extent::Refreshed(tiles) => {
+                bound.dispatch(&mut pass, [(tiles * refresh_count).div_ceil(TRACE_GROUP), 1]);
             }
             Extent::Chunk(chunk) => {
                 let offset = DISPATCH_BYTES * u64::from(chunk);
@@ -292,12 +292,12 @@ impl Passes {
 }
 
 /// The constants of every part, as the buffer holds them.
-fn in_strides(parts: &[Part], constants: &Frame, tolerances: &Tolerances) -> Vec<u8> {
+fn in_strides(parts: &[Part], constants: &FrameUniform, tolerances: &Tolerances) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(parts.len() * FRAME_STRIDE as usize);
     for part in parts {
         let Rows { stride, row, end, turn } = part.rows;
         let Tolerances { norm, gcol, .. } = tolerances.at(stride.max(2));
-        let of_part = Frame {
+        let of_part = FrameUniform {
             part: FramePart { first: part.first, stride, row, end, turn, walk: part.walk, step: part.step },
             tolerances: FrameTolerances { norm, gcol, ..constants.tolerances },
             ..*constants

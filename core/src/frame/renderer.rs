@@ -12,7 +12,7 @@ use crate::{
     Paths, Postcorrect, Result, Settings,
     device::Kernels,
     frame::inspection,
-    frame::recorder::{Frame, FramePaths, Passes},
+    frame::recorder::{FramePaths, FrameUniform, Passes},
     frame::sequence::{Sequence, Step},
     frame::targets::{Targets, inspection_buffer, inspection_fits, texture},
     passes::{FrameSpec, Output},
@@ -20,7 +20,7 @@ use crate::{
 
 /// Renders frames of one size of one scene. It holds handles to the device and the scene, so both live as long as it does.
 ///
-/// With a method that [keeps frames](Method::keeps_frames) they are a sequence: the first traces every pixel, and so does
+/// With a method that [keeps frames](Method::has_history) they are a sequence: the first traces every pixel, and so does
 /// the first after another size, other settings or [`Renderer::linear_image`]. A frame that was given up is none of them.
 pub struct Renderer {
     gpu: Gpu,
@@ -35,7 +35,7 @@ pub struct Renderer {
     inspecting: Option<(Passes, wgpu::Buffer)>,
     linear: Option<(Passes, wgpu::Texture)>,
     #[cfg(feature = "reference")]
-    merging: Option<crate::cpu_tracer::MergePass>,
+    accumulating: Option<crate::cpu_tracer::AccumulatePass>,
 }
 
 impl Renderer {
@@ -63,7 +63,7 @@ impl Renderer {
             inspecting: None,
             linear: None,
             #[cfg(feature = "reference")]
-            merging: None,
+            accumulating: None,
         })
     }
 
@@ -181,14 +181,14 @@ impl Renderer {
     }
 
     /// Whether another frame of the last camera would show the same: every pixel shows what a ray through its centre sees.
-    /// False where a method that [keeps frames](Method::keeps_frames) has not yet renewed all that it kept from before the
+    /// False where a method that [keeps frames](Method::has_history) has not yet renewed all that it kept from before the
     /// camera came to rest.
     #[must_use]
     pub fn is_settled(&self) -> bool {
-        !self.settings.method.keeps_frames() || self.sequence.is_settled()
+        !self.settings.method.has_history() || self.sequence.is_settled()
     }
 
-    /// How many samples of paths are shown in each pixel, those that were [merged](Renderer::merge) among them; 1 of methods
+    /// How many samples of paths are shown in each pixel, those that were [merged](Renderer::accumulate) among them; 1 of methods
     /// that do not add them up.
     #[must_use]
     pub fn samples(&self) -> u32 {
@@ -271,14 +271,14 @@ impl Renderer {
 
     /// The frame of this camera in linear radiance (kernels that write it are linked on the first call). Where frames are a
     /// sequence, this is the first of one, and so is the next that is rendered; of paths, there are as many samples in it as in
-    /// the last frame; with samples that were [merged](Renderer::merge) it is the last frame itself.
+    /// the last frame; with samples that were [merged](Renderer::accumulate) it is the last frame itself.
     ///
     /// # Errors
     /// A device that failed.
     pub fn linear_image(&mut self, camera: &Camera) -> Result<LinearImage> {
         #[cfg(feature = "reference")]
         if self.sequence.merged() > 0 && self.sequence.camera() == Some(*camera) {
-            return self.merged_image(camera);
+            return self.accumulated_image(camera);
         }
         let (passes, target) = self.linear()?;
         let frames = self.sequence.frames();
@@ -316,15 +316,15 @@ impl Renderer {
     }
 
     /// What guides the removal of noise in each pixel of the last frame, row by row: the words that
-    /// [`Guide::unpacked`](crate::reference::Guide::unpacked) takes. None where nothing is done about noise.
+    /// [`GBufferPixel::unpacked`](crate::reference::GBufferPixel::unpacked) takes. None where nothing is done about noise.
     ///
     /// # Errors
     /// A device that failed.
-    pub fn guides(&self) -> Result<Vec<[u32; 4]>> {
+    pub fn gbuffer(&self) -> Result<Vec<[u32; 4]>> {
         if self.settings.denoise() == Denoise::Off {
             return Ok(Vec::new());
         }
-        Ok(bytemuck::pod_collect_to_vec(&self.gpu.read_buffer(&self.targets.guides)?))
+        Ok(bytemuck::pod_collect_to_vec(&self.gpu.read_buffer(&self.targets.gbuffer)?))
     }
 
     /// Bytes on the device for timed frames.
@@ -338,7 +338,7 @@ impl Renderer {
         (self.inspecting, self.linear) = (None, None);
         #[cfg(feature = "reference")]
         {
-            self.merging = None;
+            self.accumulating = None;
         }
     }
 
@@ -359,15 +359,15 @@ impl Renderer {
         Passes::new(gpu, scene, targets, spec, kernels, color, inspection)
     }
 
-    fn constants(&self, camera: &Camera, step: &Step) -> Result<Frame> {
+    fn constants(&self, camera: &Camera, step: &Step) -> Result<FrameUniform> {
         if self.settings.method == Method::Vr && camera.orthographic {
             let expected = "a perspective camera with method vr";
             return Err(Error::setting("camera", expected, "an orthographic one, which has no eyes"));
         }
-        let frame = Frame::new(&self.scene, &self.settings, self.targets.grid, camera);
-        Ok(Frame {
-            renewed_from: step.first,
-            renewed: step.count,
+        let frame = FrameUniform::new(&self.scene, &self.settings, self.targets.grid, camera);
+        Ok(FrameUniform {
+            refresh_first: step.first,
+            refresh_count: step.count,
             still: u32::from(step.still),
             paths: FramePaths { sample: step.sample, merged: step.merged, ..frame.paths },
             ..frame

@@ -46,7 +46,7 @@ struct Last {
     step: Step,
     camera: Camera,
     /// Ranks that were traced anew since the camera came to where it is.
-    renewed: u32,
+    refreshed: u32,
 }
 
 impl Sequence {
@@ -54,7 +54,7 @@ impl Sequence {
     pub fn new(settings: &Settings) -> Self {
         let (count, samples) = match settings.method {
             Method::Path | Method::Vr => (RANKS, settings.paths.samples),
-            method if method.keeps_frames() => (renewed_ranks(settings.share), 0),
+            method if method.has_history() => (refresh_ranks(settings.refresh_fraction), 0),
             _ => (RANKS, 0),
         };
         Self { count, samples, last: None, given_up: false }
@@ -84,8 +84,8 @@ impl Sequence {
 
     /// The frame was finished.
     pub fn done(&mut self, step: Step, camera: &Camera) {
-        let before = self.last.filter(|_| step.still).map_or(0, |last| last.renewed);
-        self.last = Some(Last { step, camera: *camera, renewed: RANKS.min(before + step.count) });
+        let before = self.last.filter(|_| step.still).map_or(0, |last| last.refreshed);
+        self.last = Some(Last { step, camera: *camera, refreshed: RANKS.min(before + step.count) });
         self.given_up = false;
     }
 
@@ -99,7 +99,7 @@ impl Sequence {
     }
 
     /// So many samples were added to what the last frame shows.
-    pub fn merge(&mut self, samples: u32) {
+    pub fn accumulate(&mut self, samples: u32) {
         if let Some(last) = &mut self.last {
             last.step.merged = last.step.merged.saturating_add(samples);
         }
@@ -130,13 +130,13 @@ impl Sequence {
     pub fn is_settled(&self) -> bool {
         self.last.is_some_and(|last| {
             let samples = last.step.sample.saturating_add(1).saturating_add(last.step.merged);
-            last.renewed == RANKS && samples >= self.samples
+            last.refreshed == RANKS && samples >= self.samples
         })
     }
 }
 
 /// At least that share of a tile's ranks, and one.
-fn renewed_ranks(share: f32) -> u32 {
+fn refresh_ranks(share: f32) -> u32 {
     ((share * RANKS as f32).ceil() as u32).clamp(1, RANKS)
 }
 
@@ -156,7 +156,7 @@ mod tests {
     }
 
     fn sequence(share: f32) -> Sequence {
-        Sequence::new(&Settings { method: Method::Frameless, share, ..Settings::default() })
+        Sequence::new(&Settings { method: Method::Frameless, refresh_fraction: share, ..Settings::default() })
     }
 
     fn step(sequence: &mut Sequence, x: f32) -> Vec<u32> {
@@ -177,8 +177,8 @@ mod tests {
                 window.iter().flatten().for_each(|rank| seen[*rank as usize] = true);
                 assert!(seen.iter().all(|seen| *seen), "{share}");
             }
-            let order: Vec<_> = frames.into_iter().flatten().collect();
-            for around in order.windows(RANKS as usize) {
+            let tile_order: Vec<_> = frames.into_iter().flatten().collect();
+            for around in tile_order.windows(RANKS as usize) {
                 assert!(!around[1..].contains(&around[0]), "{share}");
             }
         }
@@ -187,7 +187,7 @@ mod tests {
     #[test]
     fn a_frame_costs_no_more_than_its_share_and_a_rank() {
         for share in [0.01, 0.1, 0.25, 0.9] {
-            let ranks = renewed_ranks(share) as f32;
+            let ranks = refresh_ranks(share) as f32;
             assert!((share * 256.0..share * 256.0 + 1.0).contains(&ranks), "{share}: {ranks}");
         }
     }

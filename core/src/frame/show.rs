@@ -12,7 +12,7 @@ pub enum Show {
     Origin,
     /// The pixels that fail a similarity check.
     Check(Check),
-    /// How many quarters of a pixel get extra samples (Jin 2009, Figure 1).
+    /// How many subpixels get extra samples (Jin 2009, Figure 1).
     Active,
     /// The pixels of which an attribute differs from a neighbour's, by its index in [`THRESHOLD_NAMES`].
     Attribute(usize),
@@ -72,7 +72,7 @@ impl Show {
             Self::Check(_) | Self::Depth | Self::Normal | Self::Oid if method == Method::Checkerboard => {
                 Some("A checkerboard averages every second pixel: no surface belongs to an average.")
             }
-            Self::Check(_) | Self::Depth | Self::Normal | Self::Oid if method.keeps_frames() => {
+            Self::Check(_) | Self::Depth | Self::Normal | Self::Oid if method.has_history() => {
                 Some("Of pixels that are kept only the colour is known.")
             }
             _ => None,
@@ -173,15 +173,15 @@ fn origin(frame: &DisplayImage, pixels: &[PixelRecord]) -> (DisplayImage, String
 }
 
 fn active(frame: &DisplayImage, pixels: &[PixelRecord]) -> (DisplayImage, String) {
-    let quarters = |p: &PixelRecord| p.active.count_ones() as usize;
+    let subpixels = |p: &PixelRecord| p.active.count_ones() as usize;
     let mut counts = [0_u64; 5];
     for pixel in pixels {
-        counts[quarters(pixel)] += 1;
+        counts[subpixels(pixel)] += 1;
     }
     let entry = |number: usize| format!("{number} {} ({})", ACTIVE[number].0, grouped(counts[number]));
     let legend: Vec<_> = (0..ACTIVE.len()).map(entry).collect();
     let legend = format!("quarters of a pixel with extra samples: {}", legend.join(", "));
-    (painted(frame, pixels, |_, p| ACTIVE[quarters(p)].1), legend)
+    (painted(frame, pixels, |_, p| ACTIVE[subpixels(p)].1), legend)
 }
 
 fn differing(frame: &DisplayImage, pixels: &[PixelRecord], attribute: usize) -> (DisplayImage, String) {
@@ -293,7 +293,7 @@ mod tests {
         cost: 10,
         active: 0b0101,
         differing: 0b10,
-        cells: 0,
+        strata: 0,
         object: Some(3),
         depth: 2.0,
         normal: [0.0, 0.0, 1.0],
@@ -304,7 +304,7 @@ mod tests {
         cost: 0,
         active: 0,
         differing: 0,
-        cells: 0,
+        strata: 0,
         object: None,
         depth: f32::INFINITY,
         normal: [0.0; 3],

@@ -49,12 +49,12 @@ pub struct PixelRecord {
     /// Bit i is set where quarter i gets extra samples, or is divided: 0 upper left, 1 upper right, 2 lower left, 3 lower right.
     pub active: u32,
     /// Bit i is set where attribute i of [`crate::THRESHOLD_NAMES`] differs from that of a neighbour; bit 0, where the
-    /// contrast exceeds the threshold of the colour. Of a quincunx: which quarters of the pixel's quarters are divided. From
+    /// contrast exceeds the threshold of the colour. Of a quincunx: which subpixels's quarters are divided. From
     /// bit 16 on, 1 + the round in which a pixel is refined ([`crate::Refine::On`]), of whose `active` a bit is set for each
     /// four samples, from the first bit on.
     pub differing: u32,
     /// Bit i is set where a refined pixel has the i-th of its sixteen samples.
-    pub cells: u32,
+    pub strata: u32,
     /// OID of the first hit; `None` where nothing is hit.
     pub object: Option<u32>,
     /// View depth of the first hit (in units of the camera's forward vector), infinite where nothing is hit.
@@ -73,7 +73,7 @@ impl PixelRecord {
     /// Samples besides its own, of a refined pixel.
     #[must_use]
     pub fn refined(&self) -> u32 {
-        self.cells.count_ones()
+        self.strata.count_ones()
     }
 }
 

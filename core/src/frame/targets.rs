@@ -4,7 +4,7 @@ use crate::{
     Denoise, Error, Gpu, GpuScene, Memory, Method, Result,
     frame::counters::COUNTER_WORDS,
     frame::plan::{self, Plan},
-    frame::recorder::{FRAME_STRIDE, Frame, PixelRecord},
+    frame::recorder::{FRAME_STRIDE, FrameUniform, PixelRecord},
     passes::{FrameSpec, REFINE_MOST, REFINE_STEP, REFINE_WORDS, Recipe},
 };
 
@@ -24,7 +24,7 @@ pub const LIST_HEADER: u64 = 16;
 const SAMPLE_BYTES: u64 = 12;
 
 /// And of one that may cross over to the other eye: also what lands in its pixel.
-const CROSSING_SAMPLE_BYTES: u64 = 36;
+const STEREO_SAMPLE_BYTES: u64 = 36;
 
 /// A bit for each sample of a quincunx that a pixel may share with others.
 const CLAIM_BYTES: u64 = 4;
@@ -33,13 +33,13 @@ const CLAIM_BYTES: u64 = 4;
 const HISTORY_BYTES: u64 = 24;
 
 /// Bytes of what landed in a pixel: a key and where it came from.
-const LANDED_BYTES: u64 = 8;
+const SPLAT_BYTES: u64 = 8;
 
 /// Bytes of what a path's first diffuse surface is.
-const GUIDE_BYTES: u64 = 16;
+const GBUFFER_BYTES: u64 = 16;
 
 /// Bytes of a pixel as the a-trous filter sees it.
-const FILTERED_BYTES: u64 = 16;
+const ATROUS_BUFFER_BYTES: u64 = 16;
 
 /// No buffer of a band is larger: half of what WebGPU lets a storage binding be.
 const BAND_BYTES: u64 = 64 << 20;
@@ -60,11 +60,11 @@ pub struct Targets {
     /// What a frame leaves for the next one, in turn.
     pub histories: [wgpu::Buffer; 2],
     /// Where that is seen from the next camera.
-    pub landed: wgpu::Buffer,
+    pub splats: wgpu::Buffer,
     /// What guides the removal of noise.
-    pub guides: wgpu::Buffer,
+    pub gbuffer: wgpu::Buffer,
     /// What is filtered, from one level to the next in turn.
-    pub filtered: [wgpu::Buffer; 2],
+    pub atrous_buffers: [wgpu::Buffer; 2],
 }
 
 impl Targets {
@@ -83,10 +83,10 @@ impl Targets {
         }
         // Of two rows.
         let quincunx = settings.method == Method::Quincunx;
-        let attribute_bytes = if quincunx { 2 * CLAIM_BYTES } else { 4 * u64::from(spec.stored_planes()) };
+        let attribute_bytes = if quincunx { 2 * CLAIM_BYTES } else { 4 * u64::from(spec.stored_channels()) };
         let of_method = Recipe::of(settings.method).storage;
         let stored = of_method.radiances.max(u64::from(settings.sampling > 1));
-        let sample_bytes = stored * if settings.crosses() { CROSSING_SAMPLE_BYTES } else { SAMPLE_BYTES };
+        let sample_bytes = stored * if settings.reuses_stereo() { STEREO_SAMPLE_BYTES } else { SAMPLE_BYTES };
         // A sample is listed once at most, or its quarters are.
         let listed = match (settings.refines(), settings.supersamples()) {
             // An entry for each step, and what is known of the pixel.
@@ -106,9 +106,9 @@ impl Targets {
         let moved = if settings.method == Method::Reproject { width * rows } else { 0 };
         let history = || gpu.buffer("history", HISTORY_BYTES * moved, storage);
         let denoise = settings.denoise();
-        let guided = if denoise == Denoise::Off { 0 } else { width * rows };
-        let filtered_pixels = if denoise == Denoise::Atrous { width * rows } else { 0 };
-        let filtered = || gpu.buffer("filtered", FILTERED_BYTES * filtered_pixels, storage);
+        let gbuffer_pixels = if denoise == Denoise::Off { 0 } else { width * rows };
+        let atrous_pixels = if denoise == Denoise::Atrous { width * rows } else { 0 };
+        let atrous_buffers = || gpu.buffer("atrous_buffer", ATROUS_BUFFER_BYTES * atrous_pixels, storage);
         let dispatches = DISPATCH_BYTES * u64::from(plan.chunks());
         Ok(Self {
             size,
@@ -121,12 +121,16 @@ impl Targets {
             attributes: gpu.buffer("attributes", attribute_bytes * width * rows.div_ceil(2), storage)?,
             list: gpu.buffer("list", LIST_HEADER + list_bytes * width * rows, storage)?,
             samples: gpu.buffer("samples", sample_bytes * width * rows, storage)?,
-            guides: gpu.buffer("guides", GUIDE_BYTES * guided, storage | wgpu::BufferUsages::COPY_SRC)?,
-            filtered: [filtered()?, filtered()?],
+            gbuffer: gpu.buffer(
+                "gbuffer",
+                GBUFFER_BYTES * gbuffer_pixels,
+                storage | wgpu::BufferUsages::COPY_SRC,
+            )?,
+            atrous_buffers: [atrous_buffers()?, atrous_buffers()?],
             dispatch: gpu.buffer("dispatch", dispatches, storage | wgpu::BufferUsages::INDIRECT)?,
             display: texture(gpu, "display", size, wgpu::TextureFormat::Rgba8Unorm)?,
             histories: [history()?, history()?],
-            landed: gpu.buffer("landed", LANDED_BYTES * moved, storage)?,
+            splats: gpu.buffer("splats", SPLAT_BYTES * moved, storage)?,
             plan,
         })
     }
@@ -136,15 +140,15 @@ impl Targets {
         wgpu::BindingResource::Buffer(wgpu::BufferBinding {
             buffer: &self.frame,
             offset: FRAME_STRIDE * part as u64,
-            size: wgpu::BufferSize::new(size_of::<Frame>() as u64),
+            size: wgpu::BufferSize::new(size_of::<FrameUniform>() as u64),
         })
     }
 
     /// Bytes on the device.
     pub fn bytes(&self) -> u64 {
         let [history, history_before] = &self.histories;
-        let [filtered, filtered_before] = &self.filtered;
-        let kept = [history, history_before, &self.landed, &self.guides, filtered, filtered_before];
+        let [atrous_buffers, atrous_before] = &self.atrous_buffers;
+        let kept = [history, history_before, &self.splats, &self.gbuffer, atrous_buffers, atrous_before];
         let buffers = [&self.frame, &self.attributes, &self.list, &self.samples, &self.dispatch];
         let pixels = u64::from(self.size[0]) * u64::from(self.size[1]);
         buffers.iter().chain(&kept).map(|b| b.size()).sum::<u64>() + 4 * pixels

@@ -62,7 +62,7 @@ mod tests {
         let record = |object: &Option<u32>| PixelRecord {
             active: 0,
             differing: 0,
-            cells: 0,
+            strata: 0,
             origin: Origin::Base,
             failed: 0,
             cost: 0,

@@ -8,7 +8,7 @@ stages! {
     BASE = {
         name: "base", wgsl: "passes/adaptive/base.wgsl", paper: "Kim 2016, 3.2; Table 2, Step-I",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours, clears: [Clears::ListHeader],
-        sources: |spec, entry| spec.tracing_sources([spec.order(), entry]),
+        sources: |spec, entry| spec.tracing_sources([spec.tile_order(), entry]),
     }
     /// Interpolates samples between two similar references of their row and lists the others.
     SIMILARITY_A1 = {

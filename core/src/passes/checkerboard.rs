@@ -10,7 +10,7 @@ stages! {
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours, clears: [],
         sources: |spec, entry| {
             let samples = FrameSpec { output: Output::Samples, ..*spec };
-            samples.tracing_sources([spec.order(), entry])
+            samples.tracing_sources([spec.tile_order(), entry])
         },
     }
     /// Averages the four traced neighbours of each other pixel.

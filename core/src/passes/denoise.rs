@@ -12,13 +12,13 @@ stages! {
     MEDIAN = {
         name: "median", wgsl: "passes/denoise/median.wgsl", paper: "Kim & Sung 2021, \"Noise Removal for the Stopped Ray\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
-        sources: |spec, entry| spec.noise_sources([entry]),
+        sources: |spec, entry| spec.denoise_sources([entry]),
     }
     /// Prepares the light of all pixels for the a-trous filter.
     ATROUS_BEGIN = {
         name: "atrous_begin", wgsl: "passes/denoise/atrous_begin.wgsl", paper: "ours",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
-        sources: |spec, entry| spec.noise_sources([wgsl!("wgsl/denoise/atrous_buffer.wgsl"), entry]),
+        sources: |spec, entry| spec.denoise_sources([wgsl!("wgsl/denoise/atrous_buffer.wgsl"), entry]),
     }
     /// One level of the a-trous filter.
     ATROUS = {
@@ -55,11 +55,11 @@ pub fn plan(plan: &mut Plan, denoise: Denoise, width: u32, rows: Rows) {
 
 impl FrameSpec {
     fn atrous_sources(&self, end: Source, entry: Source) -> Vec<Source> {
-        self.noise_sources([wgsl!("wgsl/denoise/atrous_buffer.wgsl"), wgsl!("wgsl/denoise/atrous.wgsl"), end, entry])
+        self.denoise_sources([wgsl!("wgsl/denoise/atrous_buffer.wgsl"), wgsl!("wgsl/denoise/atrous.wgsl"), end, entry])
     }
 
     /// What a kernel needs that treats noise of paths, and ends in these.
-    fn noise_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
+    fn denoise_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
         let mut sources = vec![
             self.constants(),
             wgsl!("wgsl/trace/frame.wgsl"),
@@ -68,7 +68,7 @@ impl FrameSpec {
             wgsl!("wgsl/denoise/gbuffer.wgsl"),
             self.eyes(),
             wgsl!("wgsl/denoise/denoise_tap.wgsl"),
-            self.order(),
+            self.tile_order(),
         ];
         sources.extend(self.path_sums());
         sources.extend(self.output.sources());

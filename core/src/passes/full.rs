@@ -11,7 +11,7 @@ stages! {
     FULL = {
         name: "full", wgsl: "passes/full/full.wgsl", paper: "lecture, \"trace() in detail\"",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours, clears: [],
-        sources: |spec, entry| spec.tracing_sources([spec.order(), entry]),
+        sources: |spec, entry| spec.tracing_sources([spec.tile_order(), entry]),
     }
     /// Filters the samples of each pixel.
     RESOLVE = {

@@ -27,11 +27,11 @@ const OF_SAMPLES: [&str; 11] = [
     "samples",
     "history",
     "history_before",
-    "landed",
-    "guides",
-    "filtered",
-    "filtered_before",
-    "planes",
+    "splats",
+    "gbuffer",
+    "atrous_buffer",
+    "atrous_buffer_before",
+    "cpu_samples",
 ];
 
 /// Operations of what takes a special unit, of which devices have a quarter as many.

@@ -2,7 +2,7 @@
 
 use super::{Output, Recipe, recipe::Storage, FrameSpec, denoise, sources::pick, stage::*, stereo, wgsl};
 use crate::{
-    Denoise, Direct, Sampler, Shining, Stopping,
+    Denoise, DirectLight, Sampler, LightSelection, Foveation,
     device::shader::Source,
     frame::plan::{Band, Plan, tiles},
 };
@@ -15,8 +15,8 @@ stages! {
         sources: |spec, entry| spec.path_sources(entry),
     }
     /// Adds samples that were traced elsewhere to the sums of the pixels; it runs between frames.
-    MERGE_PLANES = {
-        name: "merge_planes", wgsl: "passes/path/accumulate.wgsl", paper: "Kim & Sung 2021, Algorithm 5",
+    ACCUMULATE = {
+        name: "accumulate", wgsl: "passes/path/accumulate.wgsl", paper: "Kim & Sung 2021, Algorithm 5",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| {
             let mut sources = vec![spec.constants(), wgsl!("wgsl/trace/frame.wgsl"), spec.jitter()];
@@ -35,7 +35,7 @@ pub const RECIPE: Recipe = Recipe { plan, traced: &PATH, storage: Storage { radi
 fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
     let (width, rows) = (plan.grid[0], band.rows(1, band.own));
     plan.push(tiles(&PATH, width, rows));
-    if spec.settings.crosses() {
+    if spec.settings.reuses_stereo() {
         stereo::plan(plan, width, rows);
     }
     denoise::plan(plan, spec.settings.denoise(), width, rows);
@@ -44,31 +44,31 @@ fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
 impl FrameSpec {
     fn path_sources(&self, entry: Source) -> Vec<Source> {
         let f = &self.features;
-        let guides = self.settings.paths.denoise != Denoise::Off;
+        let gbuffer = self.settings.paths.denoise != Denoise::Off;
         let one = Self { output: self.output_before_noise(), ..self.one_sample() };
         let mut sources = one.scene_sources(wgsl!("wgsl/adaptive/attributes_channels.wgsl"), self.hit());
-        sources.extend(self.numbers());
+        sources.extend(self.rng());
         sources.extend([
             wgsl!("wgsl/path/max_component.wgsl"),
             self.lobes(),
             pick(
-                f.lights && self.settings.paths.shining != Shining::Emitters,
+                f.lights && self.settings.paths.lights != LightSelection::Emitters,
                 wgsl!("wgsl/path/punctual_nee.wgsl"),
                 wgsl!("wgsl/path/punctual_none.wgsl"),
             ),
-            match (self.settings.paths.direct, self.settings.paths.shining) {
-                (_, Shining::Punctual) => wgsl!("wgsl/path/emitters_unlit.wgsl"),
-                (Direct::Light | Direct::Mis, _) if self.scene.emits => wgsl!("wgsl/path/emitters_nee.wgsl"),
+            match (self.settings.paths.direct_light, self.settings.paths.lights) {
+                (_, LightSelection::Punctual) => wgsl!("wgsl/path/emitters_unlit.wgsl"),
+                (DirectLight::Nee | DirectLight::Mis, _) if self.scene.emits => wgsl!("wgsl/path/emitters_nee.wgsl"),
                 _ => wgsl!("wgsl/path/emitters_bsdf.wgsl"),
             },
-            self.stopping(),
+            self.foveation(),
             self.eyes(),
             wgsl!("wgsl/denoise/gbuffer.wgsl"),
-            pick(guides && !self.inspect, wgsl!("wgsl/denoise/gbuffer_record.wgsl"), wgsl!("wgsl/denoise/gbuffer_none.wgsl")),
+            pick(gbuffer && !self.inspect, wgsl!("wgsl/denoise/gbuffer_record.wgsl"), wgsl!("wgsl/denoise/gbuffer_none.wgsl")),
             wgsl!("wgsl/path/path.wgsl"),
         ]);
         sources.extend(self.path_samples());
-        sources.extend([self.order(), entry]);
+        sources.extend([self.tile_order(), entry]);
         sources
     }
 
@@ -77,15 +77,15 @@ impl FrameSpec {
         if self.settings.paths.denoise == Denoise::Off { self.output } else { Output::Nowhere }
     }
 
-    pub(super) fn stopping(&self) -> Source {
+    pub(super) fn foveation(&self) -> Source {
         pick(
-            self.settings.paths.stopping == Stopping::Off,
+            self.settings.paths.foveation == Foveation::Off,
             wgsl!("wgsl/path/foveation_none.wgsl"),
             wgsl!("wgsl/path/foveation.wgsl"),
         )
     }
 
-    pub(super) fn numbers(&self) -> [Source; 2] {
+    pub(super) fn rng(&self) -> [Source; 2] {
         let source = match self.settings.paths.sampler {
             Sampler::Random => wgsl!("wgsl/path/rng_independent.wgsl"),
             Sampler::Sobol => wgsl!("wgsl/path/rng_sobol.wgsl"),

@@ -26,8 +26,8 @@ stages! {
         },
     }
     /// Claims samples where points of thin features are seen that no traced sample has met.
-    POSTCORRECT_LANDMARKS = {
-        name: "postcorrect_landmarks", wgsl: "passes/postcorrect/postcorrect_probe_points.wgsl", paper: "ours",
+    POSTCORRECT_PROBE_POINTS = {
+        name: "postcorrect_probe_points", wgsl: "passes/postcorrect/postcorrect_probe_points.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
         sources: |spec, entry| {
             let mut sources = spec.pixel_sources(wgsl!("wgsl/adaptive/attributes_atomic.wgsl"));
@@ -83,9 +83,9 @@ pub fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
             plan.lists(samples);
             plan.push(once(&COMPACT_SEED, rows));
             plan.push(chunks(&POSTCORRECT_SEED, samples, rows));
-            if spec.scene.landmarks > 0 {
-                let groups = [spec.scene.landmarks.div_ceil(TRACE_GROUP), 1];
-                plan.push(one(&POSTCORRECT_LANDMARKS, rows, groups));
+            if spec.scene.probe_points > 0 {
+                let groups = [spec.scene.probe_points.div_ceil(TRACE_GROUP), 1];
+                plan.push(one(&POSTCORRECT_PROBE_POINTS, rows, groups));
             }
             let far = 2 * (plan.grid[0] + rows.count()) / LONG_ROUNDS + 1;
             for round in 0..SHORT_ROUNDS + LONG_ROUNDS {

@@ -12,9 +12,9 @@ stages! {
         name: "quincunx_base", wgsl: "passes/quincunx/quincunx_base.wgsl", paper: "lecture, \"Adaptive supersampling (1)\"",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours,
         clears: [Clears::ListHeader, Clears::Attributes],
-        sources: |spec, entry| spec.quincunx_tracing_sources([spec.order(), entry]),
+        sources: |spec, entry| spec.quincunx_tracing_sources([spec.tile_order(), entry]),
     }
-    /// Lists the samples that divide quarters of pixels.
+    /// Lists the samples that divide subpixels.
     QUINCUNX_SPLIT_A = {
         name: "quincunx_split_a", wgsl: "passes/quincunx/quincunx_split_a.wgsl", paper: "lecture, \"Adaptive supersampling (2)\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],

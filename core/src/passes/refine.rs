@@ -26,14 +26,14 @@ stages! {
         sources: |spec, entry| spec.refine_sources(entry),
     }
     /// Compacts all refined pixels.
-    COMPACT_CELL_TEST = {
-        name: "compact_cell_test", wgsl: "passes/compact.wgsl", paper: "ours",
+    COMPACT_STRATUM_TEST = {
+        name: "compact_stratum_test", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/adaptive/list_range_all.wgsl"), entry),
     }
     /// Lists the cells of refined pixels that get samples.
-    CELL_TEST = {
-        name: "cell_test", wgsl: "passes/refine/stratum_test.wgsl", paper: "ours, after Jin 2009, 4.2.2",
+    STRATUM_TEST = {
+        name: "stratum_test", wgsl: "passes/refine/stratum_test.wgsl", paper: "ours, after Jin 2009, 4.2.2",
         work: Work::List, tracing: Tracing::No, clears: [],
         sources: |spec, entry| {
             let mut sources = spec.pixel_sources(wgsl!("wgsl/adaptive/attributes_atomic.wgsl"));
@@ -43,14 +43,14 @@ stages! {
         },
     }
     /// Compacts the cells of the next step.
-    COMPACT_CELLS = {
-        name: "compact_cells", wgsl: "passes/compact.wgsl", paper: "ours",
+    COMPACT_STRATA = {
+        name: "compact_strata", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/supersample/list_range_pending.wgsl"), entry),
     }
     /// Traces four samples in listed cells.
-    CELLS = {
-        name: "cells", wgsl: "passes/refine/strata.wgsl", paper: "ours",
+    STRATA = {
+        name: "strata", wgsl: "passes/refine/strata.wgsl", paper: "ours",
         work: Work::List, tracing: Tracing::Listed, clears: [],
         sources: |spec, entry| spec.refine_sources(entry),
     }
@@ -73,11 +73,11 @@ pub fn plan(plan: &mut Plan, rows: Rows) {
         plan.push(once(&COMPACT_REFINE, rows));
         plan.push(chunks(&REFINE, most, rows));
     }
-    plan.push(once(&COMPACT_CELL_TEST, rows));
-    plan.push(chunks(&CELL_TEST, pixels, rows));
+    plan.push(once(&COMPACT_STRATUM_TEST, rows));
+    plan.push(chunks(&STRATUM_TEST, pixels, rows));
     for _ in 1..REFINE_MOST / REFINE_STEP {
-        plan.push(once(&COMPACT_CELLS, rows));
-        plan.push(chunks(&CELLS, longest, rows));
+        plan.push(once(&COMPACT_STRATA, rows));
+        plan.push(chunks(&STRATA, longest, rows));
     }
 }
 

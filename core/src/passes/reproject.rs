@@ -11,7 +11,7 @@ stages! {
     REPROJECT_DEPTH = {
         name: "reproject_depth", wgsl: "passes/reproject/reproject_depth.wgsl", paper: "lecture, \"Reprojection\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No,
-        clears: [Clears::ListHeader, Clears::Landed],
+        clears: [Clears::ListHeader, Clears::Reprojected],
         sources: |spec, entry| spec.reprojection_sources(entry),
     }
     /// Finds the pixel that this point comes from.
@@ -39,14 +39,14 @@ stages! {
         },
     }
     /// Compacts the list of pixels to trace for indirect dispatch.
-    COMPACT_RENEW = {
-        name: "compact_renew", wgsl: "passes/compact.wgsl", paper: "Kim 2016, 5",
+    COMPACT_REFRESH = {
+        name: "compact_refresh", wgsl: "passes/compact.wgsl", paper: "Kim 2016, 5",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/adaptive/list_range_step.wgsl"), entry),
     }
     /// Traces the listed pixels.
-    RENEW = {
-        name: "renew", wgsl: "passes/reproject/refresh.wgsl", paper: "lecture, \"Reprojection\"",
+    REFRESH = {
+        name: "refresh", wgsl: "passes/reproject/refresh.wgsl", paper: "lecture, \"Reprojection\"",
         work: Work::List, tracing: Tracing::Listed, clears: [],
         sources: |spec, entry| {
             spec.tracing_sources([wgsl!("wgsl/adaptive/list.wgsl"), wgsl!("wgsl/reproject/history.wgsl"), entry])
@@ -57,7 +57,7 @@ stages! {
 /// The lecture's reprojection.
 pub const RECIPE: Recipe = Recipe {
     plan,
-    traced: &RENEW, storage: Storage { listed: 1, ..Storage::WHOLE },
+    traced: &REFRESH, storage: Storage { listed: 1, ..Storage::WHOLE },
     interpolated: &[
         (&REUSE, Loops::Repeated(4.0)),
         (&REPROJECT_DEPTH, Loops::Repeated(0.0)),
@@ -71,7 +71,7 @@ fn plan(plan: &mut Plan, _: &FrameSpec, band: &Band) {
     for stage in [&REPROJECT_DEPTH, &REPROJECT_SOURCE, &REUSE] {
         plan.push(tiles(stage, width, rows));
     }
-    plan.traces([&COMPACT_RENEW, &RENEW], width, rows);
+    plan.traces([&COMPACT_REFRESH, &REFRESH], width, rows);
 }
 
 impl FrameSpec {

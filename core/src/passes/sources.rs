@@ -1,7 +1,7 @@
 //! The WGSL files that kernels of several methods have in common.
 
 use super::{FrameSpec, Output, wgsl};
-use crate::{Filter, Inactive, Jitter, Linking, Mip, device::shader::Source};
+use crate::{Filter, Jitter, Mip, Specialize, Unsampled, device::shader::Source};
 
 impl Output {
     pub(super) fn sources(self) -> Vec<Source> {
@@ -31,7 +31,7 @@ impl FrameSpec {
                 wgsl!("wgsl/adaptive/list_append.wgsl"),
                 wgsl!("wgsl/adaptive/similarity.wgsl"),
                 wgsl!("passes/similarity_step.wgsl"),
-                self.order(),
+                self.tile_order(),
                 entry,
             ],
         )
@@ -51,7 +51,7 @@ impl FrameSpec {
     }
 
     /// Which workgroup treats which tile.
-    pub(super) fn order(&self) -> Source {
+    pub(super) fn tile_order(&self) -> Source {
         if self.tier.deals_workgroups() {
             wgsl!("wgsl/trace/tile_order_interleaved.wgsl")
         } else {
@@ -67,10 +67,10 @@ impl FrameSpec {
         }
     }
 
-    pub(super) fn inactive(&self) -> Source {
-        match self.settings.inactive {
-            Inactive::Nearest => wgsl!("wgsl/supersample/unsampled_nearest.wgsl"),
-            Inactive::Bilinear => wgsl!("wgsl/supersample/unsampled_bilinear.wgsl"),
+    pub(super) fn unsampled(&self) -> Source {
+        match self.settings.unsampled {
+            Unsampled::Nearest => wgsl!("wgsl/supersample/unsampled_nearest.wgsl"),
+            Unsampled::Bilinear => wgsl!("wgsl/supersample/unsampled_bilinear.wgsl"),
         }
     }
 
@@ -159,7 +159,8 @@ impl FrameSpec {
     }
 
     fn vertex_sources(&self) -> Vec<Source> {
-        if self.settings.features != Linking::All && !self.scene.has_texcoords && !self.scene.has_colors {
+        if self.settings.specialize != Specialize::All && !self.scene.has_texcoords && !self.scene.has_colors
+        {
             return vec![wgsl!("wgsl/scene/vertex_none.wgsl")];
         }
         vec![

@@ -64,7 +64,7 @@ pub enum Clears {
     /// All attributes: no sample is claimed.
     Attributes,
     /// The depth keys and sources of reprojected points.
-    Landed,
+    Reprojected,
 }
 
 /// A kernel of a frame.

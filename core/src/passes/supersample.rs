@@ -12,9 +12,9 @@ stages! {
     PRESAMPLE = {
         name: "presample", wgsl: "passes/supersample/presample.wgsl", paper: "Jin 2009, 4.3.1",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours, clears: [],
-        sources: |spec, entry| spec.tracing_sources([spec.order(), entry]),
+        sources: |spec, entry| spec.tracing_sources([spec.tile_order(), entry]),
     }
-    /// Lists the quarters of pixels that differ from their neighbours.
+    /// Lists the subpixels that differ from their neighbours.
     SUBPIXEL_TEST = {
         name: "subpixel_test", wgsl: "passes/supersample/subpixel_test.wgsl", paper: "Jin 2009, 4.3.2",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::No, clears: [Clears::ListHeader],
@@ -37,7 +37,7 @@ stages! {
             wgsl!("wgsl/adaptive/list.wgsl"),
             wgsl!("wgsl/supersample/active_subpixels.wgsl"),
             wgsl!("wgsl/supersample/sample_order.wgsl"),
-            spec.inactive(),
+            spec.unsampled(),
             entry,
         ]),
     }
@@ -78,8 +78,8 @@ impl FrameSpec {
             wgsl!("wgsl/supersample/contrast.wgsl"),
             wgsl!("wgsl/supersample/contrast_range.wgsl"),
             wgsl!("wgsl/supersample/subpixels.wgsl"),
-            self.inactive(),
-            self.order(),
+            self.unsampled(),
+            self.tile_order(),
             entry,
         ]);
         sources.extend(self.output.sources());

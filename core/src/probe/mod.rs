@@ -13,7 +13,7 @@ pub use ray::ProbeRay;
 use crate::{
     Camera, Gpu, GpuScene, Result, Robustness, SAMPLES_PER_SUBMISSION, Settings,
     device::{Kernel, Timer, mirror::gpu_struct, shader::Source},
-    frame::recorder::Frame,
+    frame::recorder::FrameUniform,
     passes::{FrameSpec, TRACE_GROUP, TRACE_ROW, Tracing, wgsl},
 };
 
@@ -140,7 +140,7 @@ impl<'a> Probe<'a> {
         let settings_of_kernel = Settings { depth: settings.depth, ..self.spec.settings };
         let spec = FrameSpec { settings: settings_of_kernel, ..self.spec };
         let camera = Camera::framing(self.scene.bounds().0, self.scene.bounds().1);
-        let frame = Frame::new(self.scene, settings, [1, 1], &camera);
+        let frame = FrameUniform::new(self.scene, settings, [1, 1], &camera);
         let frame = self.gpu.filled("frame", bytemuck::bytes_of(&frame), wgpu::BufferUsages::UNIFORM)?;
         let more = [("frame", frame.as_entire_binding())];
         let rescale = |sample: &mut ProbeSample, scale| {

@@ -2,18 +2,18 @@
 
 use glam::DVec3;
 
-use super::{Frame, Guide, gbuffer::Way};
+use super::{GBufferPixel, ReferenceFrame, gbuffer::Way};
 
 /// A picture of paths with what guides the removal of its noise.
-pub struct Noise<'a> {
+pub struct Denoiser<'a> {
     /// The settings and camera of the frame.
-    pub frame: &'a Frame<'a>,
+    pub frame: &'a ReferenceFrame<'a>,
     /// Number of samples of each pixel.
     pub samples: u32,
     /// Means of each pixel's samples, row by row.
     pub means: &'a [DVec3],
     /// First diffuse surface of each pixel, row by row.
-    pub guides: &'a [Guide],
+    pub gbuffer: &'a [GBufferPixel],
 }
 
 /// Lower bound of an albedo channel when radiance is divided by albedo.
@@ -25,7 +25,7 @@ const SETTLED: f64 = 256.0;
 /// Widths of the weights: the first level's of differences of light over their sum, of one sample; of the distance from the
 /// plane, in pixels there; of what mirrors show, of the difference of distances over them; of unit normals; of albedos.
 const LIGHT: f64 = 1.5;
-const PLANE: f64 = 2.0;
+const CHANNEL: f64 = 2.0;
 const DEPTH: f64 = 0.125;
 const NORMAL: f64 = 0.25;
 const ALBEDO: f64 = 0.5;
@@ -34,12 +34,12 @@ const STEPS: f64 = 127.0;
 /// Number of levels of the a-trous filter; the step doubles from one to the next.
 const LEVELS: u32 = 4;
 
-impl Noise<'_> {
+impl Denoiser<'_> {
     /// Kim & Sung 2021, Algorithm 5: what a pixel shows.
     #[must_use]
     pub fn median(&self, pixel: [u32; 2]) -> DVec3 {
         let own = self.means[self.index(pixel)];
-        if !self.guides[self.index(pixel)].smoothed {
+        if !self.gbuffer[self.index(pixel)].smoothed {
             return own;
         }
         let around: Vec<_> =
@@ -59,7 +59,7 @@ impl Noise<'_> {
         for level in 0..LEVELS {
             lights = self.pixels().map(|pixel| self.filtered(pixel, 1 << level, &lights)).collect();
         }
-        let shown = |(i, light): (usize, &DVec3)| match self.guides[i].way {
+        let shown = |(i, light): (usize, &DVec3)| match self.gbuffer[i].way {
             Way::None => self.means[i],
             _ => *light * self.albedo(i),
         };
@@ -80,12 +80,12 @@ impl Noise<'_> {
         let at = [0, 1].map(|i| pixel[i].checked_add_signed(step * offset[i]));
         let inside = |i: usize| at[i].filter(|place| *place < self.frame.size[i]);
         let tap = [inside(0)?, inside(1)?];
-        let eye = |pixel| Frame::eye(pixel, self.frame.eye_size()).0;
+        let eye = |pixel| ReferenceFrame::eye(pixel, self.frame.eye_size()).0;
         (eye(tap) == eye(pixel)).then(|| self.index(tap))
     }
 
     fn albedo(&self, i: usize) -> DVec3 {
-        self.guides[i].albedo.max(DVec3::splat(LEAST_ALBEDO))
+        self.gbuffer[i].albedo.max(DVec3::splat(LEAST_ALBEDO))
     }
 
     /// What arrives at the surface over pi, less what makes a pixel much brighter than those beside it.
@@ -95,7 +95,7 @@ impl Noise<'_> {
         let beside = offsets().filter(|o| o[0].abs() + o[1].abs() == 1);
         let taps = beside.filter_map(|o| self.tap(pixel, o, 1));
         let around: Vec<_> =
-            taps.filter(|i| self.guides[*i].way == self.guides[own].way).map(brightness).collect();
+            taps.filter(|i| self.gbuffer[*i].way == self.gbuffer[own].way).map(brightness).collect();
         let light = self.means[own] / self.albedo(own);
         let bright = brightness(own);
         let most = BRIGHTER * around.iter().sum::<f64>() / around.len() as f64;
@@ -110,7 +110,7 @@ impl Noise<'_> {
     /// Filters one pixel at one level, with samples `step` pixels apart.
     fn filtered(&self, pixel: [u32; 2], step: i32, lights: &[DVec3]) -> DVec3 {
         let own = self.index(pixel);
-        if self.guides[own].way == Way::None {
+        if self.gbuffer[own].way == Way::None {
             return DVec3::ZERO;
         }
         let (mut sum, mut weights) = (DVec3::ZERO, 0.0);
@@ -127,19 +127,21 @@ impl Noise<'_> {
 
     /// How much two pixels see of one surface.
     fn alike(&self, own: usize, other: usize) -> f64 {
-        let [p, q] = [own, other].map(|i| &self.guides[i]);
+        let [p, q] = [own, other].map(|i| &self.gbuffer[i]);
         if p.way != q.way {
             return 0.0;
         }
-        let [normal, other_normal] = [p, q].map(|guide| (guide.normal * STEPS).round() / STEPS);
+        let [normal, other_normal] =
+            [p, q].map(|gbuffer_pixel| (gbuffer_pixel.normal * STEPS).round() / STEPS);
         let away = match p.way {
             Way::Mirrored => (q.depth - p.depth) / (DEPTH * p.depth),
             _ => {
                 let [point, other] = [(own, p), (other, q)].map(|(i, g)| self.point(i, g.depth));
-                normal.dot(other - point) / (PLANE * self.footprint(p.depth))
+                normal.dot(other - point) / (CHANNEL * self.footprint(p.depth))
             }
         };
-        let grey = |guide: &Guide| (guide.albedo.element_sum() / 3.0 * STEPS).round() / STEPS;
+        let grey =
+            |gbuffer_pixel: &GBufferPixel| (gbuffer_pixel.albedo.element_sum() / 3.0 * STEPS).round() / STEPS;
         let albedo = (grey(p) - grey(q)) / ALBEDO;
         let bent = (normal - other_normal) / NORMAL;
         (-(albedo * albedo + bent.length_squared() + away * away)).exp2()

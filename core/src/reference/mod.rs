@@ -6,15 +6,15 @@
 //! | [`Reference::first`], [`Reference::occluded`], [`Reference::shadow_bits`] | `hit_*.wgsl`, `shadow_rays.wgsl` |
 //! | [`Reference::surface`], [`Reference::texture`], [`Reference::material`], [`Reference::arrival`] | `surface.wgsl`, `ray_cone.wgsl`, `texture_*.wgsl`, `material.wgsl`, `lights_punctual.wgsl` |
 //! | [`Reference::sample`] | `sample.wgsl`, `bounce_*.wgsl` |
-//! | [`Frame::ray`], [`Frame::traced`], [`Frame::adaptive`], [`Frame::checkerboard`] | `frame.wgsl`, the passes |
-//! | [`Frame::failed`], [`Frame::interpolated`], [`Frame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes_channels.wgsl` |
-//! | [`Frame::postcorrection`] | `postcorrect_seed.wgsl`, `postcorrect_probe_points.wgsl`, `postcorrect.wgsl`, `postcorrect_scan.wgsl` |
-//! | [`Frame::ray_in`], [`Frame::presampled`], [`Frame::tested`], [`Frame::supersampled`] | `jitter_*.wgsl`, `presample.wgsl`, `subpixels.wgsl`, `extra_samples.wgsl` |
-//! | [`Frame::quincunx`] | `quincunx_*.wgsl` |
-//! | [`Frame::path`], [`Numbers::pair`] | `path.wgsl`, `lobes*.wgsl`, `emitters*.wgsl`, `numbers*.wgsl` |
-//! | [`PathSample::own`], [`PathSample::landing`] | `eyes_stereo.wgsl`, `crossing*.wgsl` |
-//! | [`Guide::followed`], [`Noise::median`], [`Noise::atrous`] | `gbuffer_record.wgsl`, `median.wgsl`, `atrous_begin.wgsl`, `atrous.wgsl` |
-//! | [`Frame::renews`], [`Frame::reprojected`] | `refresh.wgsl`, `reproject_depth.wgsl`, `reproject_source.wgsl`, `reuse.wgsl` |
+//! | [`ReferenceFrame::ray`], [`ReferenceFrame::traced`], [`ReferenceFrame::adaptive`], [`ReferenceFrame::checkerboard`] | `frame.wgsl`, the passes |
+//! | [`ReferenceFrame::failed`], [`ReferenceFrame::interpolated`], [`ReferenceFrame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes_channels.wgsl` |
+//! | [`ReferenceFrame::postcorrection`] | `postcorrect_seed.wgsl`, `postcorrect_probe_points.wgsl`, `postcorrect.wgsl`, `postcorrect_scan.wgsl` |
+//! | [`ReferenceFrame::ray_in`], [`ReferenceFrame::presampled`], [`ReferenceFrame::tested`], [`ReferenceFrame::supersampled`] | `jitter_*.wgsl`, `presample.wgsl`, `subpixels.wgsl`, `extra_samples.wgsl` |
+//! | [`ReferenceFrame::quincunx`] | `quincunx_*.wgsl` |
+//! | [`ReferenceFrame::path`], [`Rng::pair`] | `path.wgsl`, `lobes*.wgsl`, `emitters*.wgsl`, `numbers*.wgsl` |
+//! | [`PathSample::own`], [`PathSample::splat`] | `eyes_stereo.wgsl`, `intersection*.wgsl` |
+//! | [`GBufferPixel::followed`], [`Denoiser::median`], [`Denoiser::atrous`] | `gbuffer_record.wgsl`, `median.wgsl`, `atrous_begin.wgsl`, `atrous.wgsl` |
+//! | [`ReferenceFrame::refreshes`], [`ReferenceFrame::reprojected`] | `refresh.wgsl`, `reproject_depth.wgsl`, `reproject_source.wgsl`, `reuse.wgsl` |
 //!
 //! Shared with what it judges: the [`Scene`] in main memory (with its normals in octahedral words, for that is what the
 //! scene holds), the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), the Rust functions that pack and
@@ -64,10 +64,10 @@ mod wide;
 use glam::DVec3;
 
 pub use attributes::Attributes;
-pub use denoise::Noise;
-pub use frame::{Frame, Pixel};
-pub use gbuffer::{Guide, Way};
-pub use intersection::{Crossing, Ray};
+pub use denoise::Denoiser;
+pub use frame::{Pixel, ReferenceFrame};
+pub use gbuffer::{GBufferPixel, Way};
+pub use intersection::{Intersection, Ray};
 pub use judge::Verdict;
 pub use lights::Arrival;
 pub use material::{Material, fresnel_dielectric};
@@ -75,11 +75,11 @@ pub use path::PathSample;
 pub use quincunx::Quincunx;
 pub use refinement::Refinement;
 pub use reprojection::Kept;
-pub use rng::Numbers;
+pub use rng::Rng;
 pub use rounding::{Cause, Rounding, SPAWN_ULPS, ULPS};
 pub use sample::{Limits, Sample};
 pub use similarity::Reached;
-pub use stereo_reuse::Landing;
+pub use stereo_reuse::Splat;
 pub use supersampling::Tested;
 pub use surface::Surface;
 pub use texture::Encoding;

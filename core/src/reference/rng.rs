@@ -7,7 +7,7 @@ const SEED_STEP: u32 = 0x9e37_79b9;
 
 /// The random numbers of one sample of one pixel.
 #[derive(Clone, Copy, Debug)]
-pub struct Numbers {
+pub struct Rng {
     /// Kind of the generator.
     pub sampler: Sampler,
     /// Seed of the frame.
@@ -18,7 +18,7 @@ pub struct Numbers {
     pub sample: u32,
 }
 
-impl Numbers {
+impl Rng {
     /// The numbers of this sample with the sampler and the seed of the settings.
     #[must_use]
     pub fn of(settings: &Settings, pixel: [u32; 2], sample: u32) -> Self {
@@ -87,26 +87,26 @@ fn sobol(mut index: u32) -> u32 {
 mod tests {
     use super::*;
 
-    fn numbers(sampler: Sampler, pixel: [u32; 2], sample: u32) -> Numbers {
-        Numbers { sampler, seed: 7, pixel, sample }
+    fn rng(sampler: Sampler, pixel: [u32; 2], sample: u32) -> Rng {
+        Rng { sampler, seed: 7, pixel, sample }
     }
 
     #[test]
     fn numbers_are_uniform_over_pixels_samples_and_dimensions() {
         for sampler in [Sampler::Random, Sampler::Sobol] {
             let places: [&dyn Fn(u32) -> [f64; 2]; 3] = [
-                &|i| numbers(sampler, [i % 64, i / 64], 3).pair(5),
-                &|i| numbers(sampler, [17, 4], i).pair(5),
-                &|i| numbers(sampler, [17, 4], 3).pair(i),
+                &|i| rng(sampler, [i % 64, i / 64], 3).pair(5),
+                &|i| rng(sampler, [17, 4], i).pair(5),
+                &|i| rng(sampler, [17, 4], 3).pair(i),
             ];
             for pair in places {
-                let mut cells = [0_u32; 64];
+                let mut strata = [0_u32; 64];
                 for [a, b] in (0..4096).map(pair) {
                     assert!((0.0..1.0).contains(&a) && (0.0..1.0).contains(&b));
-                    cells[8 * (8.0 * b) as usize + (8.0 * a) as usize] += 1;
+                    strata[8 * (8.0 * b) as usize + (8.0 * a) as usize] += 1;
                 }
                 let expected = 4096.0 / 64.0;
-                let chi2: f64 = cells.iter().map(|n| (f64::from(*n) - expected).powi(2) / expected).sum();
+                let chi2: f64 = strata.iter().map(|n| (f64::from(*n) - expected).powi(2) / expected).sum();
                 // Of 63 degrees of freedom: mean 63, standard deviation sqrt(126); five of them.
                 assert!(chi2 < 63.0 + 5.0 * 126_f64.sqrt(), "{sampler:?}: {chi2}");
             }
@@ -118,13 +118,13 @@ mod tests {
         for first in [0, 16, 1 << 20] {
             for dimension in [0, 5, 1029] {
                 for [columns, rows] in [[4, 4], [16, 1], [2, 8]] {
-                    let mut cells = [0; 16];
+                    let mut strata = [0; 16];
                     for sample in first..first + 16 {
-                        let [a, b] = numbers(Sampler::Sobol, [9, 30], sample).pair(dimension);
+                        let [a, b] = rng(Sampler::Sobol, [9, 30], sample).pair(dimension);
                         let [column, row] = [a * f64::from(columns), b * f64::from(rows)].map(|x| x as u32);
-                        cells[(columns * row + column) as usize] += 1;
+                        strata[(columns * row + column) as usize] += 1;
                     }
-                    assert_eq!(cells, [1; 16], "{columns}x{rows} cells, dimension {dimension}");
+                    assert_eq!(strata, [1; 16], "{columns}x{rows} cells, dimension {dimension}");
                 }
             }
         }
@@ -133,11 +133,11 @@ mod tests {
     #[test]
     fn numbers_follow_everything_that_they_are_drawn_for() {
         for sampler in [Sampler::Random, Sampler::Sobol] {
-            let one = numbers(sampler, [1, 2], 3);
+            let one = rng(sampler, [1, 2], 3);
             let others = [
-                Numbers { seed: 8, ..one }.pair(4),
-                Numbers { pixel: [2, 1], ..one }.pair(4),
-                Numbers { sample: 4, ..one }.pair(4),
+                Rng { seed: 8, ..one }.pair(4),
+                Rng { pixel: [2, 1], ..one }.pair(4),
+                Rng { sample: 4, ..one }.pair(4),
                 one.pair(5),
             ];
             assert!(others.iter().all(|other| *other != one.pair(4)), "{sampler:?}");

@@ -1,12 +1,12 @@
 //! Mirror reflection and refraction: the rays that follow from a ray. What the depth limit or the weight cut leaves out
-//! is replaced by the environment's truncated radiance.
+//! is replaced by the environment's fallback radiance.
 
 use glam::DVec3;
 
 use super::{Attributes, Cause, Limits, Material, Ray, Reference, Rounding, Surface};
 
 /// A ray on its way, with its place in the recursion.
-pub(super) struct Branch {
+pub(super) struct PathState {
     pub ray: Ray,
     /// The primitive that the ray starts on, which it must not hit again; `None` for primary rays.
     pub left: Option<usize>,
@@ -18,7 +18,7 @@ pub(super) struct Branch {
 
 /// A ray that leaves a surface by a mirror or by refraction.
 #[derive(Clone, Copy)]
-pub(super) struct Leaving {
+pub(super) struct BsdfSample {
     pub direction: DVec3,
     /// Width of the ray's cone at its origin, and its growth per unit of distance.
     pub cone: (f64, f64),
@@ -34,15 +34,15 @@ impl Reference {
         m: &Material,
         direction: DVec3,
         rounding: &mut Rounding,
-    ) -> [Option<Leaving>; 2] {
+    ) -> [Option<BsdfSample>; 2] {
         let cosine = (-s.normal.dot(direction)).clamp(0.0, 1.0);
         let cosine = rounding.number(Cause::Branch, cosine, 1.0).clamp(0.0, 1.0);
-        let mirrored = Leaving {
+        let mirrored = BsdfSample {
             direction: (direction - 2.0 * s.normal.dot(direction) * s.normal).normalize_or_zero(),
             cone: self.bent(s, 1.0, 2.0),
             share: m.mirror(cosine, s.inside),
         };
-        let through = refracted(s, m, direction, cosine).map(|(refracted, kept, turned)| Leaving {
+        let through = refracted(s, m, direction, cosine).map(|(refracted, kept, turned)| BsdfSample {
             direction: refracted.normalize_or_zero(),
             cone: self.bent(s, kept, turned),
             share: m.refraction(cosine, s.inside),
@@ -51,20 +51,20 @@ impl Reference {
     }
 
     /// Radiance of the mirrored and refracted rays, and the hit of the one with the greatest weight that hits anything.
-    pub(super) fn bounced(
+    pub(super) fn scattered(
         &self,
         s: &Surface,
         m: &Material,
-        from: &Branch,
+        from: &PathState,
         limits: &Limits,
         rounding: &mut Rounding,
     ) -> (DVec3, Option<Attributes>) {
         let rays = self.specular(s, m, from.ray.direction, rounding);
         let mut sum = DVec3::ZERO;
         let mut heaviest = (0.0, None);
-        for leaving in rays.into_iter().flatten() {
-            let weight = from.weight * leaving.share;
-            let (color, hit) = self.followed(s, &leaving, weight, from.level, limits, rounding);
+        for bsdf_sample in rays.into_iter().flatten() {
+            let weight = from.weight * bsdf_sample.share;
+            let (color, hit) = self.followed(s, &bsdf_sample, weight, from.level, limits, rounding);
             sum += color;
             if hit.is_some() && weight.max_element() > heaviest.0 {
                 heaviest = (weight.max_element(), hit);
@@ -76,7 +76,7 @@ impl Reference {
     fn followed(
         &self,
         s: &Surface,
-        leaving: &Leaving,
+        bsdf_sample: &BsdfSample,
         weight: DVec3,
         level: u32,
         limits: &Limits,
@@ -88,11 +88,11 @@ impl Reference {
         }
         let largest = rounding.number(Cause::Branch, largest, largest);
         if level >= limits.depth || largest < limits.min_weight {
-            return (weight * self.scene.environment.truncated.as_dvec3(), None);
+            return (weight * self.scene.environment.fallback_radiance.as_dvec3(), None);
         }
-        let ray = s.spawn(leaving.direction, leaving.cone, rounding);
-        let branch = Branch { ray, left: Some(s.primitive), weight, level: level + 1 };
-        let seen = self.follow(&branch, limits, rounding);
+        let ray = s.spawn(bsdf_sample.direction, bsdf_sample.cone, rounding);
+        let state = PathState { ray, left: Some(s.primitive), weight, level: level + 1 };
+        let seen = self.follow(&state, limits, rounding);
         (seen.color, seen.attributes.object.map(|_| seen.attributes))
     }
 }

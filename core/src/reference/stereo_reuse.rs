@@ -2,18 +2,18 @@
 
 use glam::DVec3;
 
-use super::{Frame, Material, Ray, Reference, Rounding, Surface, lobes::Lobes};
-use crate::{Crossing, Method};
+use super::{Material, Ray, Reference, ReferenceFrame, Rounding, Surface, lobes::Lobes};
+use crate::{Method, StereoReuse};
 
 /// Points coincide that are no farther apart, of the distance from the eye.
 const NEAR: f64 = 1e-3;
 
 /// Faces are of one plane whose normals have this cosine.
-const PLANE: f64 = 0.999_999;
+const CHANNEL: f64 = 0.999_999;
 
 /// The contribution of a sample to a pixel of the other eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Landing {
+pub struct Splat {
     /// Column and row of the pixel in the other eye's picture.
     pub pixel: [u32; 2],
     /// Weight of the sample in that pixel, for each channel.
@@ -43,7 +43,7 @@ impl Mirror {
     }
 }
 
-impl Frame<'_> {
+impl ReferenceFrame<'_> {
     /// Width and height of what one eye sees.
     pub(super) fn eye_size(&self) -> [u32; 2] {
         self.settings.method.eye(self.size)
@@ -116,18 +116,18 @@ impl Frame<'_> {
 
     /// The weight of a sample in its own pixel, and its contribution to the other eye, from the surface at this level of
     /// its path; `mirror` is kept from one level to the next.
-    pub(super) fn crossed(
+    pub(super) fn stereo_splat(
         &self,
         (pixel, level): ([u32; 2], u32),
         ray: &Ray,
         (s, m, lobes): (&Surface, &Material, &Lobes),
         mirror: &mut Option<Mirror>,
         rounding: &mut Rounding,
-    ) -> Option<(f64, Landing)> {
+    ) -> Option<(f64, Splat)> {
         let (side, _) = Self::eye(pixel, self.eye_size());
-        if self.settings.paths.crossing == Crossing::Paper {
-            let landing = (level == 1).then(|| self.copied(-side, ray, s, lobes, rounding))??;
-            return Some((1.0, landing));
+        if self.settings.paths.stereo_reuse == StereoReuse::Paper {
+            let splat = (level == 1).then(|| self.copied(-side, ray, s, lobes, rounding))??;
+            return Some((1.0, splat));
         }
         if level == 1 {
             *mirror = Mirror::of(self.reference, s, m, lobes);
@@ -148,7 +148,7 @@ impl Frame<'_> {
         s: &Surface,
         mirror: Option<&Mirror>,
         rounding: &mut Rounding,
-    ) -> Option<(f64, Landing)> {
+    ) -> Option<(f64, Splat)> {
         let (point, face) = mirror.map_or((s.position, s.face), |mirror| {
             (mirror.reflected(s.position), mirror.reflected(mirror.point + s.face) - mirror.point)
         });
@@ -159,7 +159,7 @@ impl Frame<'_> {
         let pixel = self.seen_by(-side, point)?;
         let share = self.sees(&self.eye_ray_to(-side, point), s, mirror, rounding)?;
         let own = here / (here + there);
-        Some((own, Landing { pixel, share: share * there / (here + there) }))
+        Some((own, Splat { pixel, share: share * there / (here + there) }))
     }
 
     /// The weight of the surface along the other eye's ray, relative to this eye's; `None` where the ray does not reach it.
@@ -174,13 +174,13 @@ impl Frame<'_> {
         let Some(mirror) = mirror else {
             return self.meets(ray, None, s, rounding).then_some(DVec3::ONE);
         };
-        let crossing = reference.first(ray, None, false, rounding)?;
-        let z = reference.surface(ray, &crossing, rounding);
+        let intersection = reference.first(ray, None, false, rounding)?;
+        let z = reference.surface(ray, &intersection, rounding);
         let m = reference.material(z.object, z.texcoord, z.footprint, z.color);
         let lobes = Lobes::of(reference, &z, &m, ray.direction, rounding);
         let other = Mirror::of(reference, &z, &m, &lobes)?;
         let apart = mirror.face.dot(z.position - mirror.point).abs();
-        let coplanar = z.face.dot(mirror.face) > PLANE && apart < NEAR * crossing.t;
+        let coplanar = z.face.dot(mirror.face) > CHANNEL && apart < NEAR * intersection.t;
         if other.object != mirror.object || !coplanar {
             return None;
         }
@@ -207,7 +207,7 @@ impl Frame<'_> {
         s: &Surface,
         lobes: &Lobes,
         rounding: &mut Rounding,
-    ) -> Option<Landing> {
+    ) -> Option<Splat> {
         let (mut seen, mut end) = (s.position, self.eye_origin(other));
         if lobes.mirrors() {
             let forward = self.camera.forward.as_dvec3();
@@ -225,6 +225,6 @@ impl Frame<'_> {
         let way = end - s.position;
         let free = Ray { t_max: way.length(), ..s.spawn(way.normalize_or_zero(), (0.0, 0.0), rounding) };
         let blocked = self.reference.occluded(&free, Some(s.primitive), rounding);
-        (!blocked).then_some(Landing { pixel, share: DVec3::ONE })
+        (!blocked).then_some(Splat { pixel, share: DVec3::ONE })
     }
 }

@@ -21,7 +21,7 @@ pub enum Lens {
 
 /// A camera by points: four options of the command line are one pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pose {
+pub struct LookAt {
     /// Position of the eye in world space.
     pub eye: Vec3,
     /// The world-space point in the middle of the picture. Only its direction from the eye counts.
@@ -32,7 +32,7 @@ pub struct Pose {
     pub lens: Lens,
 }
 
-impl Pose {
+impl LookAt {
     /// The camera of this pose: the same bits for the same pose.
     ///
     /// # Errors
@@ -121,13 +121,13 @@ mod tests {
 
     const FOV: Lens = Lens::Perspective { vertical_fov_degrees: 50.0 };
 
-    fn pose(eye: [f32; 3], target: [f32; 3], up: [f32; 3]) -> Pose {
-        Pose { eye: eye.into(), target: target.into(), up: up.into(), lens: FOV }
+    fn look_at(eye: [f32; 3], target: [f32; 3], up: [f32; 3]) -> LookAt {
+        LookAt { eye: eye.into(), target: target.into(), up: up.into(), lens: FOV }
     }
 
     #[test]
     fn a_pose_with_y_up_is_look_at() {
-        let posed = pose([1.0, 2.0, 3.0], [-4.0, 0.5, 0.25], [0.0, 1.0, 0.0]).camera().expect("a camera");
+        let posed = look_at([1.0, 2.0, 3.0], [-4.0, 0.5, 0.25], [0.0, 1.0, 0.0]).camera().expect("a camera");
         let looked =
             Camera::look_at(Vec3::new(1.0, 2.0, 3.0), Vec3::new(-4.0, 0.5, 0.25), 50_f32.to_radians())
                 .expect("a camera");
@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn any_axis_may_be_up() {
-        let camera = pose([0.0; 3], [0.0, -3.0, 0.0], [1.0, 5.0, 0.0]).camera().expect("a camera");
+        let camera = look_at([0.0; 3], [0.0, -3.0, 0.0], [1.0, 5.0, 0.0]).camera().expect("a camera");
         assert!((camera.forward - Vec3::NEG_Y).length() < 1e-6);
         assert!((camera.up.normalize() - Vec3::X).length() < 1e-6, "{}", camera.up);
         assert!((camera.right.normalize() - Vec3::NEG_Y.cross(Vec3::X)).length() < 1e-6);
@@ -149,10 +149,10 @@ mod tests {
     #[test]
     fn poses_of_cameras_make_them_again() {
         for lens in [FOV, Lens::Orthographic { height: 3.5 }] {
-            let camera = Pose { lens, ..pose([5.0, -2.0, 1.0], [0.0, 0.3, 0.1], [0.2, 0.9, -0.3]) }
+            let camera = LookAt { lens, ..look_at([5.0, -2.0, 1.0], [0.0, 0.3, 0.1], [0.2, 0.9, -0.3]) }
                 .camera()
                 .expect("a camera");
-            let again = Pose::of(&camera, 7.0);
+            let again = LookAt::of(&camera, 7.0);
             assert!(((again.target - again.eye).length() - 7.0).abs() < 1e-5);
             let again = again.camera().expect("a camera");
             assert_eq!((again.origin, again.orthographic), (camera.origin, camera.orthographic));
@@ -166,34 +166,34 @@ mod tests {
 
     #[test]
     fn a_shifted_lens_looks_straight_ahead() {
-        let straight = pose([0.0; 3], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]).camera().expect("a camera");
+        let straight = look_at([0.0; 3], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]).camera().expect("a camera");
         let shifted = Camera { forward: straight.forward + 0.7 * straight.right, ..straight };
-        let posed = Pose::of(&shifted, 1.0).camera().expect("a camera");
+        let posed = LookAt::of(&shifted, 1.0).camera().expect("a camera");
         assert!((posed.forward - straight.forward).length() < 1e-6);
         assert!((posed.up - straight.up).length() < 1e-6);
     }
 
     #[test]
     fn a_mirrored_picture_is_turned_the_right_way_round() {
-        let right = pose([1.0, 2.0, 3.0], [0.0; 3], [0.0, 1.0, 0.0]).camera().expect("a camera");
+        let right = look_at([1.0, 2.0, 3.0], [0.0; 3], [0.0, 1.0, 0.0]).camera().expect("a camera");
         let mirrored = Camera { right: -right.right, ..right };
-        let posed = Pose::of(&mirrored, 2.0).camera().expect("a camera");
+        let posed = LookAt::of(&mirrored, 2.0).camera().expect("a camera");
         assert!((posed.forward - right.forward).length() < 1e-6);
         assert!((posed.right - right.right).length() < 1e-6);
     }
 
     #[test]
     fn what_makes_no_camera_is_refused_by_the_option() {
-        let good = pose([0.0, 0.0, 2.0], [0.0; 3], [0.0, 1.0, 0.0]);
-        let lens = |vertical_fov_degrees| Pose { lens: Lens::Perspective { vertical_fov_degrees }, ..good };
-        let ortho = |height| Pose { lens: Lens::Orthographic { height }, ..good };
+        let good = look_at([0.0, 0.0, 2.0], [0.0; 3], [0.0, 1.0, 0.0]);
+        let lens = |vertical_fov_degrees| LookAt { lens: Lens::Perspective { vertical_fov_degrees }, ..good };
+        let ortho = |height| LookAt { lens: Lens::Orthographic { height }, ..good };
         let cases = [
-            (Pose { eye: Vec3::NAN, ..good }, "eye"),
-            (Pose { target: Vec3::splat(f32::INFINITY), ..good }, "target"),
-            (Pose { target: good.eye, ..good }, "target"),
-            (Pose { up: Vec3::NAN, ..good }, "up"),
-            (Pose { up: Vec3::ZERO, ..good }, "up"),
-            (Pose { up: Vec3::NEG_Z, ..good }, "up"),
+            (LookAt { eye: Vec3::NAN, ..good }, "eye"),
+            (LookAt { target: Vec3::splat(f32::INFINITY), ..good }, "target"),
+            (LookAt { target: good.eye, ..good }, "target"),
+            (LookAt { up: Vec3::NAN, ..good }, "up"),
+            (LookAt { up: Vec3::ZERO, ..good }, "up"),
+            (LookAt { up: Vec3::NEG_Z, ..good }, "up"),
             (lens(0.0), "fov"),
             (lens(180.0), "fov"),
             (lens(f32::NAN), "fov"),
@@ -202,8 +202,8 @@ mod tests {
             (ortho(-1.0), "ortho"),
             (ortho(f32::INFINITY), "ortho"),
         ];
-        for (pose, option) in cases {
-            let error = pose.camera().expect_err("must be refused").to_string();
+        for (look_at, option) in cases {
+            let error = look_at.camera().expect_err("must be refused").to_string();
             assert!(
                 error.contains(option) && error.contains("expected") && error.contains("found"),
                 "{error}"
@@ -216,7 +216,7 @@ mod tests {
         for scale in [1e-30_f32, 1e-10, 1.0, 1e10, 1e37] {
             let eye = Vec3::new(1.0, 2.0, -3.0) * scale;
             let camera =
-                Pose { eye, target: -eye, up: Vec3::Y * scale, lens: FOV }.camera().expect("a camera");
+                LookAt { eye, target: -eye, up: Vec3::Y * scale, lens: FOV }.camera().expect("a camera");
             assert!(camera.right.is_finite() && camera.up.is_finite() && camera.forward.is_normalized());
         }
     }

@@ -188,7 +188,7 @@ pub struct Environment {
     /// Radiance that reaches every surface from everywhere (Whitted's ambient term).
     pub ambient: Vec3,
     /// Radiance that stands for a ray which the recursion does not follow any more.
-    pub truncated: Vec3,
+    pub fallback_radiance: Vec3,
 }
 
 impl Default for Environment {
@@ -203,7 +203,7 @@ impl Environment {
     #[must_use]
     pub fn with_background(background: Vec3) -> Self {
         let ambient = (0.25 * background).max(Vec3::splat(0.05));
-        Self { background, ambient, truncated: ambient }
+        Self { background, ambient, fallback_radiance: ambient }
     }
 }
 

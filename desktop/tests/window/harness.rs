@@ -15,10 +15,10 @@ use tempfile::TempDir;
 use crate::display::Display;
 
 /// A program that takes longer hangs.
-const PATIENCE: Duration = Duration::from_secs(600);
+const TIMEOUT: Duration = Duration::from_secs(600);
 
 /// A folder to play in, and a display where there is to be a window.
-pub struct Stage {
+pub struct ScriptHarness {
     folder: TempDir,
     display: Option<Display>,
 }
@@ -39,7 +39,7 @@ impl Ended {
     }
 }
 
-impl Stage {
+impl ScriptHarness {
     pub fn with_window() -> Self {
         Self { folder: tempfile::tempdir().unwrap(), display: Some(Display::new()) }
     }
@@ -62,7 +62,7 @@ impl Stage {
         self.plays_watched(arguments, script, |_| {})
     }
 
-    /// As [`Stage::plays`]; `line` is called with the program's number at every line that it tells.
+    /// As [`ScriptHarness::plays`]; `line` is called with the program's number at every line that it tells.
     pub fn plays_watched(&self, arguments: &str, script: &str, line: impl FnMut(u32)) -> Ended {
         let ended = self.run(arguments, script, line);
         assert!(ended.code == Some(0) && ended.stderr.is_empty(), "{:?}: {}", ended.code, ended.stderr);
@@ -128,10 +128,10 @@ fn wait(child: &mut Child) -> Option<i32> {
         if let Some(status) = child.try_wait().unwrap() {
             return status.code();
         }
-        if began.elapsed() > PATIENCE {
+        if began.elapsed() > TIMEOUT {
             child.kill().unwrap();
             let _ = child.wait();
-            panic!("still running after {PATIENCE:?}");
+            panic!("still running after {TIMEOUT:?}");
         }
         thread::sleep(Duration::from_millis(20));
     }

@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 use glimpse::{
-    Crossing, Denoise, Error, LinearImage, Method, Renderer, Sampler, Settings, Stopping,
-    cpu_tracer::{Fates, Merge, View, Worker},
+    Denoise, Error, Foveation, LinearImage, Method, Renderer, Sampler, Settings, StereoReuse,
+    cpu_tracer::{Accumulator, SampleCounts, View, Worker},
     encode_display,
-    reference::{Frame, Guide, Noise, Reference},
+    reference::{Denoiser, GBufferPixel, Reference, ReferenceFrame},
     scene::builtin,
 };
-use glimpse_tests::{Stage, gpu, note};
+use glimpse_tests::{TestScene, gpu, note};
 
 use super::{agreement::srgb, denoise::colors};
 
@@ -19,7 +19,7 @@ const SIZE: [u32; 2] = [45, 26];
 
 fn two_eyes() -> Settings {
     let mut settings = Settings { method: Method::Vr, ..settings() };
-    (settings.paths.crossing, settings.paths.stopping) = (Crossing::Weighted, Stopping::Compensated);
+    (settings.paths.stereo_reuse, settings.paths.foveation) = (StereoReuse::Weighted, Foveation::Compensated);
     settings
 }
 
@@ -33,7 +33,7 @@ fn settings() -> Settings {
 
 struct Fixture {
     reference: Reference,
-    stage: Stage,
+    test_scene: TestScene,
     settings: Settings,
     view: View,
 }
@@ -42,20 +42,20 @@ impl Fixture {
     fn new(settings: Settings) -> Self {
         let scene = builtin("cornell").expect("built in");
         let reference = Reference::new(&scene).with_wide_tree().with_srgb(*srgb());
-        let stage = Stage::new(scene);
-        let view = View::new(&stage.camera, SIZE, &settings);
-        Self { reference, stage, settings, view }
+        let test_scene = TestScene::new(scene);
+        let view = View::new(&test_scene.camera, SIZE, &settings);
+        Self { reference, test_scene, settings, view }
     }
 
     fn renderer(&self) -> Renderer {
-        Renderer::new(gpu(), &self.stage.scene, SIZE, &self.settings).expect("a renderer")
+        Renderer::new(gpu(), &self.test_scene.scene, SIZE, &self.settings).expect("a renderer")
     }
 
     /// So many samples of a core, which the owner comes for after each.
-    fn trace(&self, worker: &mut Worker, merge: &mut Merge, samples: u32) {
+    fn trace(&self, worker: &mut Worker, accumulator: &mut Accumulator, samples: u32) {
         for _ in 0..samples {
             (0..SIZE[1]).for_each(|_| assert!(worker.step(&self.reference)));
-            merge.collect();
+            accumulator.collect();
         }
     }
 }
@@ -68,55 +68,55 @@ fn merged_is_the_sum_of_both_sides() {
 
 fn assert_merged_is_the_sum(settings: Settings) {
     let fixture = Fixture::new(settings);
-    let camera = fixture.stage.camera;
+    let camera = fixture.test_scene.camera;
     let mut renderer = fixture.renderer();
     for _ in 0..4 {
         renderer.render(&camera).expect("a frame");
     }
     let alone = renderer.linear_image(&camera).expect("a picture");
 
-    let (mut merge, mut workers) = Merge::new(&fixture.view, 1);
-    renderer.merge(&mut merge).expect("nothing to merge yet");
+    let (mut accumulator, mut workers) = Accumulator::new(&fixture.view, 1);
+    renderer.accumulate(&mut accumulator).expect("nothing to merge yet");
     renderer.render(&camera).expect("a frame");
     assert_eq!(renderer.samples(), 1);
-    fixture.trace(&mut workers[0], &mut merge, 2);
-    let mut kept = Merge::new(&fixture.view, 1);
+    fixture.trace(&mut workers[0], &mut accumulator, 2);
+    let mut kept = Accumulator::new(&fixture.view, 1);
     fixture.trace(&mut kept.1[0], &mut kept.0, 3);
-    let planes = kept.0.take().expect("three samples").rgb;
+    let cpu_tracer = kept.0.take().expect("three samples").rgb;
 
-    renderer.merge(&mut merge).expect("two samples");
+    renderer.accumulate(&mut accumulator).expect("two samples");
     assert_eq!((renderer.samples(), renderer.is_settled()), (3, false));
     renderer.render(&camera).expect("a frame");
     renderer.render(&camera).expect("a frame");
-    fixture.trace(&mut workers[0], &mut merge, 1);
-    renderer.merge(&mut merge).expect("another sample");
+    fixture.trace(&mut workers[0], &mut accumulator, 1);
+    renderer.accumulate(&mut accumulator).expect("another sample");
     assert_eq!((renderer.samples(), renderer.is_settled()), (6, false));
     renderer.render(&camera).expect("a frame");
     assert_eq!(renderer.samples(), 7);
     let merged = renderer.linear_image(&camera).expect("a picture");
     for (index, both) in merged.as_raw().iter().enumerate() {
-        let expected = (4.0 * alone.as_raw()[index] + planes[index]) / 7.0;
+        let expected = (4.0 * alone.as_raw()[index] + cpu_tracer[index]) / 7.0;
         // Six roundings of sums and one of the quotient.
         assert!((both - expected).abs() <= 8.0 * f32::EPSILON * expected, "{index}: {both} {expected}");
     }
     // The picture as it is shown is the same one, and after a merge too.
     assert_shown(&renderer, &merged);
-    fixture.trace(&mut workers[0], &mut merge, 1);
-    renderer.merge(&mut merge).expect("another sample");
+    fixture.trace(&mut workers[0], &mut accumulator, 1);
+    renderer.accumulate(&mut accumulator).expect("another sample");
     assert_eq!((renderer.samples(), renderer.is_settled()), (8, true));
     let merged = renderer.linear_image(&camera).expect("a picture");
     assert_shown(&renderer, &merged);
 
     // The camera moves while a plane is on its way.
-    fixture.trace(&mut workers[0], &mut merge, 1);
+    fixture.trace(&mut workers[0], &mut accumulator, 1);
     let elsewhere = camera.panned(5.0);
     renderer.render(&elsewhere).expect("a frame");
-    renderer.merge(&mut merge).expect("nothing of this view");
-    assert_eq!((renderer.samples(), merge.samples()), (1, vec![0]));
+    renderer.accumulate(&mut accumulator).expect("nothing of this view");
+    assert_eq!((renderer.samples(), accumulator.samples()), (1, vec![0]));
     let mut fresh = fixture.renderer();
     fresh.render(&elsewhere).expect("a frame");
     assert!(renderer.display_image().expect("a picture") == fresh.display_image().expect("a picture"));
-    assert_eq!(merge.fates(), Fates { begun: 5, merged: 4, given_up: 1 });
+    assert_eq!(accumulator.sample_counts(), SampleCounts { begun: 5, merged: 4, given_up: 1 });
 }
 
 /// The means of GPU alone, cores alone and both differ by noise alone, by less than five standard errors of blocks of pixels.
@@ -125,8 +125,8 @@ fn every_share_of_the_cores_has_the_same_mean() {
     const SAMPLES: u32 = 96;
     const BLOCKS: [u32; 2] = [5, 3];
     let fixture = Fixture::new(settings());
-    let camera = fixture.stage.camera;
-    let (mut merge, mut workers) = Merge::new(&fixture.view, 1);
+    let camera = fixture.test_scene.camera;
+    let (mut accumulator, mut workers) = Accumulator::new(&fixture.view, 1);
     let mut renderer = fixture.renderer();
     for _ in 0..SAMPLES {
         renderer.render(&camera).expect("a frame");
@@ -135,8 +135,8 @@ fn every_share_of_the_cores_has_the_same_mean() {
     let mut moments = vec![[0.0_f64; 2]; (SIZE[0] * SIZE[1]) as usize];
     let mut cores = vec![0.0_f32; 3 * moments.len()];
     for _ in 0..SAMPLES {
-        fixture.trace(&mut workers[0], &mut merge, 1);
-        let plane = merge.take().expect("a sample").rgb;
+        fixture.trace(&mut workers[0], &mut accumulator, 1);
+        let plane = accumulator.take().expect("a sample").rgb;
         for ([sum, squares], rgb) in moments.iter_mut().zip(plane.chunks_exact(3)) {
             let x: f64 = rgb.iter().copied().map(f64::from).sum();
             (*sum, *squares) = (*sum + x, *squares + x * x);
@@ -148,13 +148,13 @@ fn every_share_of_the_cores_has_the_same_mean() {
         moments.iter().map(|[sum, squares]| (squares - sum * sum / count) / (count - 1.0) / count).collect();
     // As many samples again, with numbers of their own.
     for _ in 0..SAMPLES {
-        fixture.trace(&mut workers[0], &mut merge, 1);
+        fixture.trace(&mut workers[0], &mut accumulator, 1);
     }
     let gpu_alone = renderer.linear_image(&camera).expect("a picture");
     for _ in 0..SAMPLES {
         renderer.render(&camera).expect("a frame");
     }
-    renderer.merge(&mut merge).expect("the samples of the core");
+    renderer.accumulate(&mut accumulator).expect("the samples of the core");
     assert_eq!(renderer.samples(), 2 * SAMPLES);
     let both = renderer.linear_image(&camera).expect("a picture");
     // The GPU's samples are those of before: what is new are the core's.
@@ -195,14 +195,14 @@ fn noise_is_removed_from_the_sum_of_both_sides() {
             settings.paths.denoise = denoise;
             Fixture::new(settings)
         });
-        let camera = plain.stage.camera;
+        let camera = plain.test_scene.camera;
         let mut renderers = [plain.renderer(), filtered.renderer()];
         for renderer in &mut renderers {
             // The same samples for both.
-            let (mut merge, mut workers) = Merge::new(&plain.view, 1);
+            let (mut accumulator, mut workers) = Accumulator::new(&plain.view, 1);
             (0..2).for_each(|_| drop(renderer.render(&camera).expect("a frame")));
-            plain.trace(&mut workers[0], &mut merge, 3);
-            renderer.merge(&mut merge).expect("three samples");
+            plain.trace(&mut workers[0], &mut accumulator, 3);
+            renderer.accumulate(&mut accumulator).expect("three samples");
         }
         assert_filtered(&filtered, &mut renderers, denoise, 5);
         for renderer in &mut renderers {
@@ -214,15 +214,16 @@ fn noise_is_removed_from_the_sum_of_both_sides() {
 
 /// The second renderer's picture is that of the first without its noise, as the reference removes it.
 fn assert_filtered(fixture: &Fixture, renderers: &mut [Renderer; 2], denoise: Denoise, samples: u32) {
-    let (camera, settings) = (fixture.stage.camera, fixture.settings);
+    let (camera, settings) = (fixture.test_scene.camera, fixture.settings);
     assert!(renderers.iter().all(|renderer| renderer.samples() == samples));
     let [means, found] =
         renderers.each_mut().map(|renderer| renderer.linear_image(&camera).expect("a picture"));
     assert_shown(&renderers[1], &found);
     let [means, found] = [means, found].map(|image| colors(&image));
-    let guides: Vec<_> = renderers[1].guides().expect("guides").into_iter().map(Guide::unpacked).collect();
-    let frame = Frame { reference: &fixture.reference, camera, size: SIZE, settings };
-    let noise = Noise { frame: &frame, samples, means: &means, guides: &guides };
+    let gbuffer: Vec<_> =
+        renderers[1].gbuffer().expect("a G-buffer").into_iter().map(GBufferPixel::unpacked).collect();
+    let frame = ReferenceFrame { reference: &fixture.reference, camera, size: SIZE, settings };
+    let noise = Denoiser { frame: &frame, samples, means: &means, gbuffer: &gbuffer };
     let pixels = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| [x, y]));
     let right = match denoise {
         Denoise::Median => pixels.map(|pixel| noise.median(pixel)).collect(),
@@ -239,9 +240,9 @@ fn assert_filtered(fixture: &Fixture, renderers: &mut [Renderer; 2], denoise: De
 fn methods_that_add_nothing_up_merge_nothing() {
     let fixture = Fixture::new(settings());
     let full = Settings { method: Method::Full, ..Settings::default() };
-    let mut renderer = Renderer::new(gpu(), &fixture.stage.scene, SIZE, &full).expect("a renderer");
-    let (mut merge, _workers) = Merge::new(&fixture.view, 1);
-    let Err(Error::Setting { option, expected, found }) = renderer.merge(&mut merge) else {
+    let mut renderer = Renderer::new(gpu(), &fixture.test_scene.scene, SIZE, &full).expect("a renderer");
+    let (mut accumulator, _workers) = Accumulator::new(&fixture.view, 1);
+    let Err(Error::Setting { option, expected, found }) = renderer.accumulate(&mut accumulator) else {
         panic!("no error")
     };
     assert_eq!((option.as_str(), found.as_str()), ("method", "full"));

@@ -2,13 +2,13 @@
 
 use glam::{DVec3, Vec3, vec3};
 use glimpse::{
-    Camera, Denoise, Direct, LinearImage, Method, Renderer, Settings, Stopping,
+    Camera, Denoise, DirectLight, Foveation, LinearImage, Method, Renderer, Settings,
     metrics::linear_rmse,
-    reference::{Frame, Guide, Noise, Reference, Rounding, Way},
+    reference::{Denoiser, GBufferPixel, Reference, ReferenceFrame, Rounding, Way},
     scene::{Material, builtin},
 };
 use glimpse_tests::{
-    Stage,
+    TestScene,
     builder::{Builder, front_camera, matte, unlit},
     gpu, note,
 };
@@ -21,20 +21,20 @@ const SIZE: [u32; 2] = [75, 42];
 fn settings(denoise: Denoise) -> Settings {
     let mut settings =
         Settings { method: Method::Path, depth: Method::Path.usual_depth(), ..Settings::default() };
-    (settings.paths.denoise, settings.paths.stopping) = (denoise, Stopping::Paper);
+    (settings.paths.denoise, settings.paths.foveation) = (denoise, Foveation::Paper);
     settings.paths.gaze = [0.2, 0.9];
     settings
 }
 
 /// A picture of so many samples, and what guided the removal of its noise.
-fn picture(stage: &Stage, settings: &Settings, samples: u32) -> (LinearImage, Vec<Guide>) {
-    let mut renderer = Renderer::new(gpu(), &stage.scene, SIZE, settings).expect("a renderer");
+fn picture(test_scene: &TestScene, settings: &Settings, samples: u32) -> (LinearImage, Vec<GBufferPixel>) {
+    let mut renderer = Renderer::new(gpu(), &test_scene.scene, SIZE, settings).expect("a renderer");
     for _ in 0..samples {
-        renderer.render(&stage.camera).expect("a frame");
+        renderer.render(&test_scene.camera).expect("a frame");
     }
-    let image = renderer.linear_image(&stage.camera).expect("a picture");
-    let guides = renderer.guides().expect("guides").into_iter().map(Guide::unpacked).collect();
-    (image, guides)
+    let image = renderer.linear_image(&test_scene.camera).expect("a picture");
+    let gbuffer = renderer.gbuffer().expect("a G-buffer").into_iter().map(GBufferPixel::unpacked).collect();
+    (image, gbuffer)
 }
 
 pub fn colors(image: &LinearImage) -> Vec<DVec3> {
@@ -46,10 +46,10 @@ fn pixels() -> impl Iterator<Item = [u32; 2]> {
 }
 
 /// The harness with an orthographic camera in the same place.
-fn orthographic(stage: Stage) -> Stage {
-    let Camera { right, up, .. } = stage.camera;
-    let camera = Camera { right: 2.0 * right, up: 2.0 * up, orthographic: true, ..stage.camera };
-    Stage { camera, ..stage }
+fn orthographic(test_scene: TestScene) -> TestScene {
+    let Camera { right, up, .. } = test_scene.camera;
+    let camera = Camera { right: 2.0 * right, up: 2.0 * up, orthographic: true, ..test_scene.camera };
+    TestScene { camera, ..test_scene }
 }
 
 /// A path that takes another turn in f32 than in f64 may meet another surface; every other one finds the same.
@@ -58,21 +58,22 @@ fn guides_are_those_of_the_reference() {
     const SAMPLES: u32 = 3;
     for name in ["cornell", "room"] {
         let scene = builtin(name).expect("built in");
-        let (reference, stage) = (Reference::new(&scene).with_srgb(*srgb()), Stage::new(scene));
+        let (reference, test_scene) = (Reference::new(&scene).with_srgb(*srgb()), TestScene::new(scene));
         let settings = settings(Denoise::Median);
-        let (_, found) = picture(&stage, &settings, SAMPLES);
-        let frame = Frame { reference: &reference, camera: stage.camera, size: SIZE, settings };
+        let (_, found) = picture(&test_scene, &settings, SAMPLES);
+        let frame = ReferenceFrame { reference: &reference, camera: test_scene.camera, size: SIZE, settings };
         let rights = pixels().map(|pixel| {
-            let guide = |sample| frame.path(pixel, sample, &mut Rounding::none()).guide;
-            (1..SAMPLES).fold(guide(0), |before, sample| before.followed(&guide(sample), sample))
+            let gbuffer_pixel = |sample| frame.path(pixel, sample, &mut Rounding::none()).gbuffer_pixel;
+            (1..SAMPLES)
+                .fold(gbuffer_pixel(0), |before, sample| before.followed(&gbuffer_pixel(sample), sample))
         });
         let pairs: Vec<_> = found.iter().zip(rights).collect();
         assert_eq!(pairs.len(), pixels().count());
-        let ways = [Way::None, Way::Direct, Way::Mirrored];
+        let ways = [Way::None, Way::DirectlySeen, Way::Mirrored];
         let counts = ways.map(|way| pairs.iter().filter(|(_, right)| right.way == way).count());
         let smoothed = pairs.iter().filter(|(_, right)| right.smoothed).count();
         assert!(counts.iter().chain([&smoothed]).all(|n| *n > 50), "{name}: {counts:?} {smoothed}");
-        let differs = |(found, right): &&(&Guide, Guide)| {
+        let differs = |(found, right): &&(&GBufferPixel, GBufferPixel)| {
             let filtered = right.way != Way::None;
             found.way != right.way
                 || found.smoothed != right.smoothed
@@ -90,19 +91,20 @@ fn guides_are_those_of_the_reference() {
 /// The filters on what the device found, pixel by pixel.
 #[test]
 fn filters_are_those_of_the_reference() {
-    let cornell = Stage::builtin("cornell");
-    let flat = orthographic(Stage::builtin("cornell"));
-    for (name, stage, samples) in
-        [("cornell", &cornell, 1), ("orthographic", &flat, 1), ("room", &Stage::builtin("room"), 5)]
+    let cornell = TestScene::builtin("cornell");
+    let flat = orthographic(TestScene::builtin("cornell"));
+    for (name, test_scene, samples) in
+        [("cornell", &cornell, 1), ("orthographic", &flat, 1), ("room", &TestScene::builtin("room"), 5)]
     {
         let scene = builtin(if name == "room" { name } else { "cornell" }).expect("built in");
         let reference = Reference::new(&scene);
-        let means = colors(&picture(stage, &settings(Denoise::Off), samples).0);
+        let means = colors(&picture(test_scene, &settings(Denoise::Off), samples).0);
         for denoise in [Denoise::Median, Denoise::Atrous] {
             let settings = settings(denoise);
-            let (image, guides) = picture(stage, &settings, samples);
-            let frame = Frame { reference: &reference, camera: stage.camera, size: SIZE, settings };
-            let noise = Noise { frame: &frame, samples, means: &means, guides: &guides };
+            let (image, gbuffer) = picture(test_scene, &settings, samples);
+            let frame =
+                ReferenceFrame { reference: &reference, camera: test_scene.camera, size: SIZE, settings };
+            let noise = Denoiser { frame: &frame, samples, means: &means, gbuffer: &gbuffer };
             let right = match denoise {
                 Denoise::Median => pixels().map(|pixel| noise.median(pixel)).collect(),
                 _ => noise.atrous(),
@@ -121,17 +123,18 @@ fn filters_are_those_of_the_reference() {
 /// Less error after few samples, and the same picture after many.
 #[test]
 fn the_filtered_picture_tends_to_the_mean() {
-    let stage = Stage::builtin("cornell");
+    let test_scene = TestScene::builtin("cornell");
     let wish = |denoise| {
         let mut settings = settings(denoise);
-        settings.paths.stopping = Stopping::Off;
+        settings.paths.foveation = Foveation::Off;
         settings
     };
     let other = Settings { seed: 1, ..wish(Denoise::Off) };
-    let (right, _) = picture(&stage, &other, 1024);
+    let (right, _) = picture(&test_scene, &other, 1024);
     let error = |a: &LinearImage, b: &LinearImage| linear_rmse(a, b).expect("of one size");
     let rows = [1, 4, 16, 64, 256].map(|samples| {
-        let [plain, filtered] = [Denoise::Off, Denoise::Atrous].map(|d| picture(&stage, &wish(d), samples).0);
+        let [plain, filtered] =
+            [Denoise::Off, Denoise::Atrous].map(|d| picture(&test_scene, &wish(d), samples).0);
         let row = [error(&plain, &right), error(&filtered, &right), error(&plain, &filtered)];
         note(&format!("{samples} samples: plain, filtered, between {row:.4?}"));
         row
@@ -152,13 +155,13 @@ fn bright_specks_are_not_spread() {
     builder.quad(wall, vec3(-6.0, -4.0, -2.0), 12.0 * Vec3::X, 8.0 * Vec3::Y);
     let lamp = builder.object(Material { emission: Vec3::splat(50.0), ..matte(Vec3::ZERO) });
     builder.sphere(lamp, vec3(-0.5, 0.3, 0.0), 0.1);
-    let stage = Stage::new(builder.seen_by(front_camera()));
+    let test_scene = TestScene::new(builder.seen_by(front_camera()));
     let [plain, filtered] = [Denoise::Off, Denoise::Atrous].map(|denoise| {
         let mut settings = settings(denoise);
-        settings.paths.direct = Direct::Walk;
+        settings.paths.direct_light = DirectLight::Bsdf;
         // No two specks are beside each other, where neither would be much the brighter one.
         settings.seed = 3;
-        colors(&picture(&stage, &settings, 1).0)
+        colors(&picture(&test_scene, &settings, 1).0)
     });
     let lamp = |color: &DVec3| color.x > 40.0;
     assert_eq!(plain.iter().filter(|c| lamp(c)).count(), filtered.iter().filter(|c| lamp(c)).count());
@@ -179,18 +182,18 @@ fn what_is_not_filtered_stays() {
     let lamp = builder.object(Material { emission: vec3(3.0, 2.0, 1.0), ..matte(Vec3::splat(0.5)) });
     builder.quad(lamp, vec3(0.0, -1.0, -2.0), Vec3::X, Vec3::Y);
     builder.environment(vec3(0.3, 0.2, 0.1), Vec3::ZERO);
-    let stage = Stage::new(builder.seen_by(front_camera()));
+    let test_scene = TestScene::new(builder.seen_by(front_camera()));
     for samples in [1, 2] {
-        let plain = colors(&picture(&stage, &settings(Denoise::Off), samples).0);
-        let (filtered, guides) = picture(&stage, &settings(Denoise::Atrous), samples);
+        let plain = colors(&picture(&test_scene, &settings(Denoise::Off), samples).0);
+        let (filtered, gbuffer) = picture(&test_scene, &settings(Denoise::Atrous), samples);
         let filtered = colors(&filtered);
         assert!(filtered.iter().all(|color| color.is_finite() && color.min_element() >= 0.0));
         let dark = plain.iter().filter(|color| **color == DVec3::ZERO).count();
         assert!(dark > 20, "{dark} black pixels");
-        for ((before, after), guide) in plain.iter().zip(&filtered).zip(&guides) {
+        for ((before, after), gbuffer_pixel) in plain.iter().zip(&filtered).zip(&gbuffer) {
             assert!(
-                before == after || guide.way != Way::None && *before == DVec3::ZERO,
-                "{before} {after} {guide:?}"
+                before == after || gbuffer_pixel.way != Way::None && *before == DVec3::ZERO,
+                "{before} {after} {gbuffer_pixel:?}"
             );
         }
     }

@@ -14,7 +14,7 @@ use crate::picture::Picture;
 use crate::{log, process, report, vulkan};
 
 /// A picture, or a line of the log, comes within this time; software rendering compiles for seconds.
-const PATIENCE: Duration = Duration::from_secs(60);
+const TIMEOUT: Duration = Duration::from_secs(60);
 /// A picture that did not change for this long is at rest.
 const QUIET: Duration = Duration::from_millis(700);
 /// Java's main thread may wait for the app this long in any callback but `onCreate` and `onDestroy`.
@@ -25,7 +25,7 @@ const LIFE_BOUND: Duration = Duration::from_secs(15);
 const PRESENT: Duration = Duration::from_secs(10);
 
 /// See the module's text.
-pub struct Stage {
+pub struct Harness {
     /// The command line.
     pub options: Options,
     /// What is played now.
@@ -40,7 +40,7 @@ pub struct Stage {
     kept: u32,
 }
 
-impl Stage {
+impl Harness {
     /// Loads the app and what is expected of it.
     pub fn new(options: Options) -> Outcome<Self> {
         let app =
@@ -60,7 +60,7 @@ impl Stage {
 
     /// A step of the scenario: says what was done and how long it took, or ends the scenario.
     pub fn step<T>(&mut self, what: &str, act: impl FnOnce(&mut Self) -> Outcome<T>) -> Outcome<T> {
-        let _watch = report::watch(what, PATIENCE * 2);
+        let _watch = report::watch(what, TIMEOUT * 2);
         let start = Instant::now();
         let result = act(self).and_then(|result| self.check().map(|()| result));
         let result = result.map_err(|problem| format!("{what}: {problem}"))?;
@@ -121,10 +121,10 @@ impl Stage {
     /// The first step of most scenarios: starts the app, and waits for the picture that is expected of it.
     pub fn opens(&mut self) -> Outcome<Arc<Picture>> {
         let expected = self.expected()?;
-        self.step("the expected picture is presented", |stage| {
-            let intent = stage.intent();
-            stage.launch(intent);
-            stage.shows(&expected)
+        self.step("the expected picture is presented", |harness| {
+            let intent = harness.intent();
+            harness.launch(intent);
+            harness.shows(&expected)
         })?;
         Ok(expected)
     }
@@ -168,7 +168,7 @@ impl Stage {
 
     /// Waits until `picture` is what the activity presented last.
     pub fn shows(&mut self, picture: &Picture) -> Outcome {
-        let shown = pump(PATIENCE, || self.last().is_some_and(|last| *last == *picture));
+        let shown = pump(TIMEOUT, || self.last().is_some_and(|last| *last == *picture));
         self.keep_last()?;
         match self.last() {
             _ if shown => Ok(()),
@@ -184,7 +184,7 @@ impl Stage {
     pub fn rest(&mut self) -> Outcome<Arc<Picture>> {
         let mut last = self.last();
         let mut since = Instant::now();
-        let at_rest = pump(PATIENCE, || {
+        let at_rest = pump(TIMEOUT, || {
             let now = self.last();
             if now != last {
                 (last, since) = (now, Instant::now());
@@ -220,7 +220,7 @@ impl Stage {
     pub fn log<T>(&self, mark: u64, what: &str, find: impl Fn(&str) -> Option<T>) -> Outcome<T> {
         let look = || log::since(mark).iter().find_map(|line| find(line));
         let mut found = None;
-        pump(PATIENCE, || {
+        pump(TIMEOUT, || {
             found = look();
             found.is_some()
         });

@@ -23,7 +23,7 @@ const SIZES: [[u32; 2]; 10] = [
 struct Shape {
     grid: [u32; 2],
     band: u32,
-    landmarks: u32,
+    probe_points: u32,
     settings: Settings,
 }
 
@@ -31,7 +31,7 @@ impl Shape {
     fn plan(&self, method: Method) -> Plan {
         let settings = Settings { method, ..self.settings };
         let spec = FrameSpec::of_scene(&Scene::default(), &settings);
-        let facts = SceneFacts { landmarks: self.landmarks, ..spec.scene };
+        let facts = SceneFacts { probe_points: self.probe_points, ..spec.scene };
         Plan::new(&FrameSpec { scene: facts, ..spec }, self.grid, self.band)
     }
 
@@ -47,7 +47,7 @@ fn shapes() -> impl Iterator<Item = Shape> {
             |(block, sampling, band)| Shape {
                 grid: grid_of(grid, sampling),
                 band,
-                landmarks: 2000,
+                probe_points: 2000,
                 settings: Settings {
                     sampling,
                     block,
@@ -130,7 +130,7 @@ fn every_pass_is_covered_once() {
                         64 * groups
                     }
                     Extent::Groups([_, rows]) => rows,
-                    Extent::Renewed(tiles) => tiles,
+                    Extent::Refreshed(tiles) => tiles,
                     Extent::Chunk(chunk) => {
                         assert_eq!(chunk as usize, i, "{shape:?} {part:?}");
                         SAMPLES_PER_SUBMISSION
@@ -150,7 +150,7 @@ fn dispatches_have_the_shape_that_their_stage_says() {
                 Work::Tiles(_) | Work::Fixed => matches!(part.extent, Extent::Groups(_)),
                 Work::Lines => matches!(part.extent, Extent::Groups([_, 1])) && part.step != [0, 0],
                 Work::List => matches!(part.extent, Extent::Chunk(_)),
-                Work::Ranks => matches!(part.extent, Extent::Renewed(_)),
+                Work::Ranks => matches!(part.extent, Extent::Refreshed(_)),
             };
             assert!(fits, "{shape:?} {part:?}");
         }
@@ -218,14 +218,14 @@ fn levels_of_a_filter_take_turns() {
 fn every_tile_is_renewed_once() {
     for (shape, plan) in plans() {
         let tiles = shape.grid.map(|side| u64::from(side.div_ceil(16))).iter().product::<u64>();
-        let mut renewed = 0;
+        let mut refreshed = 0;
         for part in plan.parts.iter().filter(|part| *part.stage == frameless::FRAMELESS) {
-            let Extent::Renewed(count) = part.extent else { panic!("{part:?}") };
+            let Extent::Refreshed(count) = part.extent else { panic!("{part:?}") };
             let last = part.bounds[1];
             assert!(last || (1..=256).all(|share| count * share % TRACE_GROUP == 0), "{shape:?} {part:?}");
-            renewed += u64::from(count);
+            refreshed += u64::from(count);
         }
-        assert!(renewed == 0 || renewed == tiles, "{shape:?}: {renewed}");
+        assert!(refreshed == 0 || refreshed == tiles, "{shape:?}: {refreshed}");
     }
 }
 
@@ -269,7 +269,7 @@ fn small_frames_are_one_submission_of_one_dispatch_a_stage() {
         (Method::Reproject, 5),
     ] {
         let settings = Settings { postcorrect: Postcorrect::Off, ..Settings::default() };
-        let shape = Shape { grid: [450, 450], band: 1024, landmarks: 0, settings };
+        let shape = Shape { grid: [450, 450], band: 1024, probe_points: 0, settings };
         let submissions = shape.plan(method).submissions();
         assert_eq!(submissions.iter().map(Vec::len).collect::<Vec<_>>(), [stages], "{method:?}");
     }

@@ -6,7 +6,7 @@ fn main(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) local: u32,
 ) {
-    let at = 8u * order_tile(group, groups, ORDER_SINGLY) + frame_tile(local);
+    let at = 8u * tile_order(group, groups, TILE_ORDER_SINGLE) + frame_tile(local);
     let pixel = frame.part.stride * at + vec2u(0u, frame.part.row);
     if pixel.x >= frame.size.x || pixel.y >= frame.part.end {
         return;
@@ -14,6 +14,6 @@ fn main(
     let traced = sample_trace(pixel);
     output(pixel, traced.color);
     attributes_keep(pixel, traced.attributes, ATTRIBUTES_TRACED);
-    edges_keep(pixel, traced.attributes, secondary_found(), traced.color);
+    pixel_edges_record(pixel, traced.attributes, secondary_packed(), traced.color);
     inspect_pixel(pixel, ORIGIN_BASE, traced.attributes);
 }

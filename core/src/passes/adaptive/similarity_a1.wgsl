@@ -6,7 +6,7 @@ fn main(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) local: u32,
 ) {
-    let at = 16u * order_tile(group, groups, ORDER_RUNS) + frame_tile(local);
+    let at = 16u * tile_order(group, groups, TILE_ORDER_RUN) + frame_tile(local);
     let reach = vec2u(frame.part.stride / 2u, 0u);
     let pixel = frame.part.stride * at + vec2u(0u, frame.part.row) + reach;
     if pixel.x >= frame.size.x || pixel.y >= frame.part.end {

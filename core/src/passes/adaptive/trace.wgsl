@@ -12,6 +12,6 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     let traced = sample_trace(pixel);
     output(pixel, traced.color);
     attributes_keep(pixel, traced.attributes, ATTRIBUTES_TRACED);
-    edges_keep(pixel, traced.attributes, secondary_found(), traced.color);
+    pixel_edges_record(pixel, traced.attributes, secondary_packed(), traced.color);
     inspect_pixel(pixel, select(ORIGIN_TRACED_A1, ORIGIN_TRACED_A2, list_between_rows(pixel)), traced.attributes);
 }

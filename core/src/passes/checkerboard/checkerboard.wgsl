@@ -6,7 +6,7 @@ fn main(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) local: u32,
 ) {
-    let at = 8u * order_tile(group, groups, ORDER_SINGLY) + frame_tile(local);
+    let at = 8u * tile_order(group, groups, TILE_ORDER_SINGLE) + frame_tile(local);
     let pixel = vec2u(2u * at.x + (at.y & 1u), at.y);
     if pixel.x >= frame.size.x || pixel.y >= frame.part.end {
         return;

@@ -19,11 +19,11 @@ fn main(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) local: u32,
 ) {
-    let pixel = 16u * order_tile(group, groups, ORDER_RUNS) + frame_tile(local);
+    let pixel = 16u * tile_order(group, groups, TILE_ORDER_RUN) + frame_tile(local);
     if any(pixel >= frame.size) {
         return;
     }
-    let words = filtered_before[guides_place(pixel)];
+    let words = atrous_buffer_before[gbuffer_place(pixel)];
     if words.y == 0u {
         atrous_unfiltered(pixel);
         return;
@@ -35,7 +35,7 @@ fn main(
         let side = atrous_side(i);
         let at = vec2i(pixel) + frame.part.step * side;
         let tap = vec2u(clamp(at, vec2i(0), vec2i(frame.size) - 1));
-        let q = filtered_before[guides_place(tap)];
+        let q = atrous_buffer_before[gbuffer_place(tap)];
         let counts = all(tap == vec2u(at)) && eyes_same(pixel, tap);
         let weight = select(0.0, atrous_weight(own, vec2f(side), q), counts);
         sum += weight * atrous_light(q);

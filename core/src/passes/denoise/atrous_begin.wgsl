@@ -7,8 +7,8 @@ const ATROUS_BRIGHTER: f32 = 4.0;
 const ATROUS_SETTLED: f32 = 256.0;
 
 // How bright the light is, up to the surface's hue.
-fn atrous_brightness(pixel: vec2u, guide: vec4u) -> f32 {
-    return filtered_sum(samples_mean(pixel)) / filtered_sum(filtered_albedo(guide));
+fn atrous_brightness(pixel: vec2u, gbuffer_pixel: vec4u) -> f32 {
+    return atrous_buffer_sum(samples_mean(pixel)) / atrous_buffer_sum(atrous_buffer_albedo(gbuffer_pixel));
 }
 
 // What counts of a pixel's brightness.
@@ -17,11 +17,11 @@ fn atrous_kept(pixel: vec2u, kind: u32, own: f32) -> f32 {
     var count = 0.0;
     for (var side = 0; side < 4; side += 1) {
         let at = vec2i(pixel) + select(vec2i(2 * side - 5, 0), vec2i(0, 2 * side - 1), side < 2);
-        let reached = noise_reaches(pixel, at);
+        let reached = denoise_tap_is_inside(pixel, at);
         let tap = select(pixel, vec2u(at), reached);
-        let guide = guides[guides_place(tap)];
-        let counts = reached && guides_kind(guide) == kind;
-        sum += select(0.0, atrous_brightness(tap, guide), counts);
+        let gbuffer_pixel = gbuffer[gbuffer_place(tap)];
+        let counts = reached && gbuffer_kind(gbuffer_pixel) == kind;
+        sum += select(0.0, atrous_brightness(tap, gbuffer_pixel), counts);
         count += f32(counts);
     }
     let most = ATROUS_BRIGHTER * sum / max(count, 1.0);
@@ -35,18 +35,18 @@ fn main(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) local: u32,
 ) {
-    let pixel = 16u * order_tile(group, groups, ORDER_RUNS) + frame_tile(local);
+    let pixel = 16u * tile_order(group, groups, TILE_ORDER_RUN) + frame_tile(local);
     if any(pixel >= frame.size) {
         return;
     }
-    let guide = guides[guides_place(pixel)];
-    let kind = guides_kind(guide);
-    if kind == GUIDE_NONE {
-        filtered[guides_place(pixel)] = vec4u(0u);
+    let gbuffer_pixel = gbuffer[gbuffer_place(pixel)];
+    let kind = gbuffer_kind(gbuffer_pixel);
+    if kind == GBUFFER_NONE {
+        atrous_buffer[gbuffer_place(pixel)] = vec4u(0u);
         return;
     }
-    let own = atrous_brightness(pixel, guide);
-    let kept = atrous_kept(pixel, kind, own) / max(own, FILTERED_BLACK);
-    let light = kept * samples_mean(pixel) / filtered_albedo(guide);
-    filtered[guides_place(pixel)] = vec4u(filtered_guide(guide), filtered_light(light));
+    let own = atrous_brightness(pixel, gbuffer_pixel);
+    let kept = atrous_kept(pixel, kind, own) / max(own, ATROUS_BUFFER_BLACK);
+    let light = kept * samples_mean(pixel) / atrous_buffer_albedo(gbuffer_pixel);
+    atrous_buffer[gbuffer_place(pixel)] = vec4u(atrous_buffer_guide(gbuffer_pixel), atrous_buffer_light(light));
 }

@@ -15,7 +15,7 @@ fn median_sorted(a: vec3f, b: vec3f, c: vec3f) -> Sorted {
 
 fn median_tap(pixel: vec2u, x: i32, y: i32) -> vec3f {
     let tap = vec2i(pixel) + vec2i(x, y);
-    return samples_mean(select(pixel, vec2u(tap), noise_reaches(pixel, tap)));
+    return samples_mean(select(pixel, vec2u(tap), denoise_tap_is_inside(pixel, tap)));
 }
 
 fn median_column(pixel: vec2u, x: i32) -> Sorted {
@@ -28,11 +28,11 @@ fn main(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) local: u32,
 ) {
-    let pixel = 16u * order_tile(group, groups, ORDER_RUNS) + frame_tile(local);
+    let pixel = 16u * tile_order(group, groups, TILE_ORDER_RUN) + frame_tile(local);
     if any(pixel >= frame.size) {
         return;
     }
-    if guides[guides_place(pixel)].w == 0u {
+    if gbuffer[gbuffer_place(pixel)].w == 0u {
         output(pixel, samples_mean(pixel));
         return;
     }

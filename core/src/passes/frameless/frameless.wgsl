@@ -6,16 +6,16 @@ fn main(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) local: u32,
 ) {
-    let at = order_tile(group, groups, ORDER_SINGLY);
+    let at = tile_order(group, groups, TILE_ORDER_SINGLE);
     let index = at.x * TRACE_GROUP + local;
-    let tile = frame.part.first + index / frame.renewed;
+    let tile = frame.part.first + index / frame.refresh_count;
     let across = (frame.size.x + RANK_TILE - 1u) / RANK_TILE;
     let corner = RANK_TILE * vec2u(tile % across, tile / across);
-    let rank = frame.renewed_from + index % frame.renewed;
-    frameless_trace(corner + renewal_pixel(rank));
+    let rank = frame.refresh_first + index % frame.refresh_count;
+    frameless_trace(corner + refresh_pixel(rank));
     if COUNTS {
-        for (var kept = frame.renewed + index % frame.renewed; kept < RANKS; kept += frame.renewed) {
-            frameless_keep(corner + renewal_pixel(frame.renewed_from + kept));
+        for (var kept = frame.refresh_count + index % frame.refresh_count; kept < RANKS; kept += frame.refresh_count) {
+            frameless_keep(corner + refresh_pixel(frame.refresh_first + kept));
         }
     }
 }

@@ -7,7 +7,7 @@ fn main(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) local: u32,
 ) {
-    let corner = PATH_TILE * order_tile(group, groups, ORDER_SINGLY) + frame_tile(local);
+    let corner = PATH_TILE * tile_order(group, groups, TILE_ORDER_SINGLE) + frame_tile(local);
     let across = PATH_TILE / 8u;
     var turn = 0u;
     var going = false;
@@ -39,6 +39,6 @@ fn path_end(path: Path) {
         attributes.normal = path.normal;
         inspect_pixel(path.pixel, ORIGIN_BASE, attributes);
     }
-    guides_end(path);
-    samples_add(path.pixel, path.crossing, path.radiance);
+    gbuffer_store(path);
+    samples_add(path.pixel, path.stereo_reuse, path.radiance);
 }

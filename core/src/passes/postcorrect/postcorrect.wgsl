@@ -22,7 +22,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
         let pixel = list_pixel(entry);
         let traced = sample_trace(pixel);
         output(pixel, traced.color);
-        edges_keep(pixel, traced.attributes, secondary_found(), traced.color);
+        pixel_edges_record(pixel, traced.attributes, secondary_packed(), traced.color);
         inspect_pixel(pixel, ORIGIN_POSTCORRECTED, traced.attributes);
         let identity = attributes_identity(traced.attributes.object, traced.attributes.shadow);
         var ahead = NOWHERE;

@@ -2,15 +2,15 @@
 // neighbour. Where a point that is known of one would be seen, it is looked for.
 
 // Points on thin objects, in world space.
-var<storage, read> landmarks: array<f32>;
+var<storage, read> probe_points: array<f32>;
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
     let first = 3u * (group.x * TRACE_GROUP + local);
-    if first >= arrayLength(&landmarks) {
+    if first >= arrayLength(&probe_points) {
         return;
     }
-    let at = frame_place(vec3f(landmarks[first], landmarks[first + 1u], landmarks[first + 2u]));
+    let at = frame_place(vec3f(probe_points[first], probe_points[first + 1u], probe_points[first + 2u]));
     if !(all(at >= vec2f(0.0)) && all(at < vec2f(frame.size))) {
         return;
     }

@@ -15,10 +15,10 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     for (var left = far.x + far.y; left > 0u; left -= 1u) {
         let next = pixel + vec2u(frame.part.step);
         if attributes_traced(pixel) && attributes_claim(next, attributes_load_identity(pixel)) {
-            inspect_claim();
+            inspect_claimed();
             let traced = sample_trace(next);
             output(next, traced.color);
-            edges_keep(next, traced.attributes, secondary_found(), traced.color);
+            pixel_edges_record(next, traced.attributes, secondary_packed(), traced.color);
             inspect_pixel(next, ORIGIN_POSTCORRECTED, traced.attributes);
             attributes_store_identity(next, traced.attributes);
         }

@@ -9,7 +9,7 @@ fn postcorrect_claim(pixel: vec2u, unlike: vec2u) -> bool {
     if !inside || !attributes_claim(pixel, unlike) {
         return false;
     }
-    inspect_claim();
+    inspect_claimed();
     return true;
 }
 

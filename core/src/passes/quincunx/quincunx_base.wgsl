@@ -6,7 +6,7 @@ fn main(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) local: u32,
 ) {
-    let at = 8u * order_tile(group, groups, ORDER_SINGLY) + frame_tile(local);
+    let at = 8u * tile_order(group, groups, TILE_ORDER_SINGLE) + frame_tile(local);
     let pixel = vec2u(at.x / 2u, at.y + frame.part.row);
     let centred = at.x % 2u == 1u;
     let beyond = vec2u(frame.size.x, frame.part.end) + select(1u, 0u, centred);

@@ -11,20 +11,20 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     var split = 0u;
     // Differences from the centre: where all samples are the same their mean is, too.
     var sum = vec3f(0.0);
-    for (var quarter = 0u; quarter < 4u; quarter += 1u) {
-        let q = quincunx_quad(at, quarter);
+    for (var subpixel = 0u; subpixel < 4u; subpixel += 1u) {
+        let q = quincunx_quad(at, subpixel);
         if !quincunx_differs(q) {
             sum += quincunx_mean(q, center) / 4.0;
             continue;
         }
-        split |= 1u << quarter;
+        split |= 1u << subpixel;
         for (var i = 0u; i < 4u; i += 1u) {
             let part = quincunx_part(q, i);
             if !quincunx_differs(part) {
                 sum += quincunx_mean(part, center) / 16.0;
                 continue;
             }
-            split |= 16u << (4u * quarter + i);
+            split |= 16u << (4u * subpixel + i);
             for (var j = 0u; j < 4u; j += 1u) {
                 sum += quincunx_mean(quincunx_part(part, j), center) / 64.0;
             }

@@ -7,8 +7,8 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
         return;
     }
     let pixel = at / 4u;
-    let quarter = at / 2u % 2u;
-    let q = quincunx_quad(pixel, quarter.x + 2u * quarter.y);
+    let subpixel = at / 2u % 2u;
+    let q = quincunx_quad(pixel, subpixel.x + 2u * subpixel.y);
     if !quincunx_differs(q) {
         return;
     }

@@ -16,8 +16,8 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     if its.part == 0u {
         let sum = refine_sum(local);
         refine_store(its.pixel, REFINE_SUM, sum);
-        refine_tell(its.pixel, REFINE_TRACED);
-        output(its.pixel, (sum + edges_color(its.pixel)) / 5.0);
+        refine_mark(its.pixel, REFINE_TRACED);
+        output(its.pixel, (sum + pixel_edges_color(its.pixel)) / 5.0);
         inspect_refined(its.pixel, REFINE_FIRST, refine_round(its.pixel));
     }
 }
@@ -33,7 +33,7 @@ fn refine_spread(pixel: vec2u, part: u32, local: u32) {
         let index = select(i, i + 1u, i >= 4u);
         let beside = vec2i(pixel) + vec2i(i32(index % 3u), i32(index / 3u)) - 1;
         let inside = beside.x >= 0 && beside.y >= i32(frame.part.row) && beside.x < i32(frame.size.x) && beside.y < i32(frame.part.end);
-        if !inside || refine_known(vec2u(beside)) != 0u || !refine_surprises(vec2u(beside), shown) {
+        if !inside || refine_state(vec2u(beside)) != 0u || !refine_shows_new(vec2u(beside), shown) {
             continue;
         }
         if refine_claim(vec2u(beside), refine_round(pixel) + 1u) {
@@ -43,8 +43,8 @@ fn refine_spread(pixel: vec2u, part: u32, local: u32) {
 }
 
 // Do samples around a neighbour show what no pixel around it does?
-fn refine_surprises(neighbour: vec2u, shown: array<vec3f, 4>) -> bool {
-    let range = edges_range(neighbour);
+fn refine_shows_new(neighbour: vec2u, shown: array<vec3f, 4>) -> bool {
+    let range = contrast_range(neighbour);
     for (var i = 0u; i < REFINE_STEP; i += 1u) {
         let nearest = clamp(shown[i], range.low, range.high);
         if contrast_exceeds(min(shown[i], nearest), max(shown[i], nearest), frame.tolerances.tau_least) {

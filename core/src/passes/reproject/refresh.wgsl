@@ -3,17 +3,17 @@
 var<storage, read> list: List;
 
 // Farther than all coordinates, and so near that products with it do not overflow.
-const RENEW_BEYOND: f32 = 1.0e30;
+const REFRESH_BEYOND: f32 = 1.0e30;
 
 // The point that a pixel shows. What mirrors or lets light through looks different from elsewhere: it is nowhere. What is
 // behind everything is a point far away, unless rays are parallel: there it would be one for all of them.
-fn renew_point(pixel: vec2u, traced: Sample) -> vec3f {
+fn refresh_point(pixel: vec2u, traced: Sample) -> vec3f {
     let hit = traced.attributes.object != 0u;
     if traced.bounced || !(hit || frame.camera.orthographic == 0.0) {
         return vec3f(FAR);
     }
     let ray = frame_ray(pixel);
-    return ray.origin + select(RENEW_BEYOND, traced.attributes.depth, hit) * ray.direction;
+    return ray.origin + select(REFRESH_BEYOND, traced.attributes.depth, hit) * ray.direction;
 }
 
 @compute @workgroup_size(TRACE_GROUP)
@@ -25,6 +25,6 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     let pixel = list_pixel(list.pixels[index]);
     let traced = sample_trace(pixel);
     output(pixel, traced.color);
-    history_store(pixel, renew_point(pixel, traced), traced.color);
+    history_store(pixel, refresh_point(pixel, traced), traced.color);
     inspect_pixel(pixel, ORIGIN_BASE, traced.attributes);
 }

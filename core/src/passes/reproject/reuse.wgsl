@@ -2,12 +2,12 @@
 // surface may show through a gap of a nearer one, those whose turn it is, and those where it matters that what was moved
 // lies beside the centre of the pixel.
 
-struct Landing {
+struct Splat {
     key: u32,
     source: u32,
 }
 
-var<storage, read> landed: array<Landing>;
+var<storage, read> splats: array<Splat>;
 
 // A pixel is suspected where what is on both sides of it is nearer than this share of its depth.
 const REUSE_NEARER: f32 = 0.96875;
@@ -16,13 +16,13 @@ fn reuse_depth(pixel: vec2i) -> f32 {
     if any(pixel < vec2i(0)) || any(pixel >= vec2i(frame.size)) {
         return FAR;
     }
-    let key = landed[u32(pixel.y) * frame.size.x + u32(pixel.x)].key;
+    let key = splats[u32(pixel.y) * frame.size.x + u32(pixel.x)].key;
     return select(bitcast<f32>(~key >> 1u), FAR, key == 0u);
 }
 
 // Does the pixel lie between nearer ones? Gaps of a surface that comes closer are lines of one pixel, and where two of
 // them cross only the corners are of the surface.
-fn reuse_shows_through(pixel: vec2u) -> bool {
+fn reuse_is_gap(pixel: vec2u) -> bool {
     let middle = vec2i(pixel);
     let limit = REUSE_NEARER * reuse_depth(middle);
     for (var side = 0; side < 4; side += 1) {
@@ -38,26 +38,26 @@ fn reuse_shows_through(pixel: vec2u) -> bool {
 // point on the other side, in roots of radiance.
 const REUSE_ERROR: f32 = 0.0625;
 
-struct Centred {
+struct Recentred {
     radiance: vec3f,
     error: f32,
 }
 
 // The radiance in the centre of a pixel, from its own point and those of the three pixels on the other side of the centre,
 // and how wrong it may be.
-fn reuse_centred(pixel: vec2u, source: u32) -> Centred {
+fn reuse_centred(pixel: vec2u, source: u32) -> Recentred {
     let centre = vec2f(pixel) + 0.5;
     let aside = frame_place(history_point(source)) - centre;
     let across = select(vec2i(1), vec2i(-1), aside > vec2f(0.0));
     let own = history_radiance(source);
     var weight = reuse_weight(aside);
-    var centred = Centred(weight * own, 0.0);
+    var centred = Recentred(weight * own, 0.0);
     for (var side = 1; side < 4; side += 1) {
         let neighbour = vec2i(pixel) + across * (vec2i(side, side >> 1u) & vec2i(1));
         if any(neighbour < vec2i(0)) || any(neighbour >= vec2i(frame.size)) {
             continue;
         }
-        let other = landed[u32(neighbour.y) * frame.size.x + u32(neighbour.x)].source;
+        let other = splats[u32(neighbour.y) * frame.size.x + u32(neighbour.x)].source;
         if other == 0u {
             continue;
         }
@@ -87,7 +87,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
         return;
     }
     let place = pixel.y * frame.size.x + pixel.x;
-    if renewal_is_due(pixel) {
+    if refresh_is_due(pixel) {
         list_append(pixel);
         return;
     }
@@ -97,18 +97,18 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
         inspect_pixel(pixel, ORIGIN_INTERPOLATED, Attributes());
         return;
     }
-    let landing = landed[place];
-    if landing.source == 0u || reuse_shows_through(pixel) {
+    let splat = splats[place];
+    if splat.source == 0u || reuse_is_gap(pixel) {
         list_append(pixel);
         return;
     }
-    let centred = reuse_centred(pixel, ~landing.source);
+    let centred = reuse_centred(pixel, ~splat.source);
     if centred.error > REUSE_ERROR {
         list_append(pixel);
         return;
     }
     // What is kept is not blurred again and again.
-    history_store(pixel, history_point(~landing.source), history_radiance(~landing.source));
+    history_store(pixel, history_point(~splat.source), history_radiance(~splat.source));
     output(pixel, centred.radiance);
     inspect_pixel(pixel, ORIGIN_INTERPOLATED, Attributes());
 }

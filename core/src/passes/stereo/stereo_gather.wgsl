@@ -8,33 +8,33 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
         return;
     }
     if !COUNTS {
-        cross_add(samples_place(pixel));
+        stereo_gather_add(samples_place(pixel));
     }
     output(pixel, samples_mean(pixel));
 }
 
-fn cross_add(place: u32) {
-    let list = atomicExchange(&samples[place].landed, 0u);
+fn stereo_gather_add(place: u32) {
+    let list = atomicExchange(&samples[place].splats, 0u);
     var sum = samples_radiance(samples[place].sum);
     var count = 0u;
     var last = 0u;
     loop {
-        let next = cross_next(list, last);
+        let next = stereo_gather_next(list, last);
         if next == 0u {
             break;
         }
-        sum += samples_radiance(samples[next - 1u].crossing);
+        sum += samples_radiance(samples[next - 1u].stereo_reuse);
         count += 1u;
         last = next;
     }
     samples[place].sum = samples_words(sum);
-    if CROSSING_COUNTS {
+    if STEREO_REUSE_UNWEIGHTED {
         samples[place].second += count;
     }
 }
 
 // The least of the list that is above the last one; 0 if there is none.
-fn cross_next(list: u32, last: u32) -> u32 {
+fn stereo_gather_next(list: u32, last: u32) -> u32 {
     var least = 0u;
     var at = list;
     while at != 0u {

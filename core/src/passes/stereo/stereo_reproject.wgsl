@@ -7,31 +7,31 @@ fn main(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) local: u32,
 ) {
-    let pixel = 8u * order_tile(group, groups, ORDER_SINGLY) + frame_tile(local);
+    let pixel = 8u * tile_order(group, groups, TILE_ORDER_SINGLE) + frame_tile(local);
     if any(pixel >= frame.size) {
         return;
     }
-    let ray = eyes_ray(pixel, numbers_pair(pixel, NUMBERS_PLACE_IN_PIXEL));
-    var look = Look(pixel, ray, 1u, crossing_begin());
+    let ray = eyes_ray(pixel, rng_pair(pixel, RNG_PLACE_IN_PIXEL));
+    var reprojection = StereoReprojection(pixel, ray, 1u, stereo_reuse_begin());
     let place = samples_place(pixel);
-    look_along(&look, samples[place].next, samples[place].second);
+    stereo_reproject_path(&reprojection, samples[place].next, samples[place].second);
     inspect_more(pixel);
     if !COUNTS {
-        look_send(place, look.crossing);
+        stereo_splat(place, reprojection.stereo_reuse);
     }
 }
 
 // Adds the pixel's own sample and sends it over.
-fn look_send(place: u32, crossing: Crossing) {
-    let radiance = samples_radiance(samples[place].crossing);
-    let sum = crossing.own * radiance;
+fn stereo_splat(place: u32, stereo_reuse: StereoReuse) {
+    let radiance = samples_radiance(samples[place].stereo_reuse);
+    let sum = stereo_reuse.own * radiance;
     let before = samples_radiance(samples[place].sum);
     samples[place].sum = samples_words(select(sum, sum + before, frame.paths.sample > 0u));
-    samples[place].crossing = samples_words(crossing.other * radiance);
-    if CROSSING_COUNTS {
+    samples[place].stereo_reuse = samples_words(stereo_reuse.other * radiance);
+    if STEREO_REUSE_UNWEIGHTED {
         samples[place].second = select(1u, samples[place].second + 1u, frame.paths.sample > 0u);
     }
-    if crossing.landing != 0u {
-        samples[place].next = atomicExchange(&samples[crossing.landing - 1u].landed, place + 1u);
+    if stereo_reuse.splat != 0u {
+        samples[place].next = atomicExchange(&samples[stereo_reuse.splat - 1u].splats, place + 1u);
     }
 }

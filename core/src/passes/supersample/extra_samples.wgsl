@@ -13,8 +13,8 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     }
     let pixel = active_pixel(entry);
     if entry != ACTIVE_NONE {
-        let quarter = active_quarter(entry);
-        let place = 2u * vec2u(quarter & 1u, quarter >> 1u) + vec2u(local & 1u, (local >> 1u) & 1u);
+        let subpixel = active_subpixel(entry);
+        let place = 2u * vec2u(subpixel & 1u, subpixel >> 1u) + vec2u(local & 1u, (local >> 1u) & 1u);
         let traced = sample_follow(frame_ray_in(4u * pixel + place, 4.0));
         extra_colors[local] = traced.color;
         inspect_extra(pixel);
@@ -29,7 +29,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
 // The pixel whose first active subpixel has that place in the list, and its samples that place in the workgroup.
 fn extra_pixel(master: u32, index: u32, local: u32) -> vec3f {
     let pixel = active_pixel(master);
-    let center = edges_color(pixel);
+    let center = pixel_edges_color(pixel);
     var mask = 0u;
     // Differences from the centre: where all samples are the same their mean is, too.
     var difference = vec3f(0.0);
@@ -41,7 +41,7 @@ fn extra_pixel(master: u32, index: u32, local: u32) -> vec3f {
         if !active_same(entry, master) {
             break;
         }
-        mask |= 1u << active_quarter(entry);
+        mask |= 1u << active_subpixel(entry);
         let at = local + ACTIVE_SAMPLES * i;
         let a = extra_colors[at];
         let b = extra_colors[at + 1u];
@@ -52,7 +52,7 @@ fn extra_pixel(master: u32, index: u32, local: u32) -> vec3f {
     if mask == 15u {
         return extra_sum(local) / 16.0;
     }
-    return center + difference / 16.0 + inactive_correction(pixel, mask);
+    return center + difference / 16.0 + unsampled_correction(pixel, mask);
 }
 
 // The sum of all sixteen samples of a pixel, in their order.
@@ -70,6 +70,6 @@ fn extra_sum(local: u32) -> vec3f {
 
 // Where the i-th of sixteen samples is: they lie quarter by quarter.
 fn extra_place(i: u32) -> u32 {
-    let cell = order_cell(i);
-    return 4u * (cell.x / 2u + 2u * (cell.y / 2u)) + cell.x % 2u + 2u * (cell.y % 2u);
+    let stratum = sample_order_stratum(i);
+    return 4u * (stratum.x / 2u + 2u * (stratum.y / 2u)) + stratum.x % 2u + 2u * (stratum.y % 2u);
 }

@@ -1,5 +1,5 @@
 // ActSubPixDetector (Jin 2009, 4.1.3, 4.2.2, 4.3.2): which quarters of the pixels get extra samples, packed in the order of
-// a curve through the tile. Deviations: a thread tests the four quarters of a pixel, so that neighbours are read once; of
+// a curve through the tile. Deviations: a thread tests the four subpixels, so that neighbours are read once; of
 // the space in the list exactly what is needed is reserved, whatever was reserved before.
 
 var<workgroup> test_masks: array<u32, 64>;
@@ -12,14 +12,14 @@ fn main(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) local: u32,
 ) {
-    let at = 8u * order_tile(group, groups, ORDER_RUNS) + frame_tile(local);
+    let at = 8u * tile_order(group, groups, TILE_ORDER_RUN) + frame_tile(local);
     let pixel = at + vec2u(0u, frame.part.row);
     var mask = 0u;
     if pixel.x < frame.size.x && pixel.y < frame.part.end {
-        let test = quarters_test(pixel);
-        mask = test.quarters;
-        inactive_output(pixel, mask);
-        inspect_edges(pixel, test.quarters | (test.differing << 4u));
+        let test = subpixels_test(pixel);
+        mask = test.subpixels;
+        unsampled_output(pixel, mask);
+        inspect_edges(pixel, test.subpixels | (test.differing << 4u));
     }
     test_masks[local] = mask;
     workgroupBarrier();

@@ -267,5 +267,6 @@ fn lights(b: &mut Builder) {
         },
     ];
     let ambient = vec3(0.25, 0.26, 0.28);
-    b.scene.environment = Environment { background: vec3(0.72, 0.86, 1.05), ambient, truncated: ambient };
+    b.scene.environment =
+        Environment { background: vec3(0.72, 0.86, 1.05), ambient, fallback_radiance: ambient };
 }

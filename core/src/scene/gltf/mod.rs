@@ -180,7 +180,7 @@ fn environment(shown: &json::Scene) -> Result<Environment> {
     let mut environment = Environment::with_background(color("background")?.unwrap_or(Vec3::ZERO));
     if let Some(ambient) = color("ambient")? {
         environment.ambient = ambient;
-        environment.truncated = ambient;
+        environment.fallback_radiance = ambient;
     }
     Ok(environment)
 }

@@ -33,8 +33,8 @@ fn attributes_moments(footprint: vec3f) -> vec3f {
 const ATTRIBUTES_TRACED: u32 = 0x80000000u;
 const ATTRIBUTES_INTERPOLATED: u32 = 0u;
 
-fn attributes_plane(plane: u32, pixel: vec2u) -> u32 {
-    return (frame_folded(pixel.y) / 2u * PLANES + plane) * frame.size.x + pixel.x;
+fn attributes_channel(plane: u32, pixel: vec2u) -> u32 {
+    return (frame_band_row(pixel.y) / 2u * CHANNELS + plane) * frame.size.x + pixel.x;
 }
 
 // Whether a later step interpolates from the pixel, so that its attributes must be stored.
@@ -44,10 +44,10 @@ fn attributes_stored(pixel: vec2u) -> bool {
 
 // Index of the pixel's OID in the attribute buffer.
 fn attributes_object(pixel: vec2u) -> u32 {
-    return attributes_plane(select(PLANE_OBJECT_BETWEEN, PLANE_OBJECT, attributes_stored(pixel)), pixel);
+    return attributes_channel(select(CHANNEL_OBJECT_BETWEEN, CHANNEL_OBJECT, attributes_stored(pixel)), pixel);
 }
 
 // Where SHDBIT is, unless it is in one word with OID.
 fn attributes_shadow(pixel: vec2u) -> u32 {
-    return attributes_plane(select(PLANE_SHADOW_BETWEEN, PLANE_SHADOW, attributes_stored(pixel)), pixel);
+    return attributes_channel(select(CHANNEL_SHADOW_BETWEEN, CHANNEL_SHADOW, attributes_stored(pixel)), pixel);
 }

@@ -29,54 +29,54 @@ fn attributes_store_object(pixel: vec2u, a: Attributes, traced: u32) {
 }
 
 fn attributes_store(pixel: vec2u, a: Attributes, traced: u32) {
-    attributes[attributes_plane(PLANE_DEPTH, pixel)] = bitcast<u32>(a.depth);
+    attributes[attributes_channel(CHANNEL_DEPTH, pixel)] = bitcast<u32>(a.depth);
     attributes_store_object(pixel, a, traced);
-    attributes[attributes_plane(PLANE_NORMAL, pixel)] = octahedral_encode(a.normal);
+    attributes[attributes_channel(CHANNEL_NORMAL, pixel)] = octahedral_encode(a.normal);
     if HAS_FACE {
-        attributes[attributes_plane(PLANE_FACE, pixel)] = octahedral_encode(a.face);
+        attributes[attributes_channel(CHANNEL_FACE, pixel)] = octahedral_encode(a.face);
     }
     if HAS_GCOL {
-        attributes[attributes_plane(PLANE_GCOL, pixel)] = rgb9e5_encode(a.gcol);
+        attributes[attributes_channel(CHANNEL_GCOL, pixel)] = rgb9e5_encode(a.gcol);
     }
     if HAS_TEXTURES {
-        attributes[attributes_plane(PLANE_TEXCOORD, pixel)] = pack2x16unorm(a.texcoord);
+        attributes[attributes_channel(CHANNEL_TEXCOORD, pixel)] = pack2x16unorm(a.texcoord);
     }
     if HAS_COLORS {
-        attributes[attributes_plane(PLANE_COLOR, pixel)] = pack4x8unorm(vec4f(a.color, 1.0));
+        attributes[attributes_channel(CHANNEL_COLOR, pixel)] = pack4x8unorm(vec4f(a.color, 1.0));
     }
     if HAS_FOOTPRINT {
-        attributes[attributes_plane(PLANE_FOOTPRINT, pixel)] = footprint_encode(a.footprint);
+        attributes[attributes_channel(CHANNEL_FOOTPRINT, pixel)] = footprint_encode(a.footprint);
     }
 }
 
 fn attributes_load(pixel: vec2u) -> Attributes {
     var a: Attributes;
-    a.depth = bitcast<f32>(attributes[attributes_plane(PLANE_DEPTH, pixel)]);
-    let object = attributes[attributes_plane(PLANE_OBJECT, pixel)] & ~ATTRIBUTES_TRACED;
+    a.depth = bitcast<f32>(attributes[attributes_channel(CHANNEL_DEPTH, pixel)]);
+    let object = attributes[attributes_channel(CHANNEL_OBJECT, pixel)] & ~ATTRIBUTES_TRACED;
     if !HAS_SHADOW_WORD {
         a.object = object & OBJECT_MASK;
         a.shadow = object >> SHADOW_SHIFT;
     } else {
         a.object = object;
-        a.shadow = attributes[attributes_plane(PLANE_SHADOW, pixel)];
+        a.shadow = attributes[attributes_channel(CHANNEL_SHADOW, pixel)];
     }
-    a.normal = octahedral_decode(attributes[attributes_plane(PLANE_NORMAL, pixel)]);
+    a.normal = octahedral_decode(attributes[attributes_channel(CHANNEL_NORMAL, pixel)]);
     a.face = a.normal;
     if HAS_FACE {
-        a.face = octahedral_decode(attributes[attributes_plane(PLANE_FACE, pixel)]);
+        a.face = octahedral_decode(attributes[attributes_channel(CHANNEL_FACE, pixel)]);
     }
     a.color = vec3f(1.0);
     if HAS_GCOL {
-        a.gcol = rgb9e5_decode(attributes[attributes_plane(PLANE_GCOL, pixel)]);
+        a.gcol = rgb9e5_decode(attributes[attributes_channel(CHANNEL_GCOL, pixel)]);
     }
     if HAS_TEXTURES {
-        a.texcoord = unpack2x16unorm(attributes[attributes_plane(PLANE_TEXCOORD, pixel)]);
+        a.texcoord = unpack2x16unorm(attributes[attributes_channel(CHANNEL_TEXCOORD, pixel)]);
     }
     if HAS_COLORS {
-        a.color = unpack4x8unorm(attributes[attributes_plane(PLANE_COLOR, pixel)]).rgb;
+        a.color = unpack4x8unorm(attributes[attributes_channel(CHANNEL_COLOR, pixel)]).rgb;
     }
     if HAS_FOOTPRINT {
-        a.footprint = footprint_decode(attributes[attributes_plane(PLANE_FOOTPRINT, pixel)]);
+        a.footprint = footprint_decode(attributes[attributes_channel(CHANNEL_FOOTPRINT, pixel)]);
     }
     return a;
 }

@@ -29,7 +29,7 @@ fn atrous_normal(word: u32) -> vec3f {
 }
 
 fn atrous_albedo(word: u32) -> f32 {
-    return f32(word >> 24u & 127u) / FILTERED_ALBEDO;
+    return f32(word >> 24u & 127u) / ATROUS_BUFFER_ALBEDO;
 }
 
 fn atrous_pixel(pixel: vec2u, words: vec4u) -> AtrousPixel {
@@ -39,7 +39,7 @@ fn atrous_pixel(pixel: vec2u, words: vec4u) -> AtrousPixel {
     let ray = eyes_ray(pixel, vec2f(0.5, 0.5));
     let left = eyes_ray(pixel, vec2f(0.0, 0.5));
     let above = eyes_ray(pixel, vec2f(0.5, 0.0));
-    let width = ATROUS_PLANE / FRAME_SHARE * (ray.cone.x + ray.cone.y * depth);
+    let width = ATROUS_PLANE / FRAME_FOOTPRINT * (ray.cone.x + ray.cone.y * depth);
     let scaled = normal / width;
     let step = 2.0 * f32(frame.part.step.x);
     var p: AtrousPixel;
@@ -48,7 +48,7 @@ fn atrous_pixel(pixel: vec2u, words: vec4u) -> AtrousPixel {
     p.albedo = atrous_albedo(words.x);
     p.sum = bitcast<f32>(words.z);
     p.narrow = f32(frame.paths.sample + 1u + frame.paths.merged) * f32(frame.part.step.x * frame.part.step.x) / (ATROUS_LIGHT * ATROUS_LIGHT);
-    if (words.x & FILTERED_MIRRORED) != 0u {
+    if (words.x & ATROUS_BUFFER_MIRRORED) != 0u {
         let along = 1.0 / (ATROUS_DEPTH * depth);
         p.plane_own = vec2f(-depth * along, along);
         return p;
@@ -63,12 +63,12 @@ fn atrous_pixel(pixel: vec2u, words: vec4u) -> AtrousPixel {
 fn atrous_weight(p: AtrousPixel, offset: vec2f, q: vec4u) -> f32 {
     let sum = bitcast<f32>(q.z);
     let depth = bitcast<f32>(q.y);
-    let light = (p.sum - sum) / max(p.sum + sum, FILTERED_BLACK);
+    let light = (p.sum - sum) / max(p.sum + sum, ATROUS_BUFFER_BLACK);
     let albedo = (p.albedo - atrous_albedo(q.x)) * (1.0 / ATROUS_ALBEDO);
     let normal = (p.normal - atrous_normal(q.x)) * (1.0 / ATROUS_NORMAL);
     let plane = p.plane_own + offset.x * p.plane_across + offset.y * p.plane_down;
     let away = plane.x + depth * plane.y;
     let weight = exp2(-(p.narrow * light * light + albedo * albedo + dot(normal, normal) + away * away));
-    let alike = ((p.words.x ^ q.x) & FILTERED_MIRRORED) == 0u && depth > 0.0;
+    let alike = ((p.words.x ^ q.x) & ATROUS_BUFFER_MIRRORED) == 0u && depth > 0.0;
     return select(0.0, weight, alike);
 }

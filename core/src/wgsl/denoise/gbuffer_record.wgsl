@@ -1,6 +1,6 @@
 // Finds the first diffuse surface along a path, whose attributes guide the denoiser.
 
-struct Guide {
+struct GBufferPixel {
     // A unit of length in units of the primary ray's parameter.
     unit: f32,
     // How far the path has gone, in those; at the first diffuse surface once it is found.
@@ -15,55 +15,55 @@ struct Guide {
     specular: bool,
 }
 
-fn guides_begin(ray: Ray) -> Guide {
+fn gbuffer_begin(ray: Ray) -> GBufferPixel {
     let unit = 1.0 / length(ray.direction);
-    return Guide(unit, 0.0, GUIDE_NONE, 0u, vec3f(0.0), false, false, false);
+    return GBufferPixel(unit, 0.0, GBUFFER_NONE, 0u, vec3f(0.0), false, false, false);
 }
 
-fn guides_arrive(path: ptr<function, Path>, t: f32) {
-    if (*path).guide.kind == GUIDE_NONE {
-        (*path).guide.depth += (t - (*path).ray.after) * length((*path).ray.direction) * (*path).guide.unit;
+fn gbuffer_hit(path: ptr<function, Path>, t: f32) {
+    if (*path).gbuffer_pixel.kind == GBUFFER_NONE {
+        (*path).gbuffer_pixel.depth += (t - (*path).ray.after) * length((*path).ray.direction) * (*path).gbuffer_pixel.unit;
     }
 }
 
-fn guides_shine(path: ptr<function, Path>, emission: vec3f) {
-    if (*path).guide.kind == GUIDE_NONE && any(emission != vec3f(0.0)) {
-        (*path).guide.shone = true;
+fn gbuffer_emission(path: ptr<function, Path>, emission: vec3f) {
+    if (*path).gbuffer_pixel.kind == GBUFFER_NONE && any(emission != vec3f(0.0)) {
+        (*path).gbuffer_pixel.shone = true;
     }
 }
 
 // A surface counts as diffuse by how it is left more often, for the light that it scatters is in all of its samples; or
 // if this path is to leave it so.
-fn guides_surface(path: ptr<function, Path>, s: Surface, lobes: Lobes, diffuse: bool) {
-    if (*path).guide.kind == GUIDE_NONE && (diffuse || 2.0 * lobes.chances.x >= lobes.sum) {
-        (*path).guide.kind = select(GUIDE_MIRRORED, GUIDE_DIRECT, (*path).level == 1u);
-        (*path).guide.normal = octahedral_encode(s.normal);
-        (*path).guide.albedo = (*path).throughput * lobes.diffuse;
+fn gbuffer_surface(path: ptr<function, Path>, s: Surface, lobes: Lobes, diffuse: bool) {
+    if (*path).gbuffer_pixel.kind == GBUFFER_NONE && (diffuse || 2.0 * lobes.chances.x >= lobes.sum) {
+        (*path).gbuffer_pixel.kind = select(GBUFFER_MIRRORED, GBUFFER_DIRECT, (*path).level == 1u);
+        (*path).gbuffer_pixel.normal = octahedral_encode(s.normal);
+        (*path).gbuffer_pixel.albedo = (*path).throughput * lobes.diffuse;
     }
 }
 
-fn guides_stop(path: ptr<function, Path>) {
-    (*path).guide.stopped = true;
+fn gbuffer_terminate(path: ptr<function, Path>) {
+    (*path).gbuffer_pixel.stopped = true;
 }
 
-fn guides_leave(path: ptr<function, Path>, diffuse: bool) {
+fn gbuffer_scatter(path: ptr<function, Path>, diffuse: bool) {
     if !diffuse {
-        (*path).guide.specular = true;
+        (*path).gbuffer_pixel.specular = true;
     }
 }
 
-fn guides_end(path: Path) {
-    let found = path.guide;
-    let place = guides_place(path.pixel);
-    var kind = select(found.kind, GUIDE_NONE, found.shone);
+fn gbuffer_store(path: Path) {
+    let found = path.gbuffer_pixel;
+    let place = gbuffer_place(path.pixel);
+    var kind = select(found.kind, GBUFFER_NONE, found.shone);
     var albedo = found.albedo;
     var surface = vec2u(found.normal, bitcast<u32>(found.depth));
     if frame.paths.sample > 0u {
-        let before = guides[place];
-        kind = select(guides_kind(before), GUIDE_NONE, kind == GUIDE_NONE);
-        albedo = mix(guides_albedo(before), albedo, 1.0 / f32(frame.paths.sample + 1u));
+        let before = gbuffer[place];
+        kind = select(gbuffer_kind(before), GBUFFER_NONE, kind == GBUFFER_NONE);
+        albedo = mix(gbuffer_albedo(before), albedo, 1.0 / f32(frame.paths.sample + 1u));
         surface = before.xy;
     }
     let smoothed = u32(found.stopped && !found.specular);
-    guides[place] = vec4u(surface, guides_packed(albedo, kind), smoothed);
+    gbuffer[place] = vec4u(surface, gbuffer_pack(albedo, kind), smoothed);
 }

@@ -9,10 +9,10 @@ fn filter_sum(first: vec2u) -> vec3f {
     var sum = vec3f(0.0);
     if SAMPLING == 4u {
         for (var i = 0u; i < 16u; i += 4u) {
-            let a = samples_load(first + order_cell(i));
-            let b = samples_load(first + order_cell(i + 1u));
-            let c = samples_load(first + order_cell(i + 2u));
-            let d = samples_load(first + order_cell(i + 3u));
+            let a = samples_load(first + sample_order_stratum(i));
+            let b = samples_load(first + sample_order_stratum(i + 1u));
+            let c = samples_load(first + sample_order_stratum(i + 2u));
+            let d = samples_load(first + sample_order_stratum(i + 3u));
             sum += a + b + c + d;
         }
         return sum;

@@ -10,7 +10,7 @@ struct PixelRecord {
     // Active quarters in bits 0 to 3, then what differs, see subpixels.wgsl; from bit 20 on, 1 + the round of a refined pixel.
     edges: u32,
     // The samples of a refined pixel, in their order.
-    cells: u32,
+    strata: u32,
 }
 
 struct Inspection {
@@ -58,7 +58,7 @@ fn inspect_failed(pixel: vec2u, failed: u32) {
 }
 
 // Counts a pixel that postcorrection is to trace.
-fn inspect_claim() {
+fn inspect_claimed() {
     inspect_count(COUNTER_POSTCORRECTION + POSTCORRECTION_CLAIMED, 1u);
 }
 
@@ -115,11 +115,11 @@ fn inspect_edges(pixel: vec2u, edges: u32) {
 }
 
 // A pixel that has these samples besides its own, since that round.
-fn inspect_refined(pixel: vec2u, cells: u32, round: u32) {
+fn inspect_refined(pixel: vec2u, strata: u32, round: u32) {
     if HAS_RECORDS {
         let index = pixel.y * frame.size.x + pixel.x;
-        let steps = countOneBits(cells) / REFINE_STEP;
+        let steps = countOneBits(strata) / REFINE_STEP;
         inspection.pixels[index].edges |= ((1u << steps) - 1u) | ((round + 1u) << 20u);
-        inspection.pixels[index].cells = cells;
+        inspection.pixels[index].strata = strata;
     }
 }

@@ -3,7 +3,7 @@
 var<storage, read_write> samples: array<f32>;
 
 fn samples_place(sample: vec2u) -> u32 {
-    return 3u * (frame_folded(sample.y) * frame.size.x + sample.x);
+    return 3u * (frame_band_row(sample.y) * frame.size.x + sample.x);
 }
 
 fn samples_store(sample: vec2u, radiance: vec3f) {

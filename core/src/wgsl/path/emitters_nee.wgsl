@@ -27,7 +27,7 @@ fn emitters_weight(density: f32, s: Surface, direction: vec3f) -> f32 {
 }
 
 // The primitive that a number in [0, 1) draws: the first whose share ends behind it.
-fn emitters_draw(number: f32) -> u32 {
+fn emitters_select(number: f32) -> u32 {
     var low = 0u;
     var high = frame.paths.emitters - 1u;
     while low < high {
@@ -41,26 +41,26 @@ fn emitters_draw(number: f32) -> u32 {
     return emitters[low].x;
 }
 
-struct EmittersPoint {
+struct EmitterPoint {
     position: vec3f,
     normal: vec3f,
 }
 
 // A point of a primitive, uniform over its area.
-fn emitters_point(primitive: u32, place: vec2f) -> EmittersPoint {
+fn emitters_point(primitive: u32, place: vec2f) -> EmitterPoint {
     let corners = bvh_corners(primitive);
     if sphere_is(primitive) {
         let z = 1.0 - 2.0 * place.x;
         let r = sqrt(max(0.0, 1.0 - z * z));
         let angle = 2.0 * PI * place.y;
         let normal = vec3f(r * cos(angle), r * sin(angle), z);
-        return EmittersPoint(corners[0] + corners[1].x * normal, normal);
+        return EmitterPoint(corners[0] + corners[1].x * normal, normal);
     }
     let r = sqrt(place.x);
     let ab = corners[1] - corners[0];
     let ac = corners[2] - corners[0];
     let position = corners[0] + (r * (1.0 - place.y)) * ab + (r * place.y) * ac;
-    return EmittersPoint(position, surface_unit(surface_cross(ab, corners[2] - corners[1], -ac), vec3f(0.0)));
+    return EmitterPoint(position, surface_unit(surface_cross(ab, corners[2] - corners[1], -ac), vec3f(0.0)));
 }
 
 // An estimate of the irradiance by emitters, less what the path will bring by meeting them itself.
@@ -68,14 +68,14 @@ fn emitters_irradiance(s: Surface, chance_of_diffuse: f32, pixel: vec2u, dimensi
     var sum = vec3f(0.0);
     for (var i = 0u; i < LIGHT_SAMPLES; i += 1u) {
         let at = dimension + PATH_LIGHT_SAMPLE * i;
-        let which = (f32(i) + numbers_pair(pixel, at + PATH_EMITTER).x) / f32(LIGHT_SAMPLES);
-        sum += emitters_sample(s, chance_of_diffuse, which, numbers_pair(pixel, at + PATH_POINT));
+        let which = (f32(i) + rng_pair(pixel, at + PATH_EMITTER).x) / f32(LIGHT_SAMPLES);
+        sum += emitters_sample(s, chance_of_diffuse, which, rng_pair(pixel, at + PATH_POINT));
     }
     return sum;
 }
 
 fn emitters_sample(s: Surface, chance_of_diffuse: f32, which: f32, place: vec2f) -> vec3f {
-    let primitive = emitters_draw(which);
+    let primitive = emitters_select(which);
     let point = emitters_point(primitive, place);
     let way = point.position - s.position;
     let distance = length(way);

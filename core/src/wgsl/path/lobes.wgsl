@@ -14,7 +14,7 @@ struct Lobes {
 }
 
 // The sampled lobe.
-struct Leaving {
+struct BsdfSample {
     ray: Ray,
     // The share of the light over the probability of the choice.
     weight: vec3f,
@@ -44,23 +44,23 @@ fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
             lobes.refraction = vec3f(0.0);
         }
     }
-    lobes.chances = vec3f(channels_largest(lobes.diffuse), channels_largest(lobes.mirror), channels_largest(lobes.refraction));
+    lobes.chances = vec3f(max_component(lobes.diffuse), max_component(lobes.mirror), max_component(lobes.refraction));
     lobes.sum = lobes.chances.x + lobes.chances.y + lobes.chances.z;
     return lobes;
 }
 
 // The mirrored or the refracted ray, by a number from the diffuse lobe's chance to the sum.
-fn lobes_specular(s: Surface, m: Material, lobes: Lobes, ray: Ray, direction: vec3f, number: f32) -> Leaving {
+fn lobes_specular(s: Surface, m: Material, lobes: Lobes, ray: Ray, direction: vec3f, number: f32) -> BsdfSample {
     if !HAS_REFRACTION || lobes.chances.z == 0.0 || number < lobes.chances.x + lobes.chances.y {
         let reflected = surface_spawn(s, normalize(reflect(direction, s.normal)), FAR, cone_bent(s, 1.0, 2.0));
-        return Leaving(reflected, lobes.mirror * (lobes.sum / lobes.chances.y), RAY_REFLECTION);
+        return BsdfSample(reflected, lobes.mirror * (lobes.sum / lobes.chances.y), RAY_REFLECTION);
     }
     let weight = lobes.refraction * (lobes.sum / lobes.chances.z);
     if material_is(m, OBJECT_THIN) {
-        return Leaving(surface_pass(s, ray), weight, RAY_REFRACTION);
+        return BsdfSample(surface_pass(s, ray), weight, RAY_REFRACTION);
     }
     let ratio = material_ratio(m, s.inside);
     let refracted = fresnel_refracted(direction, s.normal, lobes.cosine, ratio, lobes.beyond);
     let cone = cone_bent(s, ratio, ratio * lobes.cosine - lobes.beyond);
-    return Leaving(surface_spawn(s, refracted, FAR, cone), weight, RAY_REFRACTION);
+    return BsdfSample(surface_spawn(s, refracted, FAR, cone), weight, RAY_REFRACTION);
 }

@@ -6,7 +6,7 @@ struct Lobes {
     sum: f32,
 }
 
-struct Leaving {
+struct BsdfSample {
     ray: Ray,
     weight: vec3f,
     kind: u32,
@@ -21,10 +21,10 @@ fn lobes_emission(m: Material) -> vec3f {
 }
 
 fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
-    let largest = channels_largest(m.base);
+    let largest = max_component(m.base);
     return Lobes(m.base, vec3f(largest, 0.0, 0.0), largest);
 }
 
-fn lobes_specular(s: Surface, m: Material, lobes: Lobes, ray: Ray, direction: vec3f, number: f32) -> Leaving {
-    return Leaving(ray, vec3f(0.0), RAY_REFLECTION);
+fn lobes_specular(s: Surface, m: Material, lobes: Lobes, ray: Ray, direction: vec3f, number: f32) -> BsdfSample {
+    return BsdfSample(ray, vec3f(0.0), RAY_REFLECTION);
 }

@@ -28,19 +28,19 @@ struct Path {
     density: f32,
     // Radiance found so far.
     radiance: vec3f,
-    crossing: Crossing,
+    stereo_reuse: StereoReuse,
     // Attributes of the first hit: OID + 1, distance, normal.
     object: u32,
     depth: f32,
     normal: vec3f,
-    guide: Guide,
+    gbuffer_pixel: GBufferPixel,
 }
 
 fn path_begin(pixel: vec2u) -> Path {
-    let place = numbers_pair(pixel, NUMBERS_PLACE_IN_PIXEL);
+    let place = rng_pair(pixel, RNG_PLACE_IN_PIXEL);
     let ray = eyes_ray(pixel, place);
     return Path(
-        pixel, ray, RAY_PRIMARY, vec3f(1.0), 1u, 0.0, vec3f(0.0), crossing_begin(), 0u, FAR, vec3f(0.0), guides_begin(ray)
+        pixel, ray, RAY_PRIMARY, vec3f(1.0), 1u, 0.0, vec3f(0.0), stereo_reuse_begin(), 0u, FAR, vec3f(0.0), gbuffer_begin(ray)
     );
 }
 
@@ -53,7 +53,7 @@ fn path_step(path: ptr<function, Path>) -> bool {
         (*path).radiance += (*path).throughput * frame.background;
         return false;
     }
-    crossing_meet(path, hit.primitive);
+    stereo_reuse_record(path, hit.primitive);
     let direction = normalize(ray.direction);
     let s = surface_at(ray, hit);
     let m = material_at(s.object, s.texcoord, s.footprint, s.color);
@@ -62,13 +62,13 @@ fn path_step(path: ptr<function, Path>) -> bool {
         (*path).depth = hit.t;
         (*path).normal = s.normal;
     }
-    guides_arrive(path, hit.t);
+    gbuffer_hit(path, hit.t);
     if lobes_unlit(m) {
         (*path).radiance += (*path).throughput * m.base;
         return false;
     }
     let emission = lobes_emission(m);
-    guides_shine(path, emission);
+    gbuffer_emission(path, emission);
     if any(emission != vec3f(0.0)) {
         (*path).radiance += (*path).throughput * emission * emitters_weight((*path).density, s, direction);
     }
@@ -78,8 +78,8 @@ fn path_step(path: ptr<function, Path>) -> bool {
     let pixel = (*path).pixel;
     let dimension = PATH_DIMENSIONS * (*path).level;
     let lobes = lobes_at(s, m, direction);
-    let numbers = numbers_pair(pixel, dimension + PATH_LOBE);
-    guides_surface(path, s, lobes, numbers.x * lobes.sum < lobes.chances.x);
+    let random = rng_pair(pixel, dimension + PATH_LOBE);
+    gbuffer_surface(path, s, lobes, random.x * lobes.sum < lobes.chances.x);
     if lobes.sum <= 0.0 {
         return false;
     }
@@ -88,60 +88,60 @@ fn path_step(path: ptr<function, Path>) -> bool {
         let irradiance = punctual_irradiance(s) + emitters_irradiance(s, chance, pixel, dimension);
         (*path).radiance += (*path).throughput * lobes.diffuse * (1.0 / PI) * irradiance;
     }
-    if (*path).level >= STOPPING_LEVEL {
-        if stopping_stops(pixel, numbers.y) {
-            guides_stop(path);
+    if (*path).level >= FOVEATION_LEVEL {
+        if foveation_terminates(pixel, random.y) {
+            gbuffer_terminate(path);
             return false;
         }
-        (*path).throughput *= stopping_weight(pixel);
+        (*path).throughput *= foveation_weight(pixel);
     }
-    return path_leave(path, s, m, lobes, direction, numbers.x * lobes.sum);
+    return path_scatter(path, s, m, lobes, direction, random.x * lobes.sum);
 }
 
 // Goes on by the surface's lobe that a number up to their sum chooses, unless roulette ends the path; `direction` is the unit
 // direction of the ray that hit.
-fn path_leave(
+fn path_scatter(
     path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes, direction: vec3f, number: f32
 ) -> bool {
     let dimension = PATH_DIMENSIONS * (*path).level;
-    var leaving: Leaving;
+    var bsdf_sample: BsdfSample;
     var density = 0.0;
-    guides_leave(path, number < lobes.chances.x);
+    gbuffer_scatter(path, number < lobes.chances.x);
     if number < lobes.chances.x {
-        let drawn = path_scattered(s.normal, numbers_pair((*path).pixel, dimension + PATH_DIRECTION));
+        let drawn = path_diffuse_direction(s.normal, rng_pair((*path).pixel, dimension + PATH_DIRECTION));
         density = max(dot(drawn, s.normal), 0.0) / PI * (lobes.chances.x / lobes.sum);
         let weight = lobes.diffuse * (lobes.sum / lobes.chances.x);
-        leaving = Leaving(surface_spawn(s, drawn, FAR, vec2f(0.0)), weight, RAY_DIFFUSE);
+        bsdf_sample = BsdfSample(surface_spawn(s, drawn, FAR, vec2f(0.0)), weight, RAY_DIFFUSE);
         if dot(s.face, drawn) <= 0.0 {
             return false;
         }
     } else {
-        leaving = lobes_specular(s, m, lobes, (*path).ray, direction, number);
+        bsdf_sample = lobes_specular(s, m, lobes, (*path).ray, direction, number);
     }
-    (*path).throughput *= leaving.weight;
+    (*path).throughput *= bsdf_sample.weight;
     if ROULETTE && (*path).level >= PATH_ROULETTE_LEVEL {
-        let survivors = min(channels_largest((*path).throughput), 1.0);
-        if numbers_pair((*path).pixel, dimension + PATH_EMITTER).y >= survivors {
+        let survivors = min(max_component((*path).throughput), 1.0);
+        if rng_pair((*path).pixel, dimension + PATH_EMITTER).y >= survivors {
             return false;
         }
         (*path).throughput /= survivors;
     }
-    (*path).ray = leaving.ray;
-    (*path).kind = leaving.kind;
+    (*path).ray = bsdf_sample.ray;
+    (*path).kind = bsdf_sample.kind;
     (*path).density = density;
     (*path).level += 1u;
     return true;
 }
 
 // A direction about a unit normal, as dense as its cosine.
-fn path_scattered(n: vec3f, numbers: vec2f) -> vec3f {
-    let r = sqrt(numbers.x);
-    let angle = 2.0 * PI * numbers.y;
+fn path_diffuse_direction(n: vec3f, random: vec2f) -> vec3f {
+    let r = sqrt(random.x);
+    let angle = 2.0 * PI * random.y;
     // Building an Orthonormal Basis, Revisited (Duff et al. 2017).
     let side = select(-1.0, 1.0, n.z >= 0.0);
     let a = -1.0 / (side + n.z);
     let b = n.x * n.y * a;
     let x = vec3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x);
     let y = vec3f(b, side + n.y * n.y * a, -n.y);
-    return normalize(r * cos(angle) * x + r * sin(angle) * y + sqrt(max(0.0, 1.0 - numbers.x)) * n);
+    return normalize(r * cos(angle) * x + r * sin(angle) * y + sqrt(max(0.0, 1.0 - random.x)) * n);
 }

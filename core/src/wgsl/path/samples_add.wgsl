@@ -1,6 +1,6 @@
 // Sums of path samples where each pixel has its own samples alone: added and displayed at once.
 
-fn samples_add(pixel: vec2u, crossing: Crossing, radiance: vec3f) {
+fn samples_add(pixel: vec2u, stereo_reuse: StereoReuse, radiance: vec3f) {
     if COUNTS {
         return;
     }

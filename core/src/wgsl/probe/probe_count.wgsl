@@ -9,5 +9,5 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
         return;
     }
     let hit = bvh_traverse(probe_ray(index), false);
-    results[index] = hit_counted + select(0u, 1u, hit.primitive != MISS);
+    results[index] = any_hit_counted + select(0u, 1u, hit.primitive != MISS);
 }

@@ -7,17 +7,17 @@ var<storage, read> primitives: array<f32>;
 var<storage, read> shading: array<vec4u>;
 
 // Reads 16 of a node's 80 bytes.
-fn tree_node(index: u32, part: u32) -> vec4u {
+fn bvh_node(index: u32, part: u32) -> vec4u {
     return nodes[5u * index + part];
 }
 
-fn tree_corner(primitive: u32, corner: u32) -> vec3f {
+fn bvh_corner(primitive: u32, corner: u32) -> vec3f {
     let i = 9u * primitive + 3u * corner;
     return vec3f(primitives[i], primitives[i + 1u], primitives[i + 2u]);
 }
 
 // The number that tells a sphere from a triangle.
-fn tree_mark(primitive: u32) -> f32 {
+fn bvh_mark(primitive: u32) -> f32 {
     return primitives[9u * primitive + 4u];
 }
 

@@ -7,19 +7,19 @@ var primitives: texture_2d<u32>;
 var shading: texture_2d<u32>;
 
 // Reads 16 of a node's 80 bytes.
-fn tree_node(index: u32, part: u32) -> vec4u {
-    return textureLoad(nodes, texel(5u * index + part), 0);
+fn bvh_node(index: u32, part: u32) -> vec4u {
+    return textureLoad(nodes, storage_texel(5u * index + part), 0);
 }
 
-fn tree_corner(primitive: u32, corner: u32) -> vec3f {
-    return bitcast<vec3f>(textureLoad(primitives, texel(3u * primitive + corner), 0).xyz);
+fn bvh_corner(primitive: u32, corner: u32) -> vec3f {
+    return bitcast<vec3f>(textureLoad(primitives, storage_texel(3u * primitive + corner), 0).xyz);
 }
 
 // The number that tells a sphere from a triangle.
-fn tree_mark(primitive: u32) -> f32 {
-    return tree_corner(primitive, 1u).y;
+fn bvh_mark(primitive: u32) -> f32 {
+    return bvh_corner(primitive, 1u).y;
 }
 
 fn shading_at(primitive: u32) -> vec4u {
-    return textureLoad(shading, texel(primitive), 0);
+    return textureLoad(shading, storage_texel(primitive), 0);
 }

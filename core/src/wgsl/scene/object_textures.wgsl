@@ -3,5 +3,5 @@
 var objects: texture_2d<u32>;
 
 fn object_part(object: u32, part: u32) -> vec4u {
-    return textureLoad(objects, texel(7u * object + part), 0);
+    return textureLoad(objects, storage_texel(7u * object + part), 0);
 }

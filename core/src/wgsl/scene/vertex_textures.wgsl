@@ -8,8 +8,8 @@ fn vertex_texcoords(primitive: u32) -> array<vec2f, 3> {
     if VERTEX_STRIDE_KNOWN && VERTEX_STRIDE < 6u {
         return array<vec2f, 3>();
     }
-    let ab = bitcast<vec4f>(textureLoad(vertices, texel(3u * primitive), 0));
-    let c = bitcast<vec4f>(textureLoad(vertices, texel(3u * primitive + 1u), 0));
+    let ab = bitcast<vec4f>(textureLoad(vertices, storage_texel(3u * primitive), 0));
+    let c = bitcast<vec4f>(textureLoad(vertices, storage_texel(3u * primitive + 1u), 0));
     return array<vec2f, 3>(ab.xy, ab.zw, c.xy);
 }
 
@@ -18,5 +18,5 @@ fn vertex_colors(primitive: u32) -> vec4u {
     if VERTEX_STRIDE_KNOWN && VERTEX_STRIDE % 6u == 0u {
         return vec4u(0u);
     }
-    return textureLoad(vertices, texel(3u * primitive + 2u), 0);
+    return textureLoad(vertices, storage_texel(3u * primitive + 2u), 0);
 }

@@ -18,18 +18,18 @@ fn sample_follow(ray: Ray) -> Sample {
     result.attributes.depth = FAR;
     var local = vec3f(0.0);
     var gcol = vec3f(0.0);
-    var branch = Branch(ray, vec3f(1.0), 1u, RAY_PRIMARY);
+    var state = PathState(ray, vec3f(1.0), 1u, RAY_PRIMARY);
     loop {
-        inspect_ray(branch.kind);
-        let hit = bvh_traverse(branch.ray, false);
+        inspect_ray(state.kind);
+        let hit = bvh_traverse(state.ray, false);
         var arriving = frame.background;
         if hit.primitive != MISS {
-            let direction = normalize(branch.ray.direction);
-            let s = surface_at(branch.ray, hit);
+            let direction = normalize(state.ray.direction);
+            let s = surface_at(state.ray, hit);
             let m = material_at(s.object, s.texcoord, s.footprint, s.color);
             let shadow = shadow_bits(s);
             arriving = material_local(m, s.position, s.normal, -direction, s.inside, shadow);
-            if branch.level == 1u {
+            if state.level == 1u {
                 result.attributes.depth = hit.t;
                 result.attributes.object = s.object + 1u;
                 result.attributes.normal = s.normal;
@@ -38,17 +38,17 @@ fn sample_follow(ray: Ray) -> Sample {
                 result.attributes.texcoord = texture_fold(s.object, s.texcoord);
                 result.attributes.color = s.color;
                 result.attributes.footprint = cone_attribute(s);
-            } else if branch.level == 2u {
-                secondary_hit(branch.weight, s, shadow);
+            } else if state.level == 2u {
+                secondary_hit(state.weight, s, shadow);
             }
-            gcol += bounce_split(s, m, branch, direction);
+            gcol += scatter(s, m, state, direction);
         }
-        if branch.level == 1u {
+        if state.level == 1u {
             local = arriving;
         } else {
-            gcol += branch.weight * arriving;
+            gcol += state.weight * arriving;
         }
-        if !bounce_next(&branch) {
+        if !scatter_next(&state) {
             break;
         }
         result.bounced = true;

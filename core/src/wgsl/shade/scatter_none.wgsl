@@ -1,16 +1,16 @@
 // For scenes without mirrors and glass: a sample is its primary ray alone.
 
-struct Branch {
+struct PathState {
     ray: Ray,
     weight: vec3f,
     level: u32,
     kind: u32,
 }
 
-fn bounce_next(branch: ptr<function, Branch>) -> bool {
+fn scatter_next(state: ptr<function, PathState>) -> bool {
     return false;
 }
 
-fn bounce_split(s: Surface, m: Material, branch: Branch, direction: vec3f) -> vec3f {
+fn scatter(s: Surface, m: Material, state: PathState, direction: vec3f) -> vec3f {
     return vec3f(0.0);
 }

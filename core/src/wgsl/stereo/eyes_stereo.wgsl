@@ -36,13 +36,13 @@ fn eyes_origin(eye: u32) -> vec3f {
 }
 
 // From the left border of an eye's picture to that of one in the middle of the frame.
-fn eyes_aside() -> f32 {
+fn eyes_offset() -> f32 {
     return 0.5 * (f32(frame.size.x) - f32(eyes_width()));
 }
 
 // The primary ray through a place in [0, 1]^2 of a pixel.
 fn eyes_ray(pixel: vec2u, place: vec2f) -> Ray {
-    var ray = frame_ray_at(vec2f(eyes_pixel(pixel)) + vec2f(eyes_aside(), 0.0) + place, 1.0, 1.0);
+    var ray = frame_ray_at(vec2f(eyes_pixel(pixel)) + vec2f(eyes_offset(), 0.0) + place, 1.0, 1.0);
     let side = eyes_side(eyes_of(pixel));
     ray.origin += (side * frame.camera.eyes.x) * frame.camera.right;
     ray.direction -= (side * frame.camera.eyes.y) * frame.camera.right;
@@ -57,9 +57,9 @@ fn eyes_ray_to(eye: u32, point: vec3f, t_max: f32) -> Ray {
 }
 
 // Where the eye sees a point: the index of the pixel in the frame, row by row, + 1; 0 if it does not.
-fn eyes_find(eye: u32, point: vec3f) -> u32 {
+fn eyes_project(eye: u32, point: vec3f) -> u32 {
     let side = eyes_side(eye);
-    let shift = vec2f(0.5 * side * frame.camera.eyes.y * f32(frame.size.y) - eyes_aside(), 0.0);
+    let shift = vec2f(0.5 * side * frame.camera.eyes.y * f32(frame.size.y) - eyes_offset(), 0.0);
     let place = frame_place(point - (side * frame.camera.eyes.x) * frame.camera.right) + shift;
     let first = eye * eyes_width();
     let size = vec2f(f32(min(eyes_width(), frame.size.x - first)), f32(frame.size.y));

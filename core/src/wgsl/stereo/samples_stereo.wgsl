@@ -5,12 +5,12 @@ struct Sample {
     sum: array<f32, 3>,
     // The first that landed here in this frame, and the next in the list that this one is in: indices + 1, 0 for none. Until
     // the other eye has looked, what the path has met first.
-    landed: atomic<u32>,
+    splats: atomic<u32>,
     next: u32,
     // What the path has met behind a mirror; where all samples count alike, how many there are instead.
     second: u32,
     // What this pixel's sample of this frame counts for where it landed; until the other eye has looked, the sample.
-    crossing: array<f32, 3>,
+    stereo_reuse: array<f32, 3>,
 }
 
 var<storage, read_write> samples: array<Sample>;
@@ -38,6 +38,6 @@ fn samples_load(pixel: vec2u) -> vec3f {
 // The mean of a pixel's samples.
 fn samples_mean(pixel: vec2u) -> vec3f {
     let place = samples_place(pixel);
-    let count = select(frame.paths.sample + 1u + frame.paths.merged, samples[place].second, CROSSING_COUNTS);
+    let count = select(frame.paths.sample + 1u + frame.paths.merged, samples[place].second, STEREO_REUSE_UNWEIGHTED);
     return samples_radiance(samples[place].sum) / f32(count);
 }

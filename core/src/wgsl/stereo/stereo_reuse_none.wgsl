@@ -1,11 +1,11 @@
 // For frames without reuse between the eyes: a sample counts in its own pixel alone.
 
-struct Crossing {
+struct StereoReuse {
     nothing: u32,
 }
 
-fn crossing_begin() -> Crossing {
-    return Crossing(0u);
+fn stereo_reuse_begin() -> StereoReuse {
+    return StereoReuse(0u);
 }
 
-fn crossing_meet(path: ptr<function, Path>, primitive: u32) {}
+fn stereo_reuse_record(path: ptr<function, Path>, primitive: u32) {}

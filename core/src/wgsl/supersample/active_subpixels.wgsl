@@ -1,4 +1,4 @@
-// Active subpixels, quarters of pixels that get extra samples, in a list of their own: x | y << 14 | quarter << 28, and
+// Active subpixels, subpixels that get extra samples, in a list of their own: x | y << 14 | quarter << 28, and
 // whether it is the first of its pixel, the master (Jin 2009, 4.3.2). All of a pixel are in one run of ACTIVE_RUN entries.
 
 const ACTIVE_MASTER: u32 = 0x40000000u;
@@ -7,8 +7,8 @@ const ACTIVE_NONE: u32 = 0xffffffffu;
 const ACTIVE_SAMPLES: u32 = 4u;
 const ACTIVE_RUN: u32 = TRACE_GROUP / ACTIVE_SAMPLES;
 
-fn active_entry(pixel: vec2u, quarter: u32, master: bool) -> u32 {
-    return pixel.x | (pixel.y << 14u) | (quarter << 28u) | select(0u, ACTIVE_MASTER, master);
+fn active_entry(pixel: vec2u, subpixel: u32, master: bool) -> u32 {
+    return pixel.x | (pixel.y << 14u) | (subpixel << 28u) | select(0u, ACTIVE_MASTER, master);
 }
 
 fn active_pixel(entry: u32) -> vec2u {
@@ -21,6 +21,6 @@ fn active_same(a: u32, b: u32) -> bool {
 }
 
 // Index of the subpixel: bit 0 is right, bit 1 is down.
-fn active_quarter(entry: u32) -> u32 {
+fn active_subpixel(entry: u32) -> u32 {
     return (entry >> 28u) & 3u;
 }

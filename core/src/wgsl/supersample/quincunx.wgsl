@@ -36,8 +36,8 @@ struct Quad {
 }
 
 // A quarter of a pixel: from the centre to a corner.
-fn quincunx_quad(pixel: vec2u, quarter: u32) -> Quad {
-    let corner = vec2u(quarter & 1u, quarter >> 1u);
+fn quincunx_quad(pixel: vec2u, subpixel: u32) -> Quad {
+    let corner = vec2u(subpixel & 1u, subpixel >> 1u);
     return Quad(8u * pixel + 4u, 8u * (pixel + corner));
 }
 
@@ -60,7 +60,7 @@ fn quincunx_part(q: Quad, part: u32) -> Quad {
 fn quincunx_differs(q: Quad) -> bool {
     let a = contrast_shown(quincunx_load(q.inner));
     let b = contrast_shown(quincunx_load(q.outer));
-    return contrast_exceeds(min(a, b), max(a, b), frame.tolerances.similar);
+    return contrast_exceeds(min(a, b), max(a, b), frame.tolerances.quincunx_threshold);
 }
 
 // The pixel that counts a sample which several pixels share.

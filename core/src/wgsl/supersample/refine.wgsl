@@ -5,7 +5,7 @@ const REFINE_SUM: u32 = 4u;
 
 fn refine_place(pixel: vec2u, index: u32) -> u32 {
     let entries = arrayLength(&list.words) / (REFINE_MOST / REFINE_STEP + REFINE_WORDS) * (REFINE_MOST / REFINE_STEP);
-    return entries + REFINE_WORDS * (frame_folded(pixel.y) * frame.size.x + pixel.x) + 3u * index;
+    return entries + REFINE_WORDS * (frame_band_row(pixel.y) * frame.size.x + pixel.x) + 3u * index;
 }
 
 fn refine_load(pixel: vec2u, index: u32) -> vec3f {
@@ -22,8 +22,8 @@ fn refine_store(pixel: vec2u, index: u32, color: vec3f) {
 }
 
 // Which of the first four lies in that quarter, counted from the upper left.
-fn refine_in_quarter(quarter: u32) -> u32 {
-    return (4u - quarter) & 3u;
+fn refine_in_subpixel(subpixel: u32) -> u32 {
+    return (4u - subpixel) & 3u;
 }
 
 // What is known of a pixel besides its samples: 1 + the round in which it was listed, whether it was traced, for which the rounds
@@ -31,21 +31,21 @@ fn refine_in_quarter(quarter: u32) -> u32 {
 
 const REFINE_ROUND: u32 = 0x7fu;
 const REFINE_TRACED: u32 = 0x80u;
-const REFINE_CELLS_SHIFT: u32 = 8u;
+const REFINE_STRATA_SHIFT: u32 = 8u;
 
-fn refine_known(pixel: vec2u) -> u32 {
-    return attributes_read(edges_place(pixel, EDGE_ROUND));
+fn refine_state(pixel: vec2u) -> u32 {
+    return attributes_read(pixel_edges_place(pixel, PIXEL_EDGE_ROUND));
 }
 
 fn refine_round(pixel: vec2u) -> u32 {
-    return (refine_known(pixel) & REFINE_ROUND) - 1u;
+    return (refine_state(pixel) & REFINE_ROUND) - 1u;
 }
 
 // Is the pixel this thread's to list, for that round?
 fn refine_claim(pixel: vec2u, round: u32) -> bool {
-    return atomicMax(&attributes[edges_place(pixel, EDGE_ROUND)], round + 1u) == 0u;
+    return atomicMax(&attributes[pixel_edges_place(pixel, PIXEL_EDGE_ROUND)], round + 1u) == 0u;
 }
 
-fn refine_tell(pixel: vec2u, bits: u32) {
-    atomicOr(&attributes[edges_place(pixel, EDGE_ROUND)], bits);
+fn refine_mark(pixel: vec2u, bits: u32) {
+    atomicOr(&attributes[pixel_edges_place(pixel, PIXEL_EDGE_ROUND)], bits);
 }

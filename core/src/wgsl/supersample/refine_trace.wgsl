@@ -22,7 +22,7 @@ fn refine_begin(group: u32, local: u32) -> Refining {
 
 // Traces the i-th of the pixel's sixteen samples.
 fn refine_trace(pixel: vec2u, i: u32, local: u32) -> vec3f {
-    let color = sample_follow(frame_ray_in(4u * pixel + order_cell(i), 4.0)).color;
+    let color = sample_follow(frame_ray_in(4u * pixel + sample_order_stratum(i), 4.0)).color;
     refine_colors[local] = color;
     inspect_extra(pixel);
     return color;

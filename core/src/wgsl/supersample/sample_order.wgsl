@@ -1,7 +1,7 @@
 // The order of a pixel's sixteen samples (Sobol's): each four that follow each other are one in each quarter, each column and
 // each row of the pixel's 4x4 cells.
 
-fn order_cell(i: u32) -> vec2u {
+fn sample_order_stratum(i: u32) -> vec2u {
     let a = i & 1u;
     let b = (i >> 1u) & 1u;
     let c = (i >> 2u) & 1u;

@@ -12,10 +12,10 @@ fn secondary_hit(weight: vec3f, s: Surface, shadow: u32) {
     let largest = max(weight.x, max(weight.y, weight.z));
     if largest > secondary_weight {
         secondary_weight = largest;
-        secondary_words = vec2u(edges_word(s.object + 1u, shadow), octahedral_encode(s.normal));
+        secondary_words = vec2u(pixel_edges_word(s.object + 1u, shadow), octahedral_encode(s.normal));
     }
 }
 
-fn secondary_found() -> vec2u {
+fn secondary_packed() -> vec2u {
     return secondary_words;
 }

@@ -3,6 +3,6 @@
 fn secondary_begin() {}
 fn secondary_hit(weight: vec3f, s: Surface, shadow: u32) {}
 
-fn secondary_found() -> vec2u {
+fn secondary_packed() -> vec2u {
     return vec2u(0u);
 }

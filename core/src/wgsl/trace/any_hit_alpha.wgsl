@@ -1,6 +1,6 @@
 // Hit filter for scenes with alpha-masked surfaces, and with surfaces that let shadow rays pass.
 
-fn hit_counts(primitive: u32, u: f32, v: f32, shadow: bool) -> bool {
+fn any_hit_accepts(primitive: u32, u: f32, v: f32, shadow: bool) -> bool {
     let flags = shading_at(primitive).w;
     if shadow && (flags & SURFACE_NO_SHADOW) != 0u {
         return false;

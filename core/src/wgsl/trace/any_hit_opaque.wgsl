@@ -1,5 +1,5 @@
 // Hit filter for scenes in which every surface stops every ray.
 
-fn hit_counts(primitive: u32, u: f32, v: f32, shadow: bool) -> bool {
+fn any_hit_accepts(primitive: u32, u: f32, v: f32, shadow: bool) -> bool {
     return true;
 }

@@ -9,7 +9,7 @@ struct Hit {
 }
 
 fn bvh_corners(primitive: u32) -> array<vec3f, 3> {
-    return array<vec3f, 3>(tree_corner(primitive, 0u), tree_corner(primitive, 1u), tree_corner(primitive, 2u));
+    return array<vec3f, 3>(bvh_corner(primitive, 0u), bvh_corner(primitive, 1u), bvh_corner(primitive, 2u));
 }
 
 // Terms of the slab test that depend on the ray alone.
@@ -58,11 +58,11 @@ struct Visit {
 
 // The children of a node that the ray meets: inner ones as a group, primitives as a mask.
 fn bvh_visit(index: u32, slabs: Slabs, t_max: f32) -> Visit {
-    let n0 = tree_node(index, 0u);
-    let n1 = tree_node(index, 1u);
-    let n2 = tree_node(index, 2u);
-    let n3 = tree_node(index, 3u);
-    let n4 = tree_node(index, 4u);
+    let n0 = bvh_node(index, 0u);
+    let n1 = bvh_node(index, 1u);
+    let n2 = bvh_node(index, 2u);
+    let n3 = bvh_node(index, 3u);
+    let n4 = bvh_node(index, 4u);
     let exponents = vec3u(n0.w & 0xffu, (n0.w >> 8u) & 0xffu, (n0.w >> 16u) & 0xffu);
     let unit = bitcast<vec3f>(exponents << vec3u(23u));
     let scale = unit * slabs.inverse;
@@ -135,7 +135,7 @@ fn bvh_traverse(ray: Ray, any: bool) -> Hit {
             } else if primitive != ray.left {
                 found = triangle_hit(shear, bvh_corners(primitive), reach);
             }
-            if found.hit && bvh_ahead(ray, found.t, primitive) && hit_counts(primitive, found.u, found.v, any)
+            if found.hit && bvh_ahead(ray, found.t, primitive) && any_hit_accepts(primitive, found.u, found.v, any)
                 && bvh_nearer(found.t, primitive, best) {
                 best = Hit(found.t, primitive, found.u, found.v);
                 reach = found.t * (1.0 + max(2.0 * SAME_DISTANCE, 2.4e-7));

@@ -50,7 +50,7 @@ struct FrameTolerances {
     focus_first: u32,
     focus_last: u32,
     // How much the ends of a quincunx may differ.
-    similar: f32,
+    quincunx_threshold: f32,
     padding_x: u32,
     padding_y: u32,
     padding_z: u32,
@@ -71,7 +71,7 @@ struct FramePaths {
     padding_x: u32,
 }
 
-struct Frame {
+struct FrameUniform {
     camera: FrameCamera,
     part: FramePart,
     tolerances: FrameTolerances,
@@ -80,13 +80,13 @@ struct Frame {
     min_weight: f32,
     ambient: vec3f,
     depth: u32,
-    truncated: vec3f,
+    fallback_radiance: vec3f,
     seed: u32,
     // In samples.
     size: vec2u,
     // The ranks that are traced anew: the first and how many.
-    renewed_from: u32,
-    renewed: u32,
+    refresh_first: u32,
+    refresh_count: u32,
     // Not 0 where the camera is that of the frame before.
     still: u32,
     padding_x: u32,
@@ -94,7 +94,7 @@ struct Frame {
     padding_z: u32,
 }
 
-var<uniform> frame: Frame;
+var<uniform> frame: FrameUniform;
 
 const FAR: f32 = 3.0e38;
 const PI: f32 = 3.14159265358979;
@@ -120,28 +120,28 @@ fn frame_ray(pixel: vec2u) -> Ray {
 }
 
 // Through a cell of a grid that is so many times as fine as that of the samples.
-fn frame_ray_in(cell: vec2u, fineness: f32) -> Ray {
-    return frame_ray_at(vec2f(cell) + jitter_in(cell), fineness, 1.0);
+fn frame_ray_in(stratum: vec2u, fineness: f32) -> Ray {
+    return frame_ray_at(vec2f(stratum) + jitter_in(stratum), fineness, 1.0);
 }
 
 // What textures are averaged over, of the width that a sample stands for. An average that is as wide is blurred by the filter
 // that it is taken with: extra samples beside single ones are closest to 64 a pixel at 0.85 (wooden_staircase, sponza_dabrovic:
 // 1 is 0.3 dB worse).
-const FRAME_SHARE: f32 = 0.85;
+const FRAME_FOOTPRINT: f32 = 0.85;
 
 // The width of a cell at depth 1, from its scale.
 fn frame_side(scale: f32) -> f32 {
-    return FRAME_SHARE * 2.0 * scale * length(frame.camera.up);
+    return FRAME_FOOTPRINT * 2.0 * scale * length(frame.camera.up);
 }
 
 // Through a place in such a grid, for a square of so many cells' side.
-fn frame_ray_at(at: vec2f, fineness: f32, cells: f32) -> Ray {
+fn frame_ray_at(at: vec2f, fineness: f32, strata: f32) -> Ray {
     let size = fineness * vec2f(frame.size);
     let scale = frame.camera.inverse_height / fineness;
     let x = (2.0 * at.x - size.x) * scale;
     let y = (size.y - 2.0 * at.y) * scale;
     let spread = x * frame.camera.right + y * frame.camera.up;
-    let side = frame_side(scale) * cells;
+    let side = frame_side(scale) * strata;
     return Ray(
         frame.camera.origin + frame.camera.orthographic * spread,
         FAR,
@@ -167,7 +167,7 @@ fn frame_place(point: vec3f) -> vec2f {
 }
 
 // Where a row of the frame is stored in the band.
-fn frame_folded(y: u32) -> u32 {
+fn frame_band_row(y: u32) -> u32 {
     return u32(abs(i32(y) - i32(frame.part.turn)));
 }
 

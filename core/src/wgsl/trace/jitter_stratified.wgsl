@@ -14,10 +14,10 @@ fn jitter_hash(at: vec2u) -> vec2u {
     return v.xy;
 }
 
-fn jitter_in(cell: vec2u) -> vec2f {
-    let scramble = jitter_hash(cell / 4u) >> vec2u(30u);
-    let low = jitter_net(cell & vec2u(3u)) ^ scramble;
-    return vec2f((low << vec2u(22u)) | (jitter_hash(cell) >> vec2u(10u))) / 16777216.0;
+fn jitter_in(stratum: vec2u) -> vec2f {
+    let scramble = jitter_hash(stratum / 4u) >> vec2u(30u);
+    let low = jitter_net(stratum & vec2u(3u)) ^ scramble;
+    return vec2f((low << vec2u(22u)) | (jitter_hash(stratum) >> vec2u(10u))) / 16777216.0;
 }
 
 // The third and fourth binary digit of the net's one point whose first two are these.

@@ -1,7 +1,7 @@
 // Analytic spheres stand among the triangles: centre and radius, and SPHERE_MARK where a triangle cannot have it.
 
 fn sphere_is(primitive: u32) -> bool {
-    return tree_mark(primitive) == SPHERE_MARK;
+    return bvh_mark(primitive) == SPHERE_MARK;
 }
 
 // The parameter of the nearest hit in front of the ray, negative without one. In units of the radius, where nothing that

@@ -110,7 +110,7 @@ fn surface_from_behind(ray: Ray, corners: array<vec3f, 3>, winding: vec3f) -> bo
     let a = triangle_flatten(shear, triangle_permute(corners[0] - ray.origin, shear.axis));
     let b = triangle_flatten(shear, triangle_permute(corners[1] - ray.origin, shear.axis));
     let c = triangle_flatten(shear, triangle_permute(corners[2] - ray.origin, shear.axis));
-    let edges = edge_functions(a, b, c);
+    let edges = triangle_edge_functions(a, b, c);
     let seen = (edges.x + edges.y + edges.z) * sign(shear.shear.z);
     if seen == 0.0 {
         return dot(winding, ray.direction) > 0.0;

@@ -30,7 +30,7 @@ fn triangle_shear(ray: Ray) -> Shear {
 
 // The same bits for a corner whatever triangle it belongs to and wherever it stands in it.
 fn triangle_flatten(shear: Shear, corner: vec3f) -> vec2f {
-    return corner.xy - edge_rounded(shear.shear.xy * corner.z);
+    return corner.xy - triangle_edge_rounded(shear.shear.xy * corner.z);
 }
 
 fn triangle_hit(shear: Shear, corners: array<vec3f, 3>, t_max: f32) -> TriangleHit {
@@ -41,8 +41,8 @@ fn triangle_hit(shear: Shear, corners: array<vec3f, 3>, t_max: f32) -> TriangleH
     let b2 = triangle_flatten(shear, b);
     let c2 = triangle_flatten(shear, c);
     var found: TriangleHit;
-    var edges = edge_functions(a2, b2, c2);
-    if edge_inside(edges, a2, b2, c2) {
+    var edges = triangle_edge_functions(a2, b2, c2);
+    if triangle_edge_inside(edges, a2, b2, c2) {
         var determinant = edges.x + edges.y + edges.z;
         if abs(determinant) < TRIANGLE_SMALL || abs(determinant) > TRIANGLE_LARGE {
             edges = triangle_scaled_edges(a2, b2, c2);
@@ -65,7 +65,7 @@ fn triangle_scaled_edges(a: vec2f, b: vec2f, c: vec2f) -> vec3f {
     let sizes = max(max(abs(a), abs(b)), abs(c));
     let exponent = clamp(bitcast<u32>(max(sizes.x, sizes.y)) >> 23u, 1u, 253u);
     let unit = bitcast<f32>((254u - exponent) << 23u);
-    let edges = edge_functions(a * unit, b * unit, c * unit);
+    let edges = triangle_edge_functions(a * unit, b * unit, c * unit);
     let lost = abs(edges.x + edges.y + edges.z) < TRIANGLE_SMALL;
     return select(edges, vec3f(1.0, 0.0, 0.0), lost);
 }

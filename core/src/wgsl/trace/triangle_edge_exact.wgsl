@@ -10,41 +10,41 @@
 
 // Keeps the compiler from computing a product and a sum in one step with one rounding, which may give the wrong sign. No
 // product here is as small: sheared coordinates are below 1e19.
-fn edge_rounded(products: vec2f) -> vec2f {
+fn triangle_edge_rounded(products: vec2f) -> vec2f {
     return max(products, vec2f(-1.0e38));
 }
 
 // The weights of the corners a, b, c, in an unknown unit.
-fn edge_functions(a: vec2f, b: vec2f, c: vec2f) -> vec3f {
+fn triangle_edge_functions(a: vec2f, b: vec2f, c: vec2f) -> vec3f {
     let plus = max(vec3f(c.x, a.x, b.x) * vec3f(b.y, c.y, a.y), vec3f(-1.0e38));
     let minus = max(vec3f(c.y, a.y, b.y) * vec3f(b.x, c.x, a.x), vec3f(-1.0e38));
     return plus - minus;
 }
 
-fn edge_inside(edges: vec3f, a: vec2f, b: vec2f, c: vec2f) -> bool {
+fn triangle_edge_inside(edges: vec3f, a: vec2f, b: vec2f, c: vec2f) -> bool {
     let least = min(edges.x, min(edges.y, edges.z));
     let largest = max(edges.x, max(edges.y, edges.z));
     var inside = least > 0.0 || largest < 0.0;
     if !inside && (least == 0.0 || largest == 0.0) {
-        let sign = edge_sign(edges.x, c, b);
-        inside = sign != 0 && sign == edge_sign(edges.y, a, c) && sign == edge_sign(edges.z, b, a);
+        let sign = triangle_edge_sign(edges.x, c, b);
+        inside = sign != 0 && sign == triangle_edge_sign(edges.y, a, c) && sign == triangle_edge_sign(edges.z, b, a);
     }
     return inside;
 }
 
 // The sign of p x q; `rounded` is its value in f32. Zero for equal points alone.
-fn edge_sign(rounded: f32, p: vec2f, q: vec2f) -> i32 {
+fn triangle_edge_sign(rounded: f32, p: vec2f, q: vec2f) -> i32 {
     if rounded != 0.0 {
         return select(-1, 1, rounded > 0.0);
     }
-    let exact = edge_compare(edge_product(p.x, q.y), edge_product(p.y, q.x));
+    let exact = triangle_edge_compare(triangle_edge_product(p.x, q.y), triangle_edge_product(p.y, q.x));
     if exact != 0 {
         return exact;
     }
-    return select(edge_order(q.x, p.x), edge_order(p.y, q.y), p.y != q.y);
+    return select(triangle_edge_order(q.x, p.x), triangle_edge_order(p.y, q.y), p.y != q.y);
 }
 
-fn edge_order(x: f32, y: f32) -> i32 {
+fn triangle_edge_order(x: f32, y: f32) -> i32 {
     return select(0, 1, x > y) - select(0, 1, x < y);
 }
 
@@ -56,9 +56,9 @@ struct Product {
     low: u32,
 }
 
-fn edge_product(x: f32, y: f32) -> Product {
-    let a = edge_mantissa(bitcast<u32>(x));
-    let b = edge_mantissa(bitcast<u32>(y));
+fn triangle_edge_product(x: f32, y: f32) -> Product {
+    let a = triangle_edge_mantissa(bitcast<u32>(x));
+    let b = triangle_edge_mantissa(bitcast<u32>(y));
     if a.x == 0u || b.x == 0u {
         return Product(0, 0, 0u, 0u);
     }
@@ -75,7 +75,7 @@ fn edge_product(x: f32, y: f32) -> Product {
 }
 
 // Mantissa of 24 bits and exponent (of type i32) of a number; denormal ones are brought to the same form.
-fn edge_mantissa(bits: u32) -> vec2u {
+fn triangle_edge_mantissa(bits: u32) -> vec2u {
     let biased = (bits >> 23u) & 0xffu;
     let fraction = bits & 0x7fffffu;
     if biased != 0u {
@@ -88,15 +88,15 @@ fn edge_mantissa(bits: u32) -> vec2u {
     return vec2u(fraction << shift, 1u - shift);
 }
 
-fn edge_compare(a: Product, b: Product) -> i32 {
+fn triangle_edge_compare(a: Product, b: Product) -> i32 {
     if a.sign != b.sign {
         return select(-1, 1, a.sign > b.sign);
     }
-    let larger = edge_larger(a, b) - edge_larger(b, a);
+    let larger = triangle_edge_larger(a, b) - triangle_edge_larger(b, a);
     return a.sign * larger;
 }
 
-fn edge_larger(a: Product, b: Product) -> i32 {
+fn triangle_edge_larger(a: Product, b: Product) -> i32 {
     if a.exponent != b.exponent {
         return select(0, 1, a.exponent > b.exponent);
     }

@@ -2,21 +2,21 @@
 // the plane): neighbours round a shared edge differently, and rays slip through between them. What exact edges are worth
 // and cost is measured against this.
 
-fn edge_rounded(products: vec2f) -> vec2f {
+fn triangle_edge_rounded(products: vec2f) -> vec2f {
     return products;
 }
 
-fn edge_cross(p: vec2f, q: vec2f) -> f32 {
+fn triangle_edge_cross(p: vec2f, q: vec2f) -> f32 {
     return p.x * q.y - p.y * q.x;
 }
 
-fn edge_functions(a: vec2f, b: vec2f, c: vec2f) -> vec3f {
-    let determinant = edge_cross(c - a, b - a);
-    let v = edge_cross(a, c - a);
-    let w = edge_cross(b - a, a);
+fn triangle_edge_functions(a: vec2f, b: vec2f, c: vec2f) -> vec3f {
+    let determinant = triangle_edge_cross(c - a, b - a);
+    let v = triangle_edge_cross(a, c - a);
+    let w = triangle_edge_cross(b - a, a);
     return vec3f(determinant - v - w, v, w);
 }
 
-fn edge_inside(edges: vec3f, a: vec2f, b: vec2f, c: vec2f) -> bool {
+fn triangle_edge_inside(edges: vec3f, a: vec2f, b: vec2f, c: vec2f) -> bool {
     return all(edges > vec3f(0.0)) || all(edges < vec3f(0.0));
 }
