@@ -57,7 +57,8 @@ impl AddAssign for Demand {
 
 /// What few tests need: an edge where rounding does not decide it, a triangle beyond the range of f32, and what is asked
 /// about hits, of which a ray has one or two among many tests.
-const RARE: [&str; 5] = ["edge_sign", "triangle_scaled_edges", "bvh_ahead", "bvh_nearer", "hit_counts"];
+const RARE: [&str; 5] =
+    ["triangle_edge_sign", "triangle_scaled_edges", "bvh_ahead", "bvh_nearer", "any_hit_accepts"];
 /// What texture averages are made of, in loops of their own. They are taken for three rows of three points each, in the second
 /// level of one texture.
 const AVERAGES: [&str; 2] = ["texture_points", "texture_level"];
