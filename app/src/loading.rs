@@ -3,7 +3,7 @@
 use glam::Vec3;
 use glimpse::{Camera, Gpu, GpuScene};
 
-use crate::{Files, News, worker::Teller};
+use crate::{Files, WorkerEvent, worker::EventSender};
 
 /// Properties of a loaded scene.
 #[derive(Clone, Debug)]
@@ -29,8 +29,13 @@ pub(crate) struct Loaded {
 }
 
 /// Reads the scene of a name, uploads it, and reports the progress. The error is a message of one line.
-pub(crate) fn load(gpu: &Gpu, files: &Files, name: &str, teller: &Teller) -> Result<Loaded, String> {
-    teller.tell(News::Loading(format!("reading {name}"), [1, 3]));
+pub(crate) fn load(
+    gpu: &Gpu,
+    files: &Files,
+    name: &str,
+    event_sender: &EventSender,
+) -> Result<Loaded, String> {
+    event_sender.send(WorkerEvent::Loading(format!("reading {name}"), [1, 3]));
     let mut scene = files(name)?;
     let features = glimpse::Features::of(&scene).list().to_vec();
     let facts = SceneFacts {
@@ -41,7 +46,7 @@ pub(crate) fn load(gpu: &Gpu, files: &Files, name: &str, teller: &Teller) -> Res
         warnings: std::mem::take(&mut scene.warnings),
         features,
     };
-    teller.tell(News::Loading(format!("building {name}"), [2, 3]));
+    event_sender.send(WorkerEvent::Loading(format!("building {name}"), [2, 3]));
     let scene = GpuScene::upload(gpu, scene).map_err(|error| format!("{name}: {error}"))?;
     Ok(Loaded { scene, facts })
 }

@@ -1,6 +1,6 @@
 //! The JSON has the contract's names; medians and shares are what they are called.
 
-use glimpse::{Linking, PassTime, Scene};
+use glimpse::{PassTime, Scene, Specialize};
 use serde_json::{Value, json};
 
 use super::*;
@@ -10,7 +10,7 @@ pub fn example() -> Statistics {
     Statistics {
         glimpse: "0",
         adapter: AdapterStatistics { name: "Card".into(), backend: "vulkan".into(), driver: "D 1".into() },
-        scene: SceneStatistics::of("a.glb", &Scene::default(), Linking::Auto),
+        scene: SceneStatistics::of("a.glb", &Scene::default(), Specialize::Auto),
         settings: SettingsUsed { settings: Settings::default(), camera: "0 (front)".into() },
         size: [8, 4],
         frames: 1,
@@ -164,9 +164,9 @@ fn overhead_is_the_time_of_passes_that_trace_nothing() {
     for (passes, share) in [
         (["presample", "subpixel_test", "compact_active", "extra_samples"], 0.5),
         (["quincunx_base", "quincunx_split_a", "quincunx_trace_a", "quincunx_trace_b"], 0.25),
-        (["refine_test", "refine", "cell_test", "cells"], 0.5),
+        (["refine_test", "refine", "stratum_test", "strata"], 0.5),
         (["base", "similarity_a1", "compact_a1", "trace_a1"], 0.5),
-        (["path", "look", "cross", "median"], 0.5),
+        (["path", "stereo_reproject", "stereo_gather", "median"], 0.5),
     ] {
         assert_eq!(non_tracing_share(&passes.map(median), 4.0), Some(share), "{passes:?}");
     }

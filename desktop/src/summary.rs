@@ -6,7 +6,7 @@ use glimpse::metrics::ErrorReport;
 use glimpse::{Method, Missing, Rays};
 use glimpse_measure::statistics::SceneStatistics;
 
-use crate::cores::{Side, Sides};
+use crate::cpu_tracer::{Side, Sides};
 use crate::output::{bytes, counted, grouped, listed};
 use crate::statistics::Statistics;
 
@@ -108,8 +108,9 @@ pub fn sides(sides: &Sides) -> String {
     let side = |who: String, side: &Side| {
         format!("{who} {} ({:.0} % busy)", counted(side.samples as usize, "sample"), 100.0 * side.utilisation)
     };
-    let cores = sides.cores.iter().enumerate().map(|(index, core)| side(format!("core {index}"), core));
-    let all: Vec<_> = std::iter::once(side("GPU".to_owned(), &sides.gpu)).chain(cores).collect();
+    let cpu_threads =
+        sides.cpu_threads.iter().enumerate().map(|(index, core)| side(format!("core {index}"), core));
+    let all: Vec<_> = std::iter::once(side("GPU".to_owned(), &sides.gpu)).chain(cpu_threads).collect();
     format!("{} in {:.0} ms, {:.3} samples/s", all.join(", "), sides.wall_ms, sides.samples_per_s)
 }
 

@@ -3,21 +3,21 @@
 use egui::{Color32, ProgressBar, RichText, Ui};
 
 use super::{amounts, style};
-use crate::Readings;
+use crate::HudState;
 
 /// The time of each pass of the last frame.
-pub fn passes(ui: &mut Ui, readings: &Readings) {
-    let longest = readings.passes.iter().map(|pass| pass.ms).fold(0.0, f64::max);
-    for pass in &readings.passes {
+pub fn passes(ui: &mut Ui, hud_state: &HudState) {
+    let longest = hud_state.passes.iter().map(|pass| pass.ms).fold(0.0, f64::max);
+    for pass in &hud_state.passes {
         style::reading(ui, pass.name, &format!("{:.2} ms", pass.ms));
         bar(ui, pass.ms, longest);
     }
-    nothing(ui, readings.passes.is_empty(), "The adapter measures no passes, or no frame was made yet.");
+    nothing(ui, hud_state.passes.is_empty(), "The adapter measures no passes, or no frame was made yet.");
 }
 
 /// Rays and samples of the last frame that was counted.
-pub fn rays(ui: &mut Ui, readings: &Readings) {
-    let Some(counts) = readings.counts else {
+pub fn rays(ui: &mut Ui, hud_state: &HudState) {
+    let Some(counts) = hud_state.counts else {
         return nothing(ui, true, "Frames are counted when the camera rests.");
     };
     style::reading(ui, "RT ratio", &amounts::percent(counts.rt_ratio()));
@@ -33,8 +33,8 @@ pub fn rays(ui: &mut Ui, readings: &Readings) {
 }
 
 /// How often each check asked for a ray.
-pub fn failed_checks(ui: &mut Ui, readings: &Readings) {
-    let Some(counts) = readings.counts else { return };
+pub fn failed_checks(ui: &mut Ui, hud_state: &HudState) {
+    let Some(counts) = hud_state.counts else { return };
     for (name, count) in counts.failed_checks.labelled() {
         style::reading(ui, name, &amounts::count(count));
         bar(ui, count as f64, counts.samples.total as f64);
@@ -42,8 +42,8 @@ pub fn failed_checks(ui: &mut Ui, readings: &Readings) {
 }
 
 /// Bytes on the device, and what it is.
-pub fn device(ui: &mut Ui, readings: &Readings) {
-    let memory = readings.memory;
+pub fn device(ui: &mut Ui, hud_state: &HudState) {
+    let memory = hud_state.memory;
     let rows = [
         ("scene", memory.scene),
         ("hierarchy", memory.bvh),
@@ -53,18 +53,19 @@ pub fn device(ui: &mut Ui, readings: &Readings) {
     for (name, bytes) in rows {
         style::reading(ui, name, &amounts::mebibytes(bytes));
     }
-    ui.label(RichText::new(readings.adapter.as_str()).small().weak());
+    ui.label(RichText::new(hud_state.adapter.as_str()).small().weak());
 }
 
 /// What the scene holds, and what its kernels were made without.
-pub fn scene(ui: &mut Ui, readings: &Readings) {
-    style::reading(ui, "primitives", &amounts::count(readings.primitives));
-    for (caption, names) in [("needs", &readings.features), ("left out of the kernels", &readings.left_out)] {
+pub fn scene(ui: &mut Ui, hud_state: &HudState) {
+    style::reading(ui, "primitives", &amounts::count(hud_state.primitives));
+    for (caption, names) in [("needs", &hud_state.features), ("left out of the kernels", &hud_state.left_out)]
+    {
         style::caption(ui, caption);
         let text = if names.is_empty() { "nothing".to_owned() } else { names.join(", ") };
         ui.label(RichText::new(text).small());
     }
-    for warning in &readings.warnings {
+    for warning in &hud_state.warnings {
         ui.label(RichText::new(warning.as_str()).small().color(style::WARNING));
     }
 }

@@ -1,18 +1,18 @@
 //! Adaptive undersampling (Kim 2016): base samples, then similarity checks that interpolate or list, then the listed rays.
 
 use super::{FrameSpec, Recipe, full, postcorrect, recipe::{Loops, Storage}, stage::*, supersample};
-use crate::plan::{Band, Plan, tiles};
+use crate::frame::plan::{Band, Plan, tiles};
 
 stages! {
     /// Traces one sample of each base block.
     BASE = {
-        name: "base", wgsl: "passes/base.wgsl", paper: "Kim 2016, 3.2; Table 2, Step-I",
+        name: "base", wgsl: "passes/adaptive/base.wgsl", paper: "Kim 2016, 3.2; Table 2, Step-I",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours, clears: [Clears::ListHeader],
-        sources: |spec, entry| spec.tracing_sources([spec.order(), entry]),
+        sources: |spec, entry| spec.tracing_sources([spec.tile_order(), entry]),
     }
     /// Interpolates samples between two similar references of their row and lists the others.
     SIMILARITY_A1 = {
-        name: "similarity_a1", wgsl: "passes/similarity_a1.wgsl", paper: "Kim 2016, 3.3, 3.4, Table 1; Step-II-a",
+        name: "similarity_a1", wgsl: "passes/adaptive/similarity_a1.wgsl", paper: "Kim 2016, 3.3, 3.4, Table 1; Step-II-a",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.similarity_sources(entry),
     }
@@ -20,17 +20,17 @@ stages! {
     COMPACT_A1 = {
         name: "compact_a1", wgsl: "passes/compact.wgsl", paper: "Kim 2016, 5; Step-II-b",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_step.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/adaptive/list_range_step.wgsl"), entry),
     }
     /// Traces the listed samples of step A1.
     TRACE_A1 = {
-        name: "trace_a1", wgsl: "passes/trace.wgsl", paper: "Kim 2016, Step-II-c",
+        name: "trace_a1", wgsl: "passes/adaptive/trace.wgsl", paper: "Kim 2016, Step-II-c",
         work: Work::List, tracing: Tracing::Listed, clears: [],
-        sources: |spec, entry| spec.tracing_sources([wgsl!("wgsl/list.wgsl"), entry]),
+        sources: |spec, entry| spec.tracing_sources([wgsl!("wgsl/adaptive/list.wgsl"), entry]),
     }
     /// Interpolates samples between two similar references of their column and lists the others.
     SIMILARITY_A2 = {
-        name: "similarity_a2", wgsl: "passes/similarity_a2.wgsl", paper: "Kim 2016, Step-III-a",
+        name: "similarity_a2", wgsl: "passes/adaptive/similarity_a2.wgsl", paper: "Kim 2016, Step-III-a",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.similarity_sources(entry),
     }
@@ -38,13 +38,13 @@ stages! {
     COMPACT_A2 = {
         name: "compact_a2", wgsl: "passes/compact.wgsl", paper: "Kim 2016, Step-III-b",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_step.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/adaptive/list_range_step.wgsl"), entry),
     }
     /// Traces the listed samples of step A2.
     TRACE_A2 = {
-        name: "trace_a2", wgsl: "passes/trace.wgsl", paper: "Kim 2016, Step-III-c",
+        name: "trace_a2", wgsl: "passes/adaptive/trace.wgsl", paper: "Kim 2016, Step-III-c",
         work: Work::List, tracing: Tracing::Listed, clears: [],
-        sources: |spec, entry| spec.tracing_sources([wgsl!("wgsl/list.wgsl"), entry]),
+        sources: |spec, entry| spec.tracing_sources([wgsl!("wgsl/adaptive/list.wgsl"), entry]),
     }
 }
 

@@ -1,21 +1,21 @@
 //! The baseline that traces every second pixel and interpolates the others, whatever they show.
 
 use super::{Output, Recipe, FrameSpec, recipe::{Loops, Storage}, stage::*};
-use crate::plan::{Band, Plan, tiles};
+use crate::frame::plan::{Band, Plan, tiles};
 
 stages! {
     /// Traces every second pixel.
     CHECKERBOARD = {
-        name: "checkerboard", wgsl: "passes/checkerboard.wgsl", paper: "a baseline",
+        name: "checkerboard", wgsl: "passes/checkerboard/checkerboard.wgsl", paper: "a baseline",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours, clears: [],
         sources: |spec, entry| {
             let samples = FrameSpec { output: Output::Samples, ..*spec };
-            samples.tracing_sources([spec.order(), entry])
+            samples.tracing_sources([spec.tile_order(), entry])
         },
     }
     /// Averages the four traced neighbours of each other pixel.
     FILL = {
-        name: "fill", wgsl: "passes/fill.wgsl", paper: "a baseline",
+        name: "fill", wgsl: "passes/checkerboard/fill.wgsl", paper: "a baseline",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.resolve_sources(entry),
     }

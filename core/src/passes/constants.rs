@@ -2,14 +2,15 @@
 
 use std::fmt::Write as _;
 
-use super::{FrameSpec, PATH_TILE, postcorrect, spec::PLANES};
+use super::{FrameSpec, PATH_TILE, postcorrect, spec::CHANNELS};
 use crate::{
-    Crossing, Direct, Linking, MAX_RAYS, Postcorrect, Roulette, SAMPLES_PER_SUBMISSION, Stopping, atlas,
-    counters::{COUNTER_WORDS, GROUPS, Group},
-    gpu::{self, shader::Source},
-    gpu_scene,
+    DirectLight, Foveation, MAX_RAYS, Postcorrect, Roulette, SAMPLES_PER_SUBMISSION, Specialize, StereoReuse,
+    device::atlas,
+    device::gpu_scene,
+    device::{self, shader::Source},
+    frame::counters::{COUNTER_WORDS, GROUPS, Group},
+    frame::sequence::{RANK_TILE, RANKS},
     scene::OCTAHEDRAL_ERROR,
-    sequence::{RANK_TILE, RANKS},
 };
 
 /// Threads of a workgroup that works through a list.
@@ -22,8 +23,8 @@ pub const REFINE_STEP: u32 = 4;
 pub const REFINE_MOST: u32 = 16;
 /// Words of what is known of a pixel that is refined: four samples and a sum.
 pub const REFINE_WORDS: u32 = 15;
-/// What quarters of pixels must exceed the least threshold by for the cells between them to get samples.
-pub const CELL_CONTRAST: f32 = 2.0;
+/// What subpixels must exceed the least threshold by for the cells between them to get samples.
+pub const STRATUM_CONTRAST: f32 = 2.0;
 
 /// By what share of the distance a box grows on all sides in the traversal, so that it loses no hit of what is inside.
 /// With `e = 2^-24` (half a unit in the last place), WGSL's 5 e for a quotient and `D`, the largest distance from the ray's
@@ -78,10 +79,10 @@ impl FrameSpec {
     pub(super) fn constants(&self) -> Source {
         let f = &self.features;
         let mut text = String::new();
-        let planes = self.planes();
-        for (name, _) in PLANES {
-            let index = planes.iter().position(|p| p == name).unwrap_or(0);
-            let _ = writeln!(text, "const PLANE_{name}: u32 = {index}u;");
+        let channels = self.channels();
+        for (name, _) in CHANNELS {
+            let index = channels.iter().position(|p| p == name).unwrap_or(0);
+            let _ = writeln!(text, "const CHANNEL_{name}: u32 = {index}u;");
         }
         let flags = [
             ("HAS_LIGHTS", f.lights),
@@ -97,12 +98,12 @@ impl FrameSpec {
             ("HAS_PANES", f.panes),
             ("HAS_REFLECTION", f.reflection),
             ("HAS_REFRACTION", f.refraction),
-            ("WEIGHS_EMITTERS", self.settings.paths.direct == Direct::Mis),
-            ("CROSSING_COUNTS", self.settings.paths.crossing == Crossing::Paper),
+            ("WEIGHS_EMITTERS", self.settings.paths.direct_light == DirectLight::Mis),
+            ("STEREO_REUSE_UNWEIGHTED", self.settings.paths.stereo_reuse == StereoReuse::Paper),
             ("ROULETTE", self.settings.paths.roulette == Roulette::On),
-            ("STOPPING_COMPENSATED", self.settings.paths.stopping == Stopping::Compensated),
-            ("LIGHT_COUNT_KNOWN", self.settings.features == Linking::Auto),
-            ("VERTEX_STRIDE_KNOWN", self.settings.features == Linking::Auto),
+            ("FOVEATION_COMPENSATED", self.settings.paths.foveation == Foveation::Compensated),
+            ("LIGHT_COUNT_KNOWN", self.settings.specialize == Specialize::Auto),
+            ("VERTEX_STRIDE_KNOWN", self.settings.specialize == Specialize::Auto),
             ("COUNTS", self.inspect),
             ("HAS_RECORDS", self.records),
             ("HAS_POSTCORRECTION", self.postcorrects()),
@@ -111,12 +112,12 @@ impl FrameSpec {
         for (name, value) in flags {
             let _ = writeln!(text, "const {name}: bool = {value};");
         }
-        let numbers = [
-            ("PLANES", self.stored_planes()),
+        let rng = [
+            ("CHANNELS", self.stored_channels()),
             ("SAMPLING", self.settings.sampling),
             ("BVH_STACK", self.scene.bvh_stack),
             // Each level leaves at most one branch for later, the last one none; two are put down at a time.
-            ("BOUNCE_STACK", self.settings.depth + 1),
+            ("SCATTER_STACK", self.settings.depth + 1),
             ("MAX_RAYS", MAX_RAYS),
             ("LIGHT_COUNT", self.scene.lights),
             ("VERTEX_STRIDE", 6 * u32::from(self.scene.has_texcoords) + 3 * u32::from(self.scene.has_colors)),
@@ -124,14 +125,14 @@ impl FrameSpec {
             ("OBJECT_MASK", self.shadow_shift().map_or(u32::MAX, |shift| (1 << shift) - 1)),
             ("TRACE_GROUP", TRACE_GROUP),
             ("TRACE_ROW", TRACE_ROW),
-            ("TEXEL_ROW", gpu::TEXEL_ROW),
+            ("STORAGE_TEXTURE_WIDTH", device::STORAGE_TEXTURE_WIDTH),
             ("CHUNK_SAMPLES", SAMPLES_PER_SUBMISSION),
-            ("EDGES_FIRST", planes.len() as u32),
-            ("EDGE_PLANES", self.edge_planes()),
-            ("EDGE_SECONDARY", 2),
-            ("EDGE_COLOR", self.edge_round() - 3),
-            ("EDGE_ROUND", self.edge_round()),
-            ("EDGES_APRON", u32::from(!self.interpolates())),
+            ("PIXEL_EDGES_FIRST", channels.len() as u32),
+            ("PIXEL_EDGE_CHANNELS", self.pixel_edge_channels()),
+            ("PIXEL_EDGE_SECONDARY", 2),
+            ("PIXEL_EDGE_COLOR", self.pixel_edge_round() - 3),
+            ("PIXEL_EDGE_ROUND", self.pixel_edge_round()),
+            ("PIXEL_EDGES_APRON", u32::from(!self.interpolates())),
             ("ROUND_SAMPLES", postcorrect::ROUND_SAMPLES),
             ("TEXTURE_PAGE", atlas::MAX_PAGES - 1),
             ("RANKS", RANKS),
@@ -155,9 +156,9 @@ impl FrameSpec {
             ("REFINE_FIRST", (1 << REFINE_STEP) - 1),
             ("PATH_TILE", PATH_TILE),
             ("LIGHT_SAMPLES", self.settings.paths.light_samples),
-            ("STOPPING_LEVEL", self.settings.paths.stopping_level()),
+            ("FOVEATION_LEVEL", self.settings.paths.foveation_level()),
         ];
-        for (name, value) in numbers {
+        for (name, value) in rng {
             let _ = writeln!(text, "const {name}: u32 = {value}u;");
         }
         let reals = [
@@ -166,7 +167,7 @@ impl FrameSpec {
             ("OFFSET_SIZE", if self.robustness.offset { OFFSET_SIZE } else { 0.0 }),
             // Rays that pass straight on need one order of the surfaces, without a tolerance.
             ("SAME_DISTANCE", if self.has_panes { 0.0 } else { SAME_DISTANCE }),
-            ("CELL_CONTRAST", CELL_CONTRAST),
+            ("STRATUM_CONTRAST", STRATUM_CONTRAST),
             ("SPHERE_MARK", gpu_scene::SPHERE_MARK),
             ("NORMAL_ERROR", OCTAHEDRAL_ERROR),
             ("FOOTPRINT_LEAST", FOOTPRINT_LEAST),

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::{FrameSpec, Recipe, operations::count, recipe::Loops};
 use crate::{
     GpuScene, Result, Settings,
-    gpu::{
+    device::{
         Tier,
         shader::{Linked, link},
     },
@@ -57,7 +57,8 @@ impl AddAssign for Demand {
 
 /// What few tests need: an edge where rounding does not decide it, a triangle beyond the range of f32, and what is asked
 /// about hits, of which a ray has one or two among many tests.
-const RARE: [&str; 5] = ["edge_sign", "triangle_scaled_edges", "bvh_ahead", "bvh_nearer", "hit_counts"];
+const RARE: [&str; 5] =
+    ["triangle_edge_sign", "triangle_scaled_edges", "bvh_ahead", "bvh_nearer", "any_hit_accepts"];
 /// What texture averages are made of, in loops of their own. They are taken for three rows of three points each, in the second
 /// level of one texture.
 const AVERAGES: [&str; 2] = ["texture_points", "texture_level"];
@@ -144,10 +145,10 @@ fn between(spec: &FrameSpec, recipe: &Recipe) -> Result<(Demand, Demand)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Linking, Method, scene::builtin};
+    use crate::{Method, Specialize, scene::builtin};
 
     fn demands(scene: &str, method: Method) -> Demands {
-        let settings = Settings { method, features: Linking::Auto, ..Settings::default() };
+        let settings = Settings { method, specialize: Specialize::Auto, ..Settings::default() };
         let spec = FrameSpec::of_scene(&builtin(scene).expect(scene), &settings);
         Demands::of_spec(&spec).expect("links")
     }
@@ -176,18 +177,21 @@ mod tests {
         let full = demands("room", Method::Full);
         assert_eq!((full.sample.frame_bytes, full.interpolated), (4.0, Demand::default()), "a pixel");
         let adaptive = demands("room", Method::Adaptive);
-        let planes = 4.0 * f64::from(u8::try_from(adaptive_planes()).expect("few"));
+        let channels = 4.0 * f64::from(u8::try_from(adaptive_channels()).expect("few"));
         // A pixel, its attributes, its entry in the list and the three numbers at the list's head.
-        assert!(adaptive.sample.frame_bytes >= 4.0 + planes + 4.0, "{adaptive:?}");
-        assert!(adaptive.interpolated.frame_bytes >= 4.0 + 3.0 * planes, "two references read, one written");
+        assert!(adaptive.sample.frame_bytes >= 4.0 + channels + 4.0, "{adaptive:?}");
+        assert!(
+            adaptive.interpolated.frame_bytes >= 4.0 + 3.0 * channels,
+            "two references read, one written"
+        );
         assert_eq!(adaptive.node_visit, full.node_visit);
         let checkerboard = demands("room", Method::Checkerboard);
         // Four neighbours (12 bytes each) and the pixel, and what the other half does beside it: its own sample, its pixel.
         assert_eq!(checkerboard.interpolated.frame_bytes, (4.0 * 12.0 + 4.0) + (12.0 + 4.0));
     }
 
-    fn adaptive_planes() -> usize {
-        FrameSpec::of_scene(&builtin("room").expect("room"), &Settings::default()).planes().len()
+    fn adaptive_channels() -> usize {
+        FrameSpec::of_scene(&builtin("room").expect("room"), &Settings::default()).channels().len()
     }
 
     #[test]

@@ -3,34 +3,34 @@
 use super::{FrameSpec, stage::*, wgsl};
 use crate::{
     Denoise,
-    gpu::shader::Source,
-    plan::{Part, Plan, Rows, tiles},
+    device::shader::Source,
+    frame::plan::{Part, Plan, Rows, tiles},
 };
 
 stages! {
     /// Replaces pixels whose path was stopped by the median of their neighbours.
     MEDIAN = {
-        name: "median", wgsl: "passes/median.wgsl", paper: "Kim & Sung 2021, \"Noise Removal for the Stopped Ray\"",
+        name: "median", wgsl: "passes/denoise/median.wgsl", paper: "Kim & Sung 2021, \"Noise Removal for the Stopped Ray\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
-        sources: |spec, entry| spec.noise_sources([entry]),
+        sources: |spec, entry| spec.denoise_sources([entry]),
     }
     /// Prepares the light of all pixels for the a-trous filter.
     ATROUS_BEGIN = {
-        name: "atrous_begin", wgsl: "passes/atrous_begin.wgsl", paper: "ours",
+        name: "atrous_begin", wgsl: "passes/denoise/atrous_begin.wgsl", paper: "ours",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
-        sources: |spec, entry| spec.noise_sources([wgsl!("wgsl/filtered.wgsl"), entry]),
+        sources: |spec, entry| spec.denoise_sources([wgsl!("wgsl/denoise/atrous_buffer.wgsl"), entry]),
     }
     /// One level of the a-trous filter.
     ATROUS = {
-        name: "atrous", wgsl: "passes/atrous.wgsl", paper: "Dammertz et al. 2010, section 2.2",
+        name: "atrous", wgsl: "passes/denoise/atrous.wgsl", paper: "Dammertz et al. 2010, section 2.2",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
-        sources: |spec, entry| spec.atrous_sources(wgsl!("wgsl/atrous_kept.wgsl"), entry),
+        sources: |spec, entry| spec.atrous_sources(wgsl!("wgsl/denoise/atrous_next_level.wgsl"), entry),
     }
     /// The last level of the a-trous filter, which writes the pixels.
     ATROUS_END = {
-        name: "atrous_end", wgsl: "passes/atrous.wgsl", paper: "Dammertz et al. 2010, section 2.2",
+        name: "atrous_end", wgsl: "passes/denoise/atrous.wgsl", paper: "Dammertz et al. 2010, section 2.2",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
-        sources: |spec, entry| spec.atrous_sources(wgsl!("wgsl/atrous_shown.wgsl"), entry),
+        sources: |spec, entry| spec.atrous_sources(wgsl!("wgsl/denoise/atrous_last_level.wgsl"), entry),
     }
 }
 
@@ -55,20 +55,20 @@ pub fn plan(plan: &mut Plan, denoise: Denoise, width: u32, rows: Rows) {
 
 impl FrameSpec {
     fn atrous_sources(&self, end: Source, entry: Source) -> Vec<Source> {
-        self.noise_sources([wgsl!("wgsl/filtered.wgsl"), wgsl!("wgsl/atrous.wgsl"), end, entry])
+        self.denoise_sources([wgsl!("wgsl/denoise/atrous_buffer.wgsl"), wgsl!("wgsl/denoise/atrous.wgsl"), end, entry])
     }
 
     /// What a kernel needs that treats noise of paths, and ends in these.
-    fn noise_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
+    fn denoise_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
         let mut sources = vec![
             self.constants(),
-            wgsl!("wgsl/frame.wgsl"),
+            wgsl!("wgsl/trace/frame.wgsl"),
             self.jitter(),
-            wgsl!("wgsl/octahedral.wgsl"),
-            wgsl!("wgsl/guides.wgsl"),
+            wgsl!("wgsl/scene/octahedral.wgsl"),
+            wgsl!("wgsl/denoise/gbuffer.wgsl"),
             self.eyes(),
-            wgsl!("wgsl/noise.wgsl"),
-            self.order(),
+            wgsl!("wgsl/denoise/denoise_tap.wgsl"),
+            self.tile_order(),
         ];
         sources.extend(self.path_sums());
         sources.extend(self.output.sources());

@@ -2,17 +2,17 @@
 
 use super::{FrameSpec, Recipe, recipe::Storage, stage::*, wgsl};
 use crate::{
-    plan::{Band, Extent, Part, Plan, SAMPLES_PER_SUBMISSION},
-    sequence::{RANK_TILE, RANKS},
+    frame::plan::{Band, Extent, Part, Plan, SAMPLES_PER_SUBMISSION},
+    frame::sequence::{RANK_TILE, RANKS},
 };
 
 stages! {
     /// Traces the pixels whose turn it is.
     FRAMELESS = {
-        name: "frameless", wgsl: "passes/frameless.wgsl", paper: "lecture, \"Low level optimizations\"",
+        name: "frameless", wgsl: "passes/frameless/frameless.wgsl", paper: "lecture, \"Low level optimizations\"",
         work: Work::Ranks, tracing: Tracing::Neighbours, clears: [],
         sources: |spec, entry| {
-            spec.tracing_sources([wgsl!("wgsl/renewal.wgsl"), spec.order(), entry])
+            spec.tracing_sources([wgsl!("wgsl/reproject/refresh.wgsl"), spec.tile_order(), entry])
         },
     }
 }
@@ -30,7 +30,7 @@ fn plan(plan: &mut Plan, _: &FrameSpec, band: &Band) {
         let tiles = TILES.min(count - first);
         Part {
             first,
-            extent: Extent::Renewed(tiles),
+            extent: Extent::Refreshed(tiles),
             bounds: [first == 0, first + tiles == count],
             samples: tiles * RANKS,
             ..Part::whole(&FRAMELESS, band.rows(1, band.own))

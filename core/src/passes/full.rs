@@ -3,19 +3,19 @@
 use super::{FrameSpec, Recipe, recipe::Storage, stage::*};
 use crate::{
     Filter,
-    plan::{Band, Plan, Rows, tiles},
+    frame::plan::{Band, Plan, Rows, tiles},
 };
 
 stages! {
     /// Traces every sample.
     FULL = {
-        name: "full", wgsl: "passes/full.wgsl", paper: "lecture, \"trace() in detail\"",
+        name: "full", wgsl: "passes/full/full.wgsl", paper: "lecture, \"trace() in detail\"",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours, clears: [],
-        sources: |spec, entry| spec.tracing_sources([spec.order(), entry]),
+        sources: |spec, entry| spec.tracing_sources([spec.tile_order(), entry]),
     }
     /// Filters the samples of each pixel.
     RESOLVE = {
-        name: "resolve", wgsl: "passes/resolve.wgsl", paper: "Kim 2016, 6.1 (\"Sampling\")",
+        name: "resolve", wgsl: "passes/full/resolve.wgsl", paper: "Kim 2016, 6.1 (\"Sampling\")",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.resolve_sources(entry),
     }

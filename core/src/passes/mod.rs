@@ -12,7 +12,7 @@ mod stage;
 #[cfg(test)]
 mod tests;
 
-pub use constants::{CELL_CONTRAST, REFINE_MOST, REFINE_STEP, REFINE_WORDS, TRACE_GROUP, TRACE_ROW};
+pub use constants::{REFINE_MOST, REFINE_STEP, REFINE_WORDS, STRATUM_CONTRAST, TRACE_GROUP, TRACE_ROW};
 pub use demand::{Demand, Demands};
 pub use linked::Linked;
 #[cfg(test)]

@@ -2,24 +2,24 @@
 
 use super::{Output, Recipe, recipe::Storage, FrameSpec, denoise, sources::pick, stage::*, stereo, wgsl};
 use crate::{
-    Denoise, Direct, Sampler, Shining, Stopping,
-    gpu::shader::Source,
-    plan::{Band, Plan, tiles},
+    Denoise, DirectLight, Sampler, LightSelection, Foveation,
+    device::shader::Source,
+    frame::plan::{Band, Plan, tiles},
 };
 
 stages! {
     /// Traces a path through every pixel.
     PATH = {
-        name: "path", wgsl: "passes/path.wgsl", paper: "Kajiya 1986; Kim & Sung 2021, equation 7",
+        name: "path", wgsl: "passes/path/path.wgsl", paper: "Kajiya 1986; Kim & Sung 2021, equation 7",
         work: Work::Tiles(PATH_TILE), tracing: Tracing::Neighbours, clears: [],
         sources: |spec, entry| spec.path_sources(entry),
     }
     /// Adds samples that were traced elsewhere to the sums of the pixels; it runs between frames.
-    MERGE_PLANES = {
-        name: "merge_planes", wgsl: "passes/merge_planes.wgsl", paper: "Kim & Sung 2021, Algorithm 5",
+    ACCUMULATE = {
+        name: "accumulate", wgsl: "passes/path/accumulate.wgsl", paper: "Kim & Sung 2021, Algorithm 5",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| {
-            let mut sources = vec![spec.constants(), wgsl!("wgsl/frame.wgsl"), spec.jitter()];
+            let mut sources = vec![spec.constants(), wgsl!("wgsl/trace/frame.wgsl"), spec.jitter()];
             sources.extend(spec.path_sums());
             sources.extend(spec.output_before_noise().sources());
             sources.push(entry);
@@ -35,7 +35,7 @@ pub const RECIPE: Recipe = Recipe { plan, traced: &PATH, storage: Storage { radi
 fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
     let (width, rows) = (plan.grid[0], band.rows(1, band.own));
     plan.push(tiles(&PATH, width, rows));
-    if spec.settings.crosses() {
+    if spec.settings.reuses_stereo() {
         stereo::plan(plan, width, rows);
     }
     denoise::plan(plan, spec.settings.denoise(), width, rows);
@@ -44,31 +44,31 @@ fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
 impl FrameSpec {
     fn path_sources(&self, entry: Source) -> Vec<Source> {
         let f = &self.features;
-        let guides = self.settings.paths.denoise != Denoise::Off;
+        let gbuffer = self.settings.paths.denoise != Denoise::Off;
         let one = Self { output: self.output_before_noise(), ..self.one_sample() };
-        let mut sources = one.scene_sources(wgsl!("wgsl/attributes_planes.wgsl"), self.hit());
-        sources.extend(self.numbers());
+        let mut sources = one.scene_sources(wgsl!("wgsl/adaptive/attributes_channels.wgsl"), self.hit());
+        sources.extend(self.rng());
         sources.extend([
-            wgsl!("wgsl/channels.wgsl"),
+            wgsl!("wgsl/path/max_component.wgsl"),
             self.lobes(),
             pick(
-                f.lights && self.settings.paths.shining != Shining::Emitters,
-                wgsl!("wgsl/punctual.wgsl"),
-                wgsl!("wgsl/punctual_none.wgsl"),
+                f.lights && self.settings.paths.lights != LightSelection::Emitters,
+                wgsl!("wgsl/path/punctual_nee.wgsl"),
+                wgsl!("wgsl/path/punctual_none.wgsl"),
             ),
-            match (self.settings.paths.direct, self.settings.paths.shining) {
-                (_, Shining::Punctual) => wgsl!("wgsl/emitters_dark.wgsl"),
-                (Direct::Light | Direct::Mis, _) if self.scene.emits => wgsl!("wgsl/emitters.wgsl"),
-                _ => wgsl!("wgsl/emitters_met.wgsl"),
+            match (self.settings.paths.direct_light, self.settings.paths.lights) {
+                (_, LightSelection::Punctual) => wgsl!("wgsl/path/emitters_unlit.wgsl"),
+                (DirectLight::Nee | DirectLight::Mis, _) if self.scene.emits => wgsl!("wgsl/path/emitters_nee.wgsl"),
+                _ => wgsl!("wgsl/path/emitters_bsdf.wgsl"),
             },
-            self.stopping(),
+            self.foveation(),
             self.eyes(),
-            wgsl!("wgsl/guides.wgsl"),
-            pick(guides && !self.inspect, wgsl!("wgsl/guides_kept.wgsl"), wgsl!("wgsl/guides_none.wgsl")),
-            wgsl!("wgsl/path.wgsl"),
+            wgsl!("wgsl/denoise/gbuffer.wgsl"),
+            pick(gbuffer && !self.inspect, wgsl!("wgsl/denoise/gbuffer_record.wgsl"), wgsl!("wgsl/denoise/gbuffer_none.wgsl")),
+            wgsl!("wgsl/path/path.wgsl"),
         ]);
         sources.extend(self.path_samples());
-        sources.extend([self.order(), entry]);
+        sources.extend([self.tile_order(), entry]);
         sources
     }
 
@@ -77,23 +77,23 @@ impl FrameSpec {
         if self.settings.paths.denoise == Denoise::Off { self.output } else { Output::Nowhere }
     }
 
-    pub(super) fn stopping(&self) -> Source {
+    pub(super) fn foveation(&self) -> Source {
         pick(
-            self.settings.paths.stopping == Stopping::Off,
-            wgsl!("wgsl/stopping_none.wgsl"),
-            wgsl!("wgsl/stopping.wgsl"),
+            self.settings.paths.foveation == Foveation::Off,
+            wgsl!("wgsl/path/foveation_none.wgsl"),
+            wgsl!("wgsl/path/foveation.wgsl"),
         )
     }
 
-    pub(super) fn numbers(&self) -> [Source; 2] {
+    pub(super) fn rng(&self) -> [Source; 2] {
         let source = match self.settings.paths.sampler {
-            Sampler::Random => wgsl!("wgsl/numbers_random.wgsl"),
-            Sampler::Sobol => wgsl!("wgsl/numbers_sobol.wgsl"),
+            Sampler::Random => wgsl!("wgsl/path/rng_independent.wgsl"),
+            Sampler::Sobol => wgsl!("wgsl/path/rng_sobol.wgsl"),
         };
-        [wgsl!("wgsl/numbers.wgsl"), source]
+        [wgsl!("wgsl/path/rng.wgsl"), source]
     }
 
     pub(super) fn lobes(&self) -> Source {
-        pick(self.features.glossy, wgsl!("wgsl/lobes.wgsl"), wgsl!("wgsl/lobes_matte.wgsl"))
+        pick(self.features.glossy, wgsl!("wgsl/path/lobes.wgsl"), wgsl!("wgsl/path/lobes_matte.wgsl"))
     }
 }

@@ -3,9 +3,9 @@
 use super::{FrameSpec, stage::*, wgsl};
 use crate::{
     Postcorrect,
-    gpu::shader::Source,
+    device::shader::Source,
     passes::TRACE_GROUP,
-    plan::{Band, Part, Plan, SAMPLES_PER_SUBMISSION, chunks, lines, once, one},
+    frame::plan::{Band, Part, Plan, SAMPLES_PER_SUBMISSION, chunks, lines, once, one},
 };
 
 stages! {
@@ -13,24 +13,24 @@ stages! {
     COMPACT_SEED = {
         name: "compact_seed", wgsl: "passes/compact.wgsl", paper: "Kim 2016, 4; Step-IV",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_all.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/adaptive/list_range_all.wgsl"), entry),
     }
     /// Claims interpolated neighbours of listed samples.
     POSTCORRECT_SEED = {
-        name: "postcorrect_seed", wgsl: "passes/postcorrect_seed.wgsl", paper: "Kim 2016, 4; Step-IV",
+        name: "postcorrect_seed", wgsl: "passes/postcorrect/postcorrect_seed.wgsl", paper: "Kim 2016, 4; Step-IV",
         work: Work::List, tracing: Tracing::No, clears: [],
         sources: |spec, entry| {
-            let mut sources = spec.pixel_sources(wgsl!("wgsl/attributes_claims.wgsl"));
+            let mut sources = spec.pixel_sources(wgsl!("wgsl/adaptive/attributes_atomic.wgsl"));
             sources.extend(step_sources(entry));
             sources
         },
     }
     /// Claims samples where points of thin features are seen that no traced sample has met.
-    POSTCORRECT_LANDMARKS = {
-        name: "postcorrect_landmarks", wgsl: "passes/postcorrect_landmarks.wgsl", paper: "ours",
+    POSTCORRECT_PROBE_POINTS = {
+        name: "postcorrect_probe_points", wgsl: "passes/postcorrect/postcorrect_probe_points.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
         sources: |spec, entry| {
-            let mut sources = spec.pixel_sources(wgsl!("wgsl/attributes_claims.wgsl"));
+            let mut sources = spec.pixel_sources(wgsl!("wgsl/adaptive/attributes_atomic.wgsl"));
             sources.extend(step_sources(entry));
             sources
         },
@@ -39,23 +39,23 @@ stages! {
     COMPACT_POSTCORRECT = {
         name: "compact_postcorrect", wgsl: "passes/compact.wgsl", paper: "Kim 2016, 4; Step-IV",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_round.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/adaptive/list_range_round.wgsl"), entry),
     }
     /// Traces claimed samples and claims their neighbours.
     POSTCORRECT = {
-        name: "postcorrect", wgsl: "passes/postcorrect.wgsl", paper: "Kim 2016, 4; Step-IV",
+        name: "postcorrect", wgsl: "passes/postcorrect/postcorrect.wgsl", paper: "Kim 2016, 4; Step-IV",
         work: Work::List, tracing: Tracing::Listed, clears: [],
         sources: |spec, entry| {
-            let claims = wgsl!("wgsl/attributes_claims.wgsl");
+            let claims = wgsl!("wgsl/adaptive/attributes_atomic.wgsl");
             spec.tracing_sources_from(claims, spec.hit(), step_sources(entry))
         },
     }
     /// Scans rows or columns in one direction, as the paper does.
     POSTCORRECT_SCAN = {
-        name: "postcorrect_scan", wgsl: "passes/postcorrect_scan.wgsl", paper: "Kim 2016, 5; Step-IV",
+        name: "postcorrect_scan", wgsl: "passes/postcorrect/postcorrect_scan.wgsl", paper: "Kim 2016, 5; Step-IV",
         work: Work::Lines, tracing: Tracing::Listed, clears: [],
         sources: |spec, entry| {
-            spec.tracing_sources_from(wgsl!("wgsl/attributes_claims.wgsl"), spec.hit(), [entry])
+            spec.tracing_sources_from(wgsl!("wgsl/adaptive/attributes_atomic.wgsl"), spec.hit(), [entry])
         },
     }
 }
@@ -83,9 +83,9 @@ pub fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
             plan.lists(samples);
             plan.push(once(&COMPACT_SEED, rows));
             plan.push(chunks(&POSTCORRECT_SEED, samples, rows));
-            if spec.scene.landmarks > 0 {
-                let groups = [spec.scene.landmarks.div_ceil(TRACE_GROUP), 1];
-                plan.push(one(&POSTCORRECT_LANDMARKS, rows, groups));
+            if spec.scene.probe_points > 0 {
+                let groups = [spec.scene.probe_points.div_ceil(TRACE_GROUP), 1];
+                plan.push(one(&POSTCORRECT_PROBE_POINTS, rows, groups));
             }
             let far = 2 * (plan.grid[0] + rows.count()) / LONG_ROUNDS + 1;
             for round in 0..SHORT_ROUNDS + LONG_ROUNDS {
@@ -100,9 +100,9 @@ pub fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
 
 fn step_sources(entry: Source) -> [Source; 4] {
     [
-        wgsl!("wgsl/list.wgsl"),
-        wgsl!("wgsl/list_append.wgsl"),
-        wgsl!("passes/postcorrect_step.wgsl"),
+        wgsl!("wgsl/adaptive/list.wgsl"),
+        wgsl!("wgsl/adaptive/list_append.wgsl"),
+        wgsl!("passes/postcorrect/postcorrect_step.wgsl"),
         entry,
     ]
 }

@@ -2,21 +2,21 @@
 
 use super::{Output, Recipe, recipe::Storage, FrameSpec, stage::*, wgsl};
 use crate::{
-    gpu::shader::Source,
-    plan::{Band, Part, Plan, Rows, chunks, once, tiles},
+    device::shader::Source,
+    frame::plan::{Band, Part, Plan, Rows, chunks, once, tiles},
 };
 
 stages! {
     /// Traces centres and corners of all pixels.
     QUINCUNX_BASE = {
-        name: "quincunx_base", wgsl: "passes/quincunx_base.wgsl", paper: "lecture, \"Adaptive supersampling (1)\"",
+        name: "quincunx_base", wgsl: "passes/quincunx/quincunx_base.wgsl", paper: "lecture, \"Adaptive supersampling (1)\"",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours,
         clears: [Clears::ListHeader, Clears::Attributes],
-        sources: |spec, entry| spec.quincunx_tracing_sources([spec.order(), entry]),
+        sources: |spec, entry| spec.quincunx_tracing_sources([spec.tile_order(), entry]),
     }
-    /// Lists the samples that divide quarters of pixels.
+    /// Lists the samples that divide subpixels.
     QUINCUNX_SPLIT_A = {
-        name: "quincunx_split_a", wgsl: "passes/quincunx_split_a.wgsl", paper: "lecture, \"Adaptive supersampling (2)\"",
+        name: "quincunx_split_a", wgsl: "passes/quincunx/quincunx_split_a.wgsl", paper: "lecture, \"Adaptive supersampling (2)\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.quincunx_split_sources(entry),
     }
@@ -24,17 +24,17 @@ stages! {
     COMPACT_QUINCUNX_A = {
         name: "compact_quincunx_a", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_step.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/adaptive/list_range_step.wgsl"), entry),
     }
     /// Traces the samples of the first division.
     QUINCUNX_TRACE_A = {
-        name: "quincunx_trace_a", wgsl: "passes/quincunx_trace.wgsl", paper: "lecture, \"Adaptive supersampling (2)\"",
+        name: "quincunx_trace_a", wgsl: "passes/quincunx/quincunx_trace.wgsl", paper: "lecture, \"Adaptive supersampling (2)\"",
         work: Work::List, tracing: Tracing::Listed, clears: [],
         sources: |spec, entry| spec.quincunx_listed_sources(entry),
     }
     /// Lists the samples that divide quarters of quarters.
     QUINCUNX_SPLIT_B = {
-        name: "quincunx_split_b", wgsl: "passes/quincunx_split_b.wgsl", paper: "lecture, \"Adaptive supersampling (2)\"",
+        name: "quincunx_split_b", wgsl: "passes/quincunx/quincunx_split_b.wgsl", paper: "lecture, \"Adaptive supersampling (2)\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.quincunx_split_sources(entry),
     }
@@ -42,22 +42,22 @@ stages! {
     COMPACT_QUINCUNX_B = {
         name: "compact_quincunx_b", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_step.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/adaptive/list_range_step.wgsl"), entry),
     }
     /// Traces the samples of the second division.
     QUINCUNX_TRACE_B = {
-        name: "quincunx_trace_b", wgsl: "passes/quincunx_trace.wgsl", paper: "lecture, \"Adaptive supersampling (2)\"",
+        name: "quincunx_trace_b", wgsl: "passes/quincunx/quincunx_trace.wgsl", paper: "lecture, \"Adaptive supersampling (2)\"",
         work: Work::List, tracing: Tracing::Listed, clears: [],
         sources: |spec, entry| spec.quincunx_listed_sources(entry),
     }
     /// Weighs the samples of each pixel by the areas that they stand for.
     QUINCUNX_RESOLVE = {
-        name: "quincunx_resolve", wgsl: "passes/quincunx_resolve.wgsl", paper: "lecture, \"Adaptive supersampling (3)\"",
+        name: "quincunx_resolve", wgsl: "passes/quincunx/quincunx_resolve.wgsl", paper: "lecture, \"Adaptive supersampling (3)\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| {
             let mut end = spec.output.sources();
             end.push(entry);
-            spec.quincunx_pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"), end)
+            spec.quincunx_pixel_sources(wgsl!("wgsl/adaptive/attributes_channels.wgsl"), end)
         },
     }
 }
@@ -95,21 +95,21 @@ impl FrameSpec {
     fn quincunx_tracing_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
         let nowhere = Self { output: Output::Nowhere, ..*self };
         let shared =
-            [wgsl!("wgsl/contrast.wgsl"), wgsl!("wgsl/quincunx.wgsl"), wgsl!("wgsl/quincunx_ray.wgsl")];
+            [wgsl!("wgsl/supersample/contrast.wgsl"), wgsl!("wgsl/supersample/quincunx.wgsl"), wgsl!("wgsl/supersample/quincunx_ray.wgsl")];
         nowhere.tracing_sources(shared.into_iter().chain(entry))
     }
 
     fn quincunx_listed_sources(&self, entry: Source) -> Vec<Source> {
-        self.quincunx_tracing_sources([wgsl!("wgsl/list.wgsl"), wgsl!("wgsl/quincunx_list.wgsl"), entry])
+        self.quincunx_tracing_sources([wgsl!("wgsl/adaptive/list.wgsl"), wgsl!("wgsl/supersample/quincunx_list.wgsl"), entry])
     }
 
     fn quincunx_split_sources(&self, entry: Source) -> Vec<Source> {
         self.quincunx_pixel_sources(
-            wgsl!("wgsl/quincunx_split.wgsl"),
+            wgsl!("wgsl/supersample/quincunx_split.wgsl"),
             [
-                wgsl!("wgsl/list.wgsl"),
-                wgsl!("wgsl/list_append.wgsl"),
-                wgsl!("wgsl/quincunx_list.wgsl"),
+                wgsl!("wgsl/adaptive/list.wgsl"),
+                wgsl!("wgsl/adaptive/list_append.wgsl"),
+                wgsl!("wgsl/supersample/quincunx_list.wgsl"),
                 entry,
             ],
         )
@@ -121,7 +121,7 @@ impl FrameSpec {
         entry: impl IntoIterator<Item = Source>,
     ) -> Vec<Source> {
         let mut sources = self.pixel_sources(attributes);
-        sources.extend([wgsl!("wgsl/contrast.wgsl"), wgsl!("wgsl/quincunx.wgsl")]);
+        sources.extend([wgsl!("wgsl/supersample/contrast.wgsl"), wgsl!("wgsl/supersample/quincunx.wgsl")]);
         sources.extend(entry);
         sources
     }

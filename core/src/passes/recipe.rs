@@ -5,7 +5,7 @@ use super::{
 };
 use crate::{
     Method,
-    plan::{Band, Plan},
+    frame::plan::{Band, Plan},
 };
 
 /// What a method is made of.

@@ -2,55 +2,55 @@
 
 use super::{REFINE_MOST, REFINE_STEP, FrameSpec, stage::*, wgsl};
 use crate::{
-    gpu::shader::Source,
-    plan::{Plan, Rows, chunks, once, tiles},
+    device::shader::Source,
+    frame::plan::{Plan, Rows, chunks, once, tiles},
 };
 
 stages! {
     /// Lists the pixels that differ from their neighbours.
     REFINE_TEST = {
-        name: "refine_test", wgsl: "passes/refine_test.wgsl", paper: "ours, after Jin 2009, 4.3.2",
+        name: "refine_test", wgsl: "passes/refine/refine_test.wgsl", paper: "ours, after Jin 2009, 4.3.2",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::No, clears: [Clears::ListHeader],
-        sources: |spec, entry| spec.test_sources([wgsl!("wgsl/refine_list.wgsl")], entry),
+        sources: |spec, entry| spec.test_sources([wgsl!("wgsl/supersample/refine_list.wgsl")], entry),
     }
     /// Compacts the pixels of the next round.
     COMPACT_REFINE = {
         name: "compact_refine", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_refine.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/supersample/list_range_pending.wgsl"), entry),
     }
     /// Traces the first four samples of each listed pixel and lists neighbours that they reveal.
     REFINE = {
-        name: "refine", wgsl: "passes/refine.wgsl", paper: "ours, after Jin 2009, 4.3.3, and Kim 2016, 4",
+        name: "refine", wgsl: "passes/refine/refine.wgsl", paper: "ours, after Jin 2009, 4.3.3, and Kim 2016, 4",
         work: Work::List, tracing: Tracing::Listed, clears: [],
         sources: |spec, entry| spec.refine_sources(entry),
     }
     /// Compacts all refined pixels.
-    COMPACT_CELL_TEST = {
-        name: "compact_cell_test", wgsl: "passes/compact.wgsl", paper: "ours",
+    COMPACT_STRATUM_TEST = {
+        name: "compact_stratum_test", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_all.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/adaptive/list_range_all.wgsl"), entry),
     }
     /// Lists the cells of refined pixels that get samples.
-    CELL_TEST = {
-        name: "cell_test", wgsl: "passes/cell_test.wgsl", paper: "ours, after Jin 2009, 4.2.2",
+    STRATUM_TEST = {
+        name: "stratum_test", wgsl: "passes/refine/stratum_test.wgsl", paper: "ours, after Jin 2009, 4.2.2",
         work: Work::List, tracing: Tracing::No, clears: [],
         sources: |spec, entry| {
-            let mut sources = spec.pixel_sources(wgsl!("wgsl/attributes_claims.wgsl"));
+            let mut sources = spec.pixel_sources(wgsl!("wgsl/adaptive/attributes_atomic.wgsl"));
             sources.extend(refined_sources());
-            sources.extend([wgsl!("wgsl/edges.wgsl"), entry]);
+            sources.extend([wgsl!("wgsl/supersample/pixel_edges.wgsl"), entry]);
             sources
         },
     }
     /// Compacts the cells of the next step.
-    COMPACT_CELLS = {
-        name: "compact_cells", wgsl: "passes/compact.wgsl", paper: "ours",
+    COMPACT_STRATA = {
+        name: "compact_strata", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_refine.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/supersample/list_range_pending.wgsl"), entry),
     }
     /// Traces four samples in listed cells.
-    CELLS = {
-        name: "cells", wgsl: "passes/cells.wgsl", paper: "ours",
+    STRATA = {
+        name: "strata", wgsl: "passes/refine/strata.wgsl", paper: "ours",
         work: Work::List, tracing: Tracing::Listed, clears: [],
         sources: |spec, entry| spec.refine_sources(entry),
     }
@@ -73,28 +73,28 @@ pub fn plan(plan: &mut Plan, rows: Rows) {
         plan.push(once(&COMPACT_REFINE, rows));
         plan.push(chunks(&REFINE, most, rows));
     }
-    plan.push(once(&COMPACT_CELL_TEST, rows));
-    plan.push(chunks(&CELL_TEST, pixels, rows));
+    plan.push(once(&COMPACT_STRATUM_TEST, rows));
+    plan.push(chunks(&STRATUM_TEST, pixels, rows));
     for _ in 1..REFINE_MOST / REFINE_STEP {
-        plan.push(once(&COMPACT_CELLS, rows));
-        plan.push(chunks(&CELLS, longest, rows));
+        plan.push(once(&COMPACT_STRATA, rows));
+        plan.push(chunks(&STRATA, longest, rows));
     }
 }
 
 impl FrameSpec {
     fn refine_sources(&self, entry: Source) -> Vec<Source> {
-        let of_tracing = [wgsl!("wgsl/edges_range.wgsl"), wgsl!("wgsl/refine_trace.wgsl"), entry];
+        let of_tracing = [wgsl!("wgsl/supersample/contrast_range.wgsl"), wgsl!("wgsl/supersample/refine_trace.wgsl"), entry];
         let entry = refined_sources().into_iter().chain(of_tracing);
-        self.extra().tracing_sources_from(wgsl!("wgsl/attributes_claims.wgsl"), self.hit(), entry)
+        self.extra().tracing_sources_from(wgsl!("wgsl/adaptive/attributes_atomic.wgsl"), self.hit(), entry)
     }
 }
 
 /// What is known of pixels that are refined.
 fn refined_sources() -> [Source; 4] {
     [
-        wgsl!("wgsl/refine_list.wgsl"),
-        wgsl!("wgsl/order_net.wgsl"),
-        wgsl!("wgsl/contrast.wgsl"),
-        wgsl!("wgsl/refine.wgsl"),
+        wgsl!("wgsl/supersample/refine_list.wgsl"),
+        wgsl!("wgsl/supersample/sample_order.wgsl"),
+        wgsl!("wgsl/supersample/contrast.wgsl"),
+        wgsl!("wgsl/supersample/refine.wgsl"),
     ]
 }

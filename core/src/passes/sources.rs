@@ -1,15 +1,17 @@
 //! The WGSL files that kernels of several methods have in common.
 
 use super::{FrameSpec, Output, wgsl};
-use crate::{Filter, Inactive, Jitter, Linking, Mip, gpu::shader::Source};
+use crate::{Filter, Jitter, Mip, Specialize, Unsampled, device::shader::Source};
 
 impl Output {
     pub(super) fn sources(self) -> Vec<Source> {
         match self {
-            Self::Display => vec![wgsl!("wgsl/output_display.wgsl")],
-            Self::Linear => vec![wgsl!("wgsl/output_linear.wgsl")],
-            Self::Samples => vec![wgsl!("wgsl/samples.wgsl"), wgsl!("wgsl/output_samples.wgsl")],
-            Self::Nowhere => vec![wgsl!("wgsl/output_nowhere.wgsl")],
+            Self::Display => vec![wgsl!("wgsl/output/output_display.wgsl")],
+            Self::Linear => vec![wgsl!("wgsl/output/output_linear.wgsl")],
+            Self::Samples => {
+                vec![wgsl!("wgsl/output/samples.wgsl"), wgsl!("wgsl/output/output_samples.wgsl")]
+            }
+            Self::Nowhere => vec![wgsl!("wgsl/output/output_none.wgsl")],
         }
     }
 }
@@ -17,19 +19,19 @@ impl Output {
 impl FrameSpec {
     /// What a kernel needs that compacts a list; `range` says which part of it.
     pub(super) fn compact_sources(&self, range: Source, entry: Source) -> Vec<Source> {
-        vec![self.constants(), wgsl!("wgsl/list.wgsl"), range, entry]
+        vec![self.constants(), wgsl!("wgsl/adaptive/list.wgsl"), range, entry]
     }
 
     /// What a kernel needs that interpolates between references or lists.
     pub(super) fn similarity_sources(&self, entry: Source) -> Vec<Source> {
         self.shading_sources(
-            wgsl!("wgsl/attributes_planes.wgsl"),
+            wgsl!("wgsl/adaptive/attributes_channels.wgsl"),
             [
-                wgsl!("wgsl/list.wgsl"),
-                wgsl!("wgsl/list_append.wgsl"),
-                wgsl!("wgsl/similarity.wgsl"),
+                wgsl!("wgsl/adaptive/list.wgsl"),
+                wgsl!("wgsl/adaptive/list_append.wgsl"),
+                wgsl!("wgsl/adaptive/similarity.wgsl"),
                 wgsl!("passes/similarity_step.wgsl"),
-                self.order(),
+                self.tile_order(),
                 entry,
             ],
         )
@@ -37,11 +39,11 @@ impl FrameSpec {
 
     /// What a kernel needs that makes pixels from stored samples.
     pub(super) fn resolve_sources(&self, entry: Source) -> Vec<Source> {
-        let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
-        sources.extend([wgsl!("wgsl/samples.wgsl"), wgsl!("wgsl/order_net.wgsl")]);
+        let mut sources = self.pixel_sources(wgsl!("wgsl/adaptive/attributes_channels.wgsl"));
+        sources.extend([wgsl!("wgsl/output/samples.wgsl"), wgsl!("wgsl/supersample/sample_order.wgsl")]);
         sources.push(match self.settings.filter {
-            Filter::Box => wgsl!("wgsl/filter_box.wgsl"),
-            Filter::Tent => wgsl!("wgsl/filter_tent.wgsl"),
+            Filter::Box => wgsl!("wgsl/output/filter_box.wgsl"),
+            Filter::Tent => wgsl!("wgsl/output/filter_tent.wgsl"),
         });
         sources.extend(self.output.sources());
         sources.push(entry);
@@ -49,26 +51,26 @@ impl FrameSpec {
     }
 
     /// Which workgroup treats which tile.
-    pub(super) fn order(&self) -> Source {
+    pub(super) fn tile_order(&self) -> Source {
         if self.tier.deals_workgroups() {
-            wgsl!("wgsl/order_dealt.wgsl")
+            wgsl!("wgsl/trace/tile_order_interleaved.wgsl")
         } else {
-            wgsl!("wgsl/order_plain.wgsl")
+            wgsl!("wgsl/trace/tile_order_linear.wgsl")
         }
     }
 
     pub(super) fn jitter(&self) -> Source {
         if self.settings.jitter == Jitter::On {
-            wgsl!("wgsl/jitter_stratified.wgsl")
+            wgsl!("wgsl/trace/jitter_stratified.wgsl")
         } else {
-            wgsl!("wgsl/jitter_none.wgsl")
+            wgsl!("wgsl/trace/jitter_none.wgsl")
         }
     }
 
-    pub(super) fn inactive(&self) -> Source {
-        match self.settings.inactive {
-            Inactive::Nearest => wgsl!("wgsl/inactive_nearest.wgsl"),
-            Inactive::Bilinear => wgsl!("wgsl/inactive_bilinear.wgsl"),
+    pub(super) fn unsampled(&self) -> Source {
+        match self.settings.unsampled {
+            Unsampled::Nearest => wgsl!("wgsl/supersample/unsampled_nearest.wgsl"),
+            Unsampled::Bilinear => wgsl!("wgsl/supersample/unsampled_bilinear.wgsl"),
         }
     }
 
@@ -79,9 +81,9 @@ impl FrameSpec {
 
     pub(super) fn hit(&self) -> Source {
         match (self.features.alpha_mask, self.features.shadow_filter) {
-            (true, _) => wgsl!("wgsl/hit_alpha.wgsl"),
-            (false, true) => wgsl!("wgsl/hit_shadow.wgsl"),
-            (false, false) => wgsl!("wgsl/hit_all.wgsl"),
+            (true, _) => wgsl!("wgsl/trace/any_hit_alpha.wgsl"),
+            (false, true) => wgsl!("wgsl/trace/any_hit_shadow.wgsl"),
+            (false, false) => wgsl!("wgsl/trace/any_hit_opaque.wgsl"),
         }
     }
 
@@ -91,7 +93,7 @@ impl FrameSpec {
         hit: Source,
         entry: impl IntoIterator<Item = Source>,
     ) -> Vec<Source> {
-        self.tracing_sources_from(wgsl!("wgsl/attributes_planes.wgsl"), hit, entry)
+        self.tracing_sources_from(wgsl!("wgsl/adaptive/attributes_channels.wgsl"), hit, entry)
     }
 
     pub(super) fn tracing_sources_from(
@@ -103,13 +105,17 @@ impl FrameSpec {
         let f = &self.features;
         let mut sources = self.scene_sources(attributes, hit);
         sources.extend([
-            pick(self.secondary, wgsl!("wgsl/secondary_kept.wgsl"), wgsl!("wgsl/secondary_none.wgsl")),
+            pick(
+                self.secondary,
+                wgsl!("wgsl/supersample/secondary_hit.wgsl"),
+                wgsl!("wgsl/supersample/secondary_hit_none.wgsl"),
+            ),
             match (f.reflection, f.refraction) {
-                (_, true) => wgsl!("wgsl/bounce_glass.wgsl"),
-                (true, false) => wgsl!("wgsl/bounce_mirror.wgsl"),
-                (false, false) => wgsl!("wgsl/bounce_none.wgsl"),
+                (_, true) => wgsl!("wgsl/shade/scatter_dielectric.wgsl"),
+                (true, false) => wgsl!("wgsl/shade/scatter_mirror.wgsl"),
+                (false, false) => wgsl!("wgsl/shade/scatter_none.wgsl"),
             },
-            wgsl!("wgsl/sample.wgsl"),
+            wgsl!("wgsl/shade/sample.wgsl"),
         ]);
         sources.extend(entry);
         sources
@@ -123,21 +129,29 @@ impl FrameSpec {
             [
                 pick(
                     self.robustness.watertight,
-                    wgsl!("wgsl/edge_exact.wgsl"),
-                    wgsl!("wgsl/edge_rounded.wgsl"),
+                    wgsl!("wgsl/trace/triangle_edge_exact.wgsl"),
+                    wgsl!("wgsl/trace/triangle_edge_rounded.wgsl"),
                 ),
-                wgsl!("wgsl/triangle.wgsl"),
+                wgsl!("wgsl/trace/triangle.wgsl"),
                 pick(
                     self.tier.stores_images(),
-                    wgsl!("wgsl/tree_texels.wgsl"),
-                    wgsl!("wgsl/tree_buffers.wgsl"),
+                    wgsl!("wgsl/scene/bvh_textures.wgsl"),
+                    wgsl!("wgsl/scene/bvh_buffers.wgsl"),
                 ),
-                wgsl!("wgsl/bvh.wgsl"),
-                pick(f.spheres, wgsl!("wgsl/sphere_analytic.wgsl"), wgsl!("wgsl/sphere_none.wgsl")),
+                wgsl!("wgsl/trace/bvh.wgsl"),
+                pick(
+                    f.spheres,
+                    wgsl!("wgsl/trace/sphere_analytic.wgsl"),
+                    wgsl!("wgsl/trace/sphere_none.wgsl"),
+                ),
                 hit,
-                pick(self.averages_textures(), wgsl!("wgsl/cone.wgsl"), wgsl!("wgsl/cone_none.wgsl")),
-                wgsl!("wgsl/surface.wgsl"),
-                pick(f.lights, wgsl!("wgsl/shadow_rays.wgsl"), wgsl!("wgsl/shadow_none.wgsl")),
+                pick(
+                    self.averages_textures(),
+                    wgsl!("wgsl/trace/ray_cone.wgsl"),
+                    wgsl!("wgsl/trace/ray_cone_none.wgsl"),
+                ),
+                wgsl!("wgsl/trace/surface.wgsl"),
+                pick(f.lights, wgsl!("wgsl/shade/shadow_rays.wgsl"), wgsl!("wgsl/shade/shadow_none.wgsl")),
             ]
             .into_iter()
             .chain(self.vertex_sources()),
@@ -145,16 +159,17 @@ impl FrameSpec {
     }
 
     fn vertex_sources(&self) -> Vec<Source> {
-        if self.settings.features != Linking::All && !self.scene.has_texcoords && !self.scene.has_colors {
-            return vec![wgsl!("wgsl/vertex_none.wgsl")];
+        if self.settings.specialize != Specialize::All && !self.scene.has_texcoords && !self.scene.has_colors
+        {
+            return vec![wgsl!("wgsl/scene/vertex_none.wgsl")];
         }
         vec![
             pick(
                 self.tier.stores_images(),
-                wgsl!("wgsl/vertex_texels.wgsl"),
-                wgsl!("wgsl/vertex_buffers.wgsl"),
+                wgsl!("wgsl/scene/vertex_textures.wgsl"),
+                wgsl!("wgsl/scene/vertex_buffers.wgsl"),
             ),
-            wgsl!("wgsl/vertex_attributes.wgsl"),
+            wgsl!("wgsl/scene/vertex_attributes.wgsl"),
         ]
     }
 
@@ -162,12 +177,16 @@ impl FrameSpec {
     pub(super) fn pixel_sources(&self, attributes: Source) -> Vec<Source> {
         vec![
             self.constants(),
-            wgsl!("wgsl/frame.wgsl"),
+            wgsl!("wgsl/trace/frame.wgsl"),
             self.jitter(),
-            wgsl!("wgsl/octahedral.wgsl"),
-            wgsl!("wgsl/attributes.wgsl"),
+            wgsl!("wgsl/scene/octahedral.wgsl"),
+            wgsl!("wgsl/adaptive/attributes.wgsl"),
             attributes,
-            if self.inspect { wgsl!("wgsl/inspect_counters.wgsl") } else { wgsl!("wgsl/inspect_none.wgsl") },
+            if self.inspect {
+                wgsl!("wgsl/output/inspect_counters.wgsl")
+            } else {
+                wgsl!("wgsl/output/inspect_none.wgsl")
+            },
         ]
     }
 
@@ -175,30 +194,45 @@ impl FrameSpec {
         let f = &self.features;
         let mut sources = self.pixel_sources(attributes);
         sources.extend([
-            wgsl!("wgsl/object.wgsl"),
+            wgsl!("wgsl/scene/object.wgsl"),
             pick(
                 self.tier.stores_images(),
-                wgsl!("wgsl/object_texels.wgsl"),
-                wgsl!("wgsl/object_buffers.wgsl"),
+                wgsl!("wgsl/scene/object_textures.wgsl"),
+                wgsl!("wgsl/scene/object_buffers.wgsl"),
             ),
         ]);
         if self.tier.stores_images() {
-            sources.push(wgsl!("wgsl/texels.wgsl"));
+            sources.push(wgsl!("wgsl/scene/storage_texel.wgsl"));
         }
         sources.extend(match (f.textures, self.settings.mip) {
-            (false, _) => vec![wgsl!("wgsl/texture_none.wgsl")],
-            (true, Mip::Off) => vec![wgsl!("wgsl/texture_atlas.wgsl"), wgsl!("wgsl/texture_plain.wgsl")],
-            (true, Mip::On) => vec![wgsl!("wgsl/texture_atlas.wgsl"), wgsl!("wgsl/texture_mip.wgsl")],
+            (false, _) => vec![wgsl!("wgsl/scene/texture_none.wgsl")],
+            (true, Mip::Off) => {
+                vec![wgsl!("wgsl/scene/texture_atlas.wgsl"), wgsl!("wgsl/scene/texture_plain.wgsl")]
+            }
+            (true, Mip::On) => {
+                vec![wgsl!("wgsl/scene/texture_atlas.wgsl"), wgsl!("wgsl/scene/texture_mip.wgsl")]
+            }
         });
         sources.extend([
-            wgsl!("wgsl/fresnel.wgsl"),
-            if f.glossy { wgsl!("wgsl/material.wgsl") } else { wgsl!("wgsl/material_matte.wgsl") },
-            if f.lights { wgsl!("wgsl/lights_punctual.wgsl") } else { wgsl!("wgsl/lights_none.wgsl") },
+            wgsl!("wgsl/shade/fresnel.wgsl"),
+            if f.glossy {
+                wgsl!("wgsl/shade/material.wgsl")
+            } else {
+                wgsl!("wgsl/shade/material_matte.wgsl")
+            },
+            if f.lights {
+                wgsl!("wgsl/shade/lights_punctual.wgsl")
+            } else {
+                wgsl!("wgsl/shade/lights_none.wgsl")
+            },
         ]);
         if self.settings.supersamples() {
-            sources.extend([wgsl!("wgsl/edges.wgsl"), wgsl!("wgsl/edges_keep.wgsl")]);
+            sources.extend([
+                wgsl!("wgsl/supersample/pixel_edges.wgsl"),
+                wgsl!("wgsl/supersample/pixel_edges_record.wgsl"),
+            ]);
         } else {
-            sources.push(wgsl!("wgsl/edges_none.wgsl"));
+            sources.push(wgsl!("wgsl/supersample/pixel_edges_none.wgsl"));
         }
         let pixels = self.settings.sampling == 1 || self.output == Output::Nowhere;
         sources.extend(if pixels { self.output } else { Output::Samples }.sources());

@@ -1,10 +1,10 @@
 //! Everything that decides what the kernels of a frame are made of and what its plan is.
 
 use crate::{
-    Features, GpuScene, Linking, Method, Mip, Postcorrect, Robustness, Scene, Settings,
-    bvh::MAX_STACK,
-    gpu::Tier,
-    gpu_scene::SceneFacts,
+    Features, GpuScene, Method, Mip, Postcorrect, Robustness, Scene, Settings, Specialize,
+    acceleration::MAX_STACK,
+    device::Tier,
+    device::gpu_scene::SceneFacts,
     scene::{Emitters, Thinness},
 };
 
@@ -22,7 +22,7 @@ pub enum Output {
 }
 
 /// The planes that the attribute buffer may have, in order, and which frames that interpolate need them.
-pub(super) const PLANES: &[(&str, fn(&FrameSpec) -> bool)] = &[
+pub(super) const CHANNELS: &[(&str, fn(&FrameSpec) -> bool)] = &[
     ("DEPTH", |_| true),
     ("OBJECT", |_| true),
     ("NORMAL", |_| true),
@@ -78,16 +78,16 @@ impl FrameSpec {
             bvh_stack: MAX_STACK,
             lights: scene.lights.len() as u32,
             objects: scene.objects.len() as u32,
-            landmarks: Thinness::of(scene).landmarks().len() as u32,
+            probe_points: Thinness::of(scene).probe_points().len() as u32,
         };
         Self::linked(Features::of(scene), facts, Tier::Gpu, settings)
     }
 
     fn linked(needed: Features, scene: SceneFacts, tier: Tier, settings: &Settings) -> Self {
-        let (features, scene) = match settings.features {
-            Linking::Auto => (needed, scene),
+        let (features, scene) = match settings.specialize {
+            Specialize::Auto => (needed, scene),
             // Numbers of lights and of words a vertex are read, not known.
-            Linking::All => (Features::all(), SceneFacts { bvh_stack: MAX_STACK, ..scene }),
+            Specialize::All => (Features::all(), SceneFacts { bvh_stack: MAX_STACK, ..scene }),
         };
         Self {
             settings: *settings,
@@ -126,7 +126,7 @@ impl FrameSpec {
     /// Where the shadow bits begin in the word of the object; `None` if they need a word of their own.
     pub(super) fn shadow_shift(&self) -> Option<u32> {
         let object_bits = 32 - self.scene.objects.leading_zeros();
-        (self.settings.features == Linking::Auto && object_bits + self.scene.lights < 32)
+        (self.settings.specialize == Specialize::Auto && object_bits + self.scene.lights < 32)
             .then_some(object_bits)
     }
 
@@ -136,19 +136,19 @@ impl FrameSpec {
     }
 
     /// Planes of what supersampling compares, for one row of the frame.
-    pub(super) fn edge_planes(&self) -> u32 {
-        self.edge_round() + u32::from(self.settings.refines())
+    pub(super) fn pixel_edge_channels(&self) -> u32 {
+        self.pixel_edge_round() + u32::from(self.settings.refines())
     }
 
     /// The plane of them that tells in which round a pixel is refined, behind the others.
-    pub(super) fn edge_round(&self) -> u32 {
+    pub(super) fn pixel_edge_round(&self) -> u32 {
         if self.features.reflection || self.features.refraction { 7 } else { 5 }
     }
 
     /// All planes of the attribute buffer, for two rows of the frame.
-    pub fn stored_planes(&self) -> u32 {
-        let edges = if self.settings.supersamples() { 2 * self.edge_planes() } else { 0 };
-        self.planes().len() as u32 + edges
+    pub fn stored_channels(&self) -> u32 {
+        let edges = if self.settings.supersamples() { 2 * self.pixel_edge_channels() } else { 0 };
+        self.channels().len() as u32 + edges
     }
 
     /// Do samples show averages of textures?
@@ -158,8 +158,8 @@ impl FrameSpec {
 
     /// The planes of the attribute buffer that interpolation needs, in order.
     #[must_use]
-    pub fn planes(&self) -> Vec<&'static str> {
-        let needed = PLANES.iter().filter(|(_, is_needed)| self.interpolates() && is_needed(self));
+    pub fn channels(&self) -> Vec<&'static str> {
+        let needed = CHANNELS.iter().filter(|(_, is_needed)| self.interpolates() && is_needed(self));
         needed.map(|(name, _)| *name).collect()
     }
 }

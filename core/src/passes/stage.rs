@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::FrameSpec;
-use crate::gpu::shader::Source;
+use crate::device::shader::Source;
 
 /// Sides of the square of samples that a workgroup of 64 and of 256 threads treats.
 pub const TRACED_TILE: u32 = 8;
@@ -64,7 +64,7 @@ pub enum Clears {
     /// All attributes: no sample is claimed.
     Attributes,
     /// The depth keys and sources of reprojected points.
-    Landed,
+    Reprojected,
 }
 
 /// A kernel of a frame.
@@ -109,7 +109,7 @@ impl FrameSpec {
 /// A file of this crate.
 macro_rules! wgsl {
     ($path:literal) => {
-        $crate::gpu::shader::Source {
+        $crate::device::shader::Source {
             file: $path,
             text: std::borrow::Cow::Borrowed(include_str!(concat!(
                 env!("CARGO_MANIFEST_DIR"),

@@ -2,27 +2,27 @@
 
 use super::{FrameSpec, sources::pick, stage::*, wgsl};
 use crate::{
-    Crossing,
-    gpu::shader::Source,
-    plan::{Plan, Rows, tiles},
+    StereoReuse,
+    device::shader::Source,
+    frame::plan::{Plan, Rows, tiles},
 };
 
 stages! {
     /// Projects what paths have met into the other eye and tests that it is seen from there.
-    LOOK = {
-        name: "look", wgsl: "passes/look.wgsl", paper: "Kim & Sung 2021, equations 1 to 6, Algorithm 1",
+    STEREO_REPROJECT = {
+        name: "stereo_reproject", wgsl: "passes/stereo/stereo_reproject.wgsl", paper: "Kim & Sung 2021, equations 1 to 6, Algorithm 1",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours, clears: [],
-        sources: |spec, entry| spec.look_sources(entry),
+        sources: |spec, entry| spec.stereo_reproject_sources(entry),
     }
     /// Adds the samples of the other eye to the pixels that they fall into.
-    CROSS = {
-        name: "cross", wgsl: "passes/cross.wgsl", paper: "Kim & Sung 2021, equations 1 to 6, Algorithm 1",
+    STEREO_GATHER = {
+        name: "stereo_gather", wgsl: "passes/stereo/stereo_gather.wgsl", paper: "Kim & Sung 2021, equations 1 to 6, Algorithm 1",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| {
             let one = spec.one_sample();
-            let mut sources = one.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
+            let mut sources = one.pixel_sources(wgsl!("wgsl/adaptive/attributes_channels.wgsl"));
             sources.extend(spec.output_before_noise().sources());
-            sources.extend([wgsl!("wgsl/samples_crossing.wgsl"), entry]);
+            sources.extend([wgsl!("wgsl/stereo/samples_stereo.wgsl"), entry]);
             sources
         },
     }
@@ -30,26 +30,26 @@ stages! {
 
 /// Both directions, after the paths of both eyes.
 pub fn plan(plan: &mut Plan, width: u32, rows: Rows) {
-    plan.push(tiles(&LOOK, width, rows));
-    plan.push(tiles(&CROSS, width, rows));
+    plan.push(tiles(&STEREO_REPROJECT, width, rows));
+    plan.push(tiles(&STEREO_GATHER, width, rows));
 }
 
 impl FrameSpec {
     pub(super) fn eyes(&self) -> Source {
-        pick(self.two_eyes(), wgsl!("wgsl/eyes_two.wgsl"), wgsl!("wgsl/eyes_one.wgsl"))
+        pick(self.two_eyes(), wgsl!("wgsl/stereo/eyes_stereo.wgsl"), wgsl!("wgsl/stereo/eyes_mono.wgsl"))
     }
 
     /// Where samples of one eye count for the other.
-    fn crossing(&self) -> Crossing {
-        if self.two_eyes() { self.settings.paths.crossing } else { Crossing::Off }
+    fn stereo_reuse(&self) -> StereoReuse {
+        if self.two_eyes() { self.settings.paths.stereo_reuse } else { StereoReuse::Off }
     }
 
     /// What becomes of the samples of paths.
     pub(super) fn path_samples(&self) -> Vec<Source> {
-        let [met, added] = match self.crossing() {
-            Crossing::Off => [wgsl!("wgsl/crossing_none.wgsl"), wgsl!("wgsl/samples_alone.wgsl")],
-            Crossing::Paper | Crossing::Weighted => {
-                [wgsl!("wgsl/crossing_met.wgsl"), wgsl!("wgsl/samples_leave.wgsl")]
+        let [met, added] = match self.stereo_reuse() {
+            StereoReuse::Off => [wgsl!("wgsl/stereo/stereo_reuse_none.wgsl"), wgsl!("wgsl/path/samples_add.wgsl")],
+            StereoReuse::Paper | StereoReuse::Weighted => {
+                [wgsl!("wgsl/stereo/stereo_reuse_vertices.wgsl"), wgsl!("wgsl/stereo/samples_defer.wgsl")]
             }
         };
         let mut sources = vec![met];
@@ -60,36 +60,36 @@ impl FrameSpec {
 
     /// Where they are added up.
     pub(super) fn path_sums(&self) -> Vec<Source> {
-        match self.crossing() {
-            Crossing::Off => vec![wgsl!("wgsl/samples.wgsl"), wgsl!("wgsl/samples_mean.wgsl")],
-            Crossing::Paper | Crossing::Weighted => vec![wgsl!("wgsl/samples_crossing.wgsl")],
+        match self.stereo_reuse() {
+            StereoReuse::Off => vec![wgsl!("wgsl/output/samples.wgsl"), wgsl!("wgsl/path/samples_mean.wgsl")],
+            StereoReuse::Paper | StereoReuse::Weighted => vec![wgsl!("wgsl/stereo/samples_stereo.wgsl")],
         }
     }
 
-    fn look_sources(&self, entry: Source) -> Vec<Source> {
+    fn stereo_reproject_sources(&self, entry: Source) -> Vec<Source> {
         let one = self.one_sample();
-        let mut sources = one.scene_sources(wgsl!("wgsl/attributes_planes.wgsl"), self.hit());
-        sources.extend(self.numbers());
+        let mut sources = one.scene_sources(wgsl!("wgsl/adaptive/attributes_channels.wgsl"), self.hit());
+        sources.extend(self.rng());
         sources.extend([
-            wgsl!("wgsl/channels.wgsl"),
+            wgsl!("wgsl/path/max_component.wgsl"),
             self.lobes(),
-            wgsl!("wgsl/eyes_two.wgsl"),
-            wgsl!("wgsl/look.wgsl"),
+            wgsl!("wgsl/stereo/eyes_stereo.wgsl"),
+            wgsl!("wgsl/stereo/stereo_reprojection.wgsl"),
         ]);
-        if self.settings.paths.crossing == Crossing::Paper {
-            sources.push(wgsl!("wgsl/crossing_paper.wgsl"));
+        if self.settings.paths.stereo_reuse == StereoReuse::Paper {
+            sources.push(wgsl!("wgsl/stereo/stereo_reuse_paper.wgsl"));
         } else {
             sources.extend([
-                self.stopping(),
-                wgsl!("wgsl/crossing.wgsl"),
+                self.foveation(),
+                wgsl!("wgsl/stereo/stereo_reuse_weighted.wgsl"),
                 pick(
                     self.features.reflection,
-                    wgsl!("wgsl/crossing_mirror.wgsl"),
-                    wgsl!("wgsl/crossing_straight.wgsl"),
+                    wgsl!("wgsl/stereo/stereo_reuse_mirror.wgsl"),
+                    wgsl!("wgsl/stereo/stereo_reuse_direct.wgsl"),
                 ),
             ]);
         }
-        sources.extend([wgsl!("wgsl/samples_crossing.wgsl"), self.order(), entry]);
+        sources.extend([wgsl!("wgsl/stereo/samples_stereo.wgsl"), self.tile_order(), entry]);
         sources
     }
 }

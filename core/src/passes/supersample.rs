@@ -3,23 +3,23 @@
 use super::{Recipe, recipe::Storage, FrameSpec, refine, stage::*, wgsl};
 use crate::{
     Jitter, Settings,
-    gpu::shader::Source,
-    plan::{Band, Plan, Rows, chunks, once, tiles},
+    device::shader::Source,
+    frame::plan::{Band, Plan, Rows, chunks, once, tiles},
 };
 
 stages! {
     /// Traces every pixel's centre.
     PRESAMPLE = {
-        name: "presample", wgsl: "passes/presample.wgsl", paper: "Jin 2009, 4.3.1",
+        name: "presample", wgsl: "passes/supersample/presample.wgsl", paper: "Jin 2009, 4.3.1",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours, clears: [],
-        sources: |spec, entry| spec.tracing_sources([spec.order(), entry]),
+        sources: |spec, entry| spec.tracing_sources([spec.tile_order(), entry]),
     }
-    /// Lists the quarters of pixels that differ from their neighbours.
+    /// Lists the subpixels that differ from their neighbours.
     SUBPIXEL_TEST = {
-        name: "subpixel_test", wgsl: "passes/subpixel_test.wgsl", paper: "Jin 2009, 4.3.2",
+        name: "subpixel_test", wgsl: "passes/supersample/subpixel_test.wgsl", paper: "Jin 2009, 4.3.2",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::No, clears: [Clears::ListHeader],
         sources: |spec, entry| {
-            let list = [wgsl!("wgsl/list.wgsl"), wgsl!("wgsl/list_append.wgsl"), wgsl!("wgsl/active.wgsl")];
+            let list = [wgsl!("wgsl/adaptive/list.wgsl"), wgsl!("wgsl/adaptive/list_append.wgsl"), wgsl!("wgsl/supersample/active_subpixels.wgsl")];
             spec.test_sources(list, entry)
         },
     }
@@ -27,17 +27,17 @@ stages! {
     COMPACT_ACTIVE = {
         name: "compact_active", wgsl: "passes/compact.wgsl", paper: "Jin 2009, 4.3.2",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
-        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/list_active.wgsl"), entry),
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/supersample/list_range_subpixels.wgsl"), entry),
     }
     /// Traces extra samples in active quarters.
     EXTRA_SAMPLES = {
-        name: "extra_samples", wgsl: "passes/extra_samples.wgsl", paper: "Jin 2009, 4.3.3",
+        name: "extra_samples", wgsl: "passes/supersample/extra_samples.wgsl", paper: "Jin 2009, 4.3.3",
         work: Work::List, tracing: Tracing::Listed, clears: [],
         sources: |spec, entry| spec.extra().tracing_sources([
-            wgsl!("wgsl/list.wgsl"),
-            wgsl!("wgsl/active.wgsl"),
-            wgsl!("wgsl/order_net.wgsl"),
-            spec.inactive(),
+            wgsl!("wgsl/adaptive/list.wgsl"),
+            wgsl!("wgsl/supersample/active_subpixels.wgsl"),
+            wgsl!("wgsl/supersample/sample_order.wgsl"),
+            spec.unsampled(),
             entry,
         ]),
     }
@@ -71,15 +71,15 @@ pub fn extra(plan: &mut Plan, spec: &FrameSpec, rows: Rows) {
 impl FrameSpec {
     /// What finds out where extra samples go.
     pub(super) fn test_sources(&self, list: impl IntoIterator<Item = Source>, entry: Source) -> Vec<Source> {
-        let mut sources = self.pixel_sources(wgsl!("wgsl/attributes_planes.wgsl"));
+        let mut sources = self.pixel_sources(wgsl!("wgsl/adaptive/attributes_channels.wgsl"));
         sources.extend(list);
         sources.extend([
-            wgsl!("wgsl/edges.wgsl"),
-            wgsl!("wgsl/contrast.wgsl"),
-            wgsl!("wgsl/edges_range.wgsl"),
-            wgsl!("wgsl/quarters.wgsl"),
-            self.inactive(),
-            self.order(),
+            wgsl!("wgsl/supersample/pixel_edges.wgsl"),
+            wgsl!("wgsl/supersample/contrast.wgsl"),
+            wgsl!("wgsl/supersample/contrast_range.wgsl"),
+            wgsl!("wgsl/supersample/subpixels.wgsl"),
+            self.unsampled(),
+            self.tile_order(),
             entry,
         ]);
         sources.extend(self.output.sources());

@@ -6,12 +6,12 @@ use super::{
     FrameSpec, Output, Stage, Tracing, Work, adaptive, denoise, path, refine, stages, stereo, supersample,
 };
 use crate::{
-    Crossing, Denoise, Direct, Features, Filter, Inactive, Jitter, Linking, Method, Mip, Paths, Postcorrect,
-    Refine, Robustness, Roulette, Sampler, Settings, Shining, Stopping,
-    counters::GROUPS,
-    frame, gpu,
-    gpu::{Tier, mirror::differences, shader::link},
-    gpu_scene::{self, SceneFacts},
+    Denoise, DirectLight, Features, Filter, Foveation, Jitter, LightSelection, Method, Mip, Paths,
+    Postcorrect, Refine, Robustness, Roulette, Sampler, Settings, Specialize, StereoReuse, Unsampled, device,
+    device::gpu_scene::{self, SceneFacts},
+    device::{Tier, mirror::differences, shader::link},
+    frame::counters::GROUPS,
+    frame::recorder,
     probe,
 };
 
@@ -42,22 +42,22 @@ fn variants() -> impl Iterator<Item = FrameSpec> {
     let make = |bits, inspect, output| FrameSpec {
         settings: Settings {
             method: Method::Adaptive,
-            features: if bits == 255 { Linking::All } else { Linking::Auto },
+            specialize: if bits == 255 { Specialize::All } else { Specialize::Auto },
             supersample: bits & 1 != 0,
             refine: if bits & 4 != 0 { Refine::On } else { Refine::Off },
-            inactive: if bits & 4 != 0 { Inactive::Bilinear } else { Inactive::Nearest },
+            unsampled: if bits & 4 != 0 { Unsampled::Bilinear } else { Unsampled::Nearest },
             filter: if bits & 2 != 0 { Filter::Tent } else { Filter::Box },
             jitter: if bits & 8 != 0 { Jitter::On } else { Jitter::Auto },
             postcorrect: if bits & 8 != 0 { Postcorrect::Objects } else { Postcorrect::On },
             mip: if bits & 4 != 0 { Mip::Off } else { Mip::On },
             paths: Paths {
-                direct: Direct::ALL[bits as usize % 3],
-                shining: Shining::ALL[bits as usize / 8 % 3],
+                direct_light: DirectLight::ALL[bits as usize % 3],
+                lights: LightSelection::ALL[bits as usize / 8 % 3],
                 sampler: if bits & 1 != 0 { Sampler::Random } else { Sampler::Sobol },
-                stopping: Stopping::ALL[bits as usize % 3],
+                foveation: Foveation::ALL[bits as usize % 3],
                 denoise: Denoise::ALL[bits as usize / 2 % 3],
                 roulette: if bits & 16 != 0 { Roulette::Off } else { Roulette::On },
-                crossing: Crossing::ALL[bits as usize / 2 % 3],
+                stereo_reuse: StereoReuse::ALL[bits as usize / 2 % 3],
                 ..Paths::default()
             },
             ..Settings::default()
@@ -71,7 +71,7 @@ fn variants() -> impl Iterator<Item = FrameSpec> {
             lights: 2,
             // With the shadow bits in the object's word, and without.
             objects: if bits & 1 != 0 { 1 << 31 } else { 100 },
-            landmarks: 0,
+            probe_points: 0,
         },
         has_panes: bits & 64 != 0,
         tier: if bits & 8 != 0 { Tier::Cpu } else { Tier::Gpu },
@@ -114,12 +114,12 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
             assert!(invocations <= 256, "{stage:?}: {invocations} invocations");
             assert!(workgroup_bytes(&linked.module) <= 16_384, "{stage:?}: workgroup memory");
             for mirror in [
-                frame::Frame::MIRROR,
-                frame::FrameCamera::MIRROR,
-                frame::FramePart::MIRROR,
-                frame::FrameTolerances::MIRROR,
-                frame::FramePaths::MIRROR,
-                frame::PixelRecord::MIRROR,
+                recorder::FrameUniform::MIRROR,
+                recorder::FrameCamera::MIRROR,
+                recorder::FramePart::MIRROR,
+                recorder::FrameTolerances::MIRROR,
+                recorder::FramePaths::MIRROR,
+                recorder::PixelRecord::MIRROR,
                 gpu_scene::Object::MIRROR,
                 gpu_scene::Light::MIRROR,
             ] {
@@ -151,7 +151,7 @@ fn of_stage(variant: FrameSpec, stage: &Stage) -> FrameSpec {
 fn is_linked(variant: &FrameSpec, stage: &Stage) -> bool {
     let of_extra = [&supersample::SUBPIXEL_TEST, &supersample::EXTRA_SAMPLES].contains(&stage);
     let of_refinement =
-        [&refine::REFINE_TEST, &refine::REFINE, &refine::CELL_TEST, &refine::CELLS].contains(&stage);
+        [&refine::REFINE_TEST, &refine::REFINE, &refine::STRATUM_TEST, &refine::STRATA].contains(&stage);
     (!of_extra || variant.settings.supersamples()) && (!of_refinement || variant.settings.refines())
 }
 
@@ -260,10 +260,10 @@ fn the_fresnel_probe_is_declared_alike_on_both_sides() {
 
 #[test]
 fn a_swapped_field_is_noticed() {
-    let mirror = gpu::mirror::Mirror {
+    let mirror = device::mirror::Mirror {
         name: "FrameCamera",
-        size: size_of::<frame::FrameCamera>(),
-        fields: &[gpu::mirror::Field { name: "orthographic", offset: 0 }],
+        size: size_of::<recorder::FrameCamera>(),
+        fields: &[device::mirror::Field { name: "orthographic", offset: 0 }],
     };
     let variant = variants().next().expect("one");
     let linked = link(&variant.sources(&adaptive::BASE)).expect("links");

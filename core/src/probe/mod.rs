@@ -12,8 +12,8 @@ pub use ray::ProbeRay;
 
 use crate::{
     Camera, Gpu, GpuScene, Result, Robustness, SAMPLES_PER_SUBMISSION, Settings,
-    frame::Frame,
-    gpu::{Kernel, Timer, mirror::gpu_struct, shader::Source},
+    device::{Kernel, Timer, mirror::gpu_struct, shader::Source},
+    frame::recorder::FrameUniform,
     passes::{FrameSpec, TRACE_GROUP, TRACE_ROW, Tracing, wgsl},
 };
 
@@ -140,7 +140,7 @@ impl<'a> Probe<'a> {
         let settings_of_kernel = Settings { depth: settings.depth, ..self.spec.settings };
         let spec = FrameSpec { settings: settings_of_kernel, ..self.spec };
         let camera = Camera::framing(self.scene.bounds().0, self.scene.bounds().1);
-        let frame = Frame::new(self.scene, settings, [1, 1], &camera);
+        let frame = FrameUniform::new(self.scene, settings, [1, 1], &camera);
         let frame = self.gpu.filled("frame", bytemuck::bytes_of(&frame), wgpu::BufferUsages::UNIFORM)?;
         let more = [("frame", frame.as_entire_binding())];
         let rescale = |sample: &mut ProbeSample, scale| {
@@ -216,18 +216,18 @@ pub(crate) fn dispatch<I: bytemuck::NoUninit, O: bytemuck::Pod>(
 
 /// The sources of the probe's tracing kernel.
 pub(crate) fn trace_sources(spec: &FrameSpec) -> Vec<Source> {
-    spec.tracing_sources([wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_trace.wgsl")])
+    spec.tracing_sources([wgsl!("wgsl/probe/probe_ray.wgsl"), wgsl!("wgsl/probe/probe_trace.wgsl")])
 }
 
 pub(crate) fn count_sources(spec: &FrameSpec) -> Vec<Source> {
-    let entry = [wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_count.wgsl")];
-    spec.tracing_sources_with(wgsl!("wgsl/hit_count.wgsl"), entry)
+    let entry = [wgsl!("wgsl/probe/probe_ray.wgsl"), wgsl!("wgsl/probe/probe_count.wgsl")];
+    spec.tracing_sources_with(wgsl!("wgsl/probe/any_hit_count.wgsl"), entry)
 }
 
 pub(crate) fn spawn_sources(spec: &FrameSpec) -> Vec<Source> {
-    spec.tracing_sources([wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_spawn.wgsl")])
+    spec.tracing_sources([wgsl!("wgsl/probe/probe_ray.wgsl"), wgsl!("wgsl/probe/probe_spawn.wgsl")])
 }
 
 pub(crate) fn shade_sources(spec: &FrameSpec) -> Vec<Source> {
-    spec.tracing_sources([wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_shade.wgsl")])
+    spec.tracing_sources([wgsl!("wgsl/probe/probe_ray.wgsl"), wgsl!("wgsl/probe/probe_shade.wgsl")])
 }

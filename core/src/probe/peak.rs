@@ -2,7 +2,7 @@
 
 use crate::{
     Gpu, Result,
-    gpu::{Kernel, Timer, shader::Source},
+    device::{Kernel, Timer, shader::Source},
     passes::{TRACE_GROUP, Tracing, wgsl},
 };
 
@@ -46,14 +46,14 @@ pub(crate) fn sources() -> Vec<Source> {
     let constants = format!("const TRACE_GROUP: u32 = {TRACE_GROUP};\nconst TURNS: u32 = {TURNS};\n");
     vec![
         Source { file: "(constants of the probe)", text: constants.into() },
-        wgsl!("wgsl/probe_arithmetic.wgsl"),
+        wgsl!("wgsl/probe/probe_arithmetic.wgsl"),
     ]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{gpu::shader::link, passes::count_operations};
+    use crate::{device::shader::link, passes::count_operations};
 
     /// What the kernel is said to do in a turn is what its code does.
     #[test]

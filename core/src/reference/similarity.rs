@@ -6,7 +6,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Attributes, Frame, Rounding, attributes, material::Shading};
+use super::{Attributes, ReferenceFrame, Rounding, attributes, material::Shading};
 use crate::{Check, scene::OCTAHEDRAL_ERROR};
 
 /// An attribute vector with the place that it stands for.
@@ -18,7 +18,7 @@ pub struct Reached {
     pub position: DVec3,
 }
 
-impl Frame<'_> {
+impl ReferenceFrame<'_> {
     /// The checks that two reference pixels so far apart fail, as their [bits](Check::bit).
     #[must_use]
     pub fn failed(&self, a: &Reached, b: &Reached, stride: u32) -> u32 {

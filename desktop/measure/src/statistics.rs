@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use glimpse::{Features, Linking, Scene};
+use glimpse::{Features, Scene, Specialize};
 use serde::Serialize;
 
 /// An adapter.
@@ -60,7 +60,7 @@ impl AdapterStatistics {
 
 impl SceneStatistics {
     /// Of a scene before it moves to the device.
-    pub fn of(name: &str, scene: &Scene, linking: Linking) -> Self {
+    pub fn of(name: &str, scene: &Scene, specialize: Specialize) -> Self {
         let unlinked = Self {
             file: name.to_owned(),
             triangles: scene.positions.len(),
@@ -71,14 +71,14 @@ impl SceneStatistics {
             features: Vec::new(),
             left_out: Vec::new(),
         };
-        unlinked.linked(Features::of(scene), linking)
+        unlinked.linked(Features::of(scene), specialize)
     }
 
     /// With what is linked, of a scene that needs these features.
-    pub fn linked(self, needed: Features, linking: Linking) -> Self {
-        let linked = match linking {
-            Linking::Auto => needed,
-            Linking::All => Features::all(),
+    pub fn linked(self, needed: Features, specialize: Specialize) -> Self {
+        let linked = match specialize {
+            Specialize::Auto => needed,
+            Specialize::All => Features::all(),
         };
         let names = |there: bool| {
             linked.list().into_iter().filter(|(_, l)| *l == there).map(|(name, _)| name).collect()
@@ -113,9 +113,9 @@ mod tests {
 
     #[test]
     fn an_empty_scene_leaves_everything_out_unless_all_is_linked() {
-        let auto = SceneStatistics::of("a", &Scene::default(), Linking::Auto);
+        let auto = SceneStatistics::of("a", &Scene::default(), Specialize::Auto);
         assert_eq!((auto.features.len(), auto.left_out.len()), (0, 15));
-        let all = SceneStatistics::of("a", &Scene::default(), Linking::All);
+        let all = SceneStatistics::of("a", &Scene::default(), Specialize::All);
         assert_eq!((all.features.len(), all.left_out.len()), (15, 0));
     }
 

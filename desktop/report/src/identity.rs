@@ -126,7 +126,7 @@ pub mod tests {
             line(&|i| i.camera = "d".into()),
             line(&|i| i.settings.depth = 4),
             line(&|i| i.settings.min_weight = 0.1),
-            line(&|i| i.settings.share = 0.2),
+            line(&|i| i.settings.refresh_fraction = 0.2),
             line(&|i| i.settings.tolerances.pos = 0.1),
             line(&|i| i.rendered = [3, 4]),
             line(&|i| i.shown = [3, 4]),

@@ -94,9 +94,9 @@ pub fn rungs(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
     );
     let sparse = Settings { supersample: true, block: 4, ..adaptive };
     rungs.push(rung("combined, block 4".to_owned(), Family::COMBINED, sparse));
-    for similar in SIMILAR {
-        let settings = Settings { method: Method::Quincunx, similar, ..*base };
-        rungs.push(rung(format!("quincunx {similar}"), Family::QUINCUNX, settings));
+    for quincunx_threshold in SIMILAR {
+        let settings = Settings { method: Method::Quincunx, quincunx_threshold, ..*base };
+        rungs.push(rung(format!("quincunx {quincunx_threshold}"), Family::QUINCUNX, settings));
     }
     for rung in &mut rungs {
         rung.keeps_picture = ["full 0.5x", "fixed 1", "adaptive", "block 4"].contains(&rung.name.as_str());

@@ -34,3 +34,51 @@ mod work;
 pub use run::{Options, Program, run};
 pub use table::Table;
 pub use tables::{TABLES, named};
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::Path;
+
+    /// Every module, each below those that it may use.
+    const ORDER: [&str; 19] = [
+        "identity", "pareto", "rung", "upscale", "work", "record", "store", "subject", "plot", "job",
+        "complete", "bench", "rows", "scene", "ladder", "table", "tables", "page", "run",
+    ];
+
+    /// The code of a module and of those in its folder, without tests.
+    fn code(path: &Path) -> String {
+        if path.is_dir() {
+            return fs::read_dir(path).unwrap().map(|entry| code(&entry.unwrap().path())).collect();
+        }
+        let text = fs::read_to_string(path).unwrap();
+        let of_tests = path.file_name().is_some_and(|name| name == "tests.rs");
+        let end = if of_tests { 0 } else { text.find("mod tests {").unwrap_or(text.len()) };
+        text[..end].to_owned()
+    }
+
+    #[test]
+    fn modules_use_those_above_them_alone() {
+        let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+        let mut used = 0;
+        for entry in fs::read_dir(&source).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_stem().unwrap().to_str().unwrap();
+            if name == "lib" {
+                continue;
+            }
+            let place = ORDER.iter().position(|module| *module == name);
+            let place = place.unwrap_or_else(|| panic!("{name} has no place in the order"));
+            for uses in code(&path).split("use crate::").skip(1) {
+                let uses = uses.split(';').next().unwrap().trim_start_matches('{');
+                let uses = if uses.contains("::") { uses.split("::").next().unwrap() } else { uses };
+                for module in uses.trim_end_matches('}').split(", ").map(|module| module.trim()) {
+                    let above = ORDER[..place].contains(&module) || module == name;
+                    assert!(above, "{name} uses {module}, which stands below it");
+                    used += 1;
+                }
+            }
+        }
+        assert!(used > 50, "only {used} uses were found");
+    }
+}

@@ -176,7 +176,7 @@ pub mod tests {
         let pixel = |object| PixelRecord {
             active: 0,
             differing: 0,
-            cells: 0,
+            strata: 0,
             origin: Origin::Base,
             failed: 0,
             cost: 0,

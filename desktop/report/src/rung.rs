@@ -79,14 +79,14 @@ impl Rung {
     pub fn frames(&self) -> u64 {
         match self.settings.method {
             Method::Path | Method::Vr => self.settings.paths.samples.into(),
-            Method::Frameless | Method::Reproject => (1.0 / self.settings.share).ceil() as u64,
+            Method::Frameless | Method::Reproject => (1.0 / self.settings.refresh_fraction).ceil() as u64,
             _ => 1,
         }
     }
 
     /// Frames whose time is that of a picture.
     pub fn timed_frames(&self) -> u64 {
-        if self.settings.method.follows_paths() { self.frames() } else { 1 }
+        if self.settings.method.is_path_traced() { self.frames() } else { 1 }
     }
 
     /// Samples that take the time of one frame: those that add some trace twice as many as there are, others half of them,

@@ -2,7 +2,7 @@
 
 use anyhow::Context;
 use glimpse::scene::{Material, Weights};
-use glimpse::{Camera, Gpu, GpuScene, Linking, Method, Renderer, Scene, Settings};
+use glimpse::{Camera, Gpu, GpuScene, Method, Renderer, Scene, Settings, Specialize};
 use glimpse_measure::scene_file;
 use glimpse_measure::statistics::SceneStatistics;
 
@@ -47,7 +47,7 @@ impl Prepared {
         let mut content = Fingerprint::new();
         let scene = scene_file::load_seen(name, &mut |bytes| content = content.and(bytes))?;
         let camera = *scene.camera(camera).with_context(|| name.to_owned())?;
-        let statistics = SceneStatistics::of(name, &scene, Linking::Auto);
+        let statistics = SceneStatistics::of(name, &scene, Specialize::Auto);
         Ok(Self { name: name.to_owned(), content, camera, statistics })
     }
 }

@@ -79,7 +79,7 @@ mod tests {
             cost,
             active: 0,
             differing: 0,
-            cells: 0,
+            strata: 0,
             object: None,
             depth: 1.0,
             normal: [0.0; 3],

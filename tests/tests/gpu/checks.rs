@@ -4,7 +4,7 @@
 use glam::{Vec2, Vec3, vec2, vec3};
 use glimpse::{Camera, Check, Inspection, Origin, Scene, Settings, Tolerances};
 use glimpse_tests::{
-    Stage,
+    TestScene,
     builder::{Builder, front_camera, matte, mirror, unlit},
 };
 
@@ -14,7 +14,7 @@ const SIZE: [u32; 2] = [96, 64];
 const BORDER: f32 = 0.013;
 
 fn inspect(scene: Scene, tolerances: Tolerances) -> Inspection {
-    let inspection = Stage::new(scene).inspect(SIZE, &Settings { tolerances, ..Settings::default() });
+    let inspection = TestScene::new(scene).inspect(SIZE, &Settings { tolerances, ..Settings::default() });
     let sums = Check::ALL.map(|check| {
         let pixels = inspection.pixels.iter().filter(|p| p.failed & check.bit() != 0);
         (check.name(), pixels.count() as u64)

@@ -2,7 +2,9 @@
 
 use std::thread;
 
-use glimpse::{Camera, Denoise, Error, Gpu, GpuScene, Linking, Method, Renderer, Settings, scene::builtin};
+use glimpse::{
+    Camera, Denoise, Error, Gpu, GpuScene, Method, Renderer, Settings, Specialize, scene::builtin,
+};
 use glimpse_app::Phone;
 
 /// A device without a driver that enforces these limits.
@@ -71,8 +73,8 @@ fn uploaded(gpu: &Gpu, name: &str) -> glimpse::Result<(GpuScene, Camera)> {
 fn every_pass(gpu: &Gpu, name: &str) -> glimpse::Result<()> {
     let (scene, camera) = uploaded(gpu, name)?;
     for method in Method::ALL {
-        for features in [Linking::Auto, Linking::All] {
-            let settings = Settings { method, features, ..Settings::default() };
+        for features in [Specialize::Auto, Specialize::All] {
+            let settings = Settings { method, specialize: features, ..Settings::default() };
             let mut renderer = Renderer::new(gpu, &scene, [2560, 1440], &settings)?;
             renderer.render(&camera)?;
             renderer.inspect(&camera)?;
@@ -97,7 +99,7 @@ fn the_least_phone_takes_the_passes_that_treat_noise() {
         let error = renderer.change([4096, 2160], &settings).err();
         match (denoise, error) {
             (Denoise::Off, None) => {}
-            (_, Some(Error::Missing { what, .. })) => assert!(what.contains("guides"), "{what}"),
+            (_, Some(Error::Missing { what, .. })) => assert!(what.contains("gbuffer"), "{what}"),
             (denoise, error) => panic!("{denoise:?}: {error:?}"),
         }
     }

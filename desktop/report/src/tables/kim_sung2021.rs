@@ -1,6 +1,8 @@
 //! Paths for two eyes, plain and with what Kim & Sung 2021 add, part by part: error against time.
 
-use glimpse::{Crossing, Denoise, Direct, Method, Paths, Roulette, Settings, Shining, Stopping};
+use glimpse::{
+    Denoise, DirectLight, Foveation, LightSelection, Method, Paths, Roulette, Settings, StereoReuse,
+};
 
 use crate::job::{Job, Reference};
 use crate::record::Record;
@@ -93,12 +95,12 @@ fn published() -> Vec<Vec<String>> {
 fn plain(base: &Settings, scene: &Prepared) -> Settings {
     let emits = !scene.statistics.left_out.contains(&"emission");
     let paths = Paths {
-        direct: Direct::Light,
+        direct_light: DirectLight::Nee,
         light_samples: 2,
         // Their lights are emitters; the files repeat them as punctual ones.
-        shining: if emits { Shining::Emitters } else { Shining::All },
+        lights: if emits { LightSelection::Emitters } else { LightSelection::All },
         roulette: Roulette::Off,
-        crossing: Crossing::Off,
+        stereo_reuse: StereoReuse::Off,
         ..Paths::default()
     };
     Settings { method: Method::Vr, depth: 6, paths, ..*base }
@@ -108,18 +110,22 @@ fn plain(base: &Settings, scene: &Prepared) -> Settings {
 /// have no finite variance where a surface is as near to one as the ceiling is to its lamp; with the path's own steps they do.
 fn converged(base: &Settings, scene: &Prepared) -> Settings {
     let plain = plain(base, scene);
-    let paths =
-        Paths { samples: CONVERGED, crossing: Crossing::Weighted, direct: Direct::Mis, ..plain.paths };
+    let paths = Paths {
+        samples: CONVERGED,
+        stereo_reuse: StereoReuse::Weighted,
+        direct_light: DirectLight::Mis,
+        ..plain.paths
+    };
     Settings { seed: base.seed.wrapping_add(1), paths, ..plain }
 }
 
 /// What is added to plain paths.
-type Parts = (Stopping, Crossing, Denoise);
+type Parts = (Foveation, StereoReuse, Denoise);
 
 /// Ours, which leave the mean as it is, and the paper's.
-const OURS: Parts = (Stopping::Compensated, Crossing::Weighted, Denoise::Atrous);
-const PAPERS: Parts = (Stopping::Paper, Crossing::Paper, Denoise::Median);
-const NONE: Parts = (Stopping::Off, Crossing::Off, Denoise::Off);
+const OURS: Parts = (Foveation::Compensated, StereoReuse::Weighted, Denoise::Atrous);
+const PAPERS: Parts = (Foveation::Paper, StereoReuse::Paper, Denoise::Median);
+const NONE: Parts = (Foveation::Off, StereoReuse::Off, Denoise::Off);
 
 const PLAIN: Family = Family::baseline("plain", "#333333");
 const STOPPED: Family = Family::contender("stopped", "#e69f00");
@@ -147,8 +153,8 @@ const PARTS: [(Family, Parts); 9] = [
 /// What the paper compares with; then all of [`PARTS`] with growing numbers of samples.
 fn rungs(base: &Settings, scene: &Prepared) -> Vec<Rung> {
     let plain = plain(base, scene);
-    let parts = PARTS.map(|(family, (stopping, crossing, denoise))| {
-        (family, Settings { paths: Paths { stopping, crossing, denoise, ..plain.paths }, ..plain })
+    let parts = PARTS.map(|(family, (foveation, stereo_reuse, denoise))| {
+        (family, Settings { paths: Paths { foveation, stereo_reuse, denoise, ..plain.paths }, ..plain })
     });
     let rung = |(family, settings): (Family, Settings), samples, keeps_picture| {
         let settings = Settings { paths: Paths { samples, ..settings.paths }, ..settings };

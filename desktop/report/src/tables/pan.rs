@@ -81,10 +81,10 @@ fn rungs(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
         rung("adaptive".to_owned(), Family::TOLERANCES, of(Method::Adaptive)),
     ];
     for (method, family) in [(Method::Frameless, FRAMELESS), (Method::Reproject, REPROJECTED)] {
-        let settings = SHARES.map(|share| Settings { share, ..of(method) });
-        rungs.extend(
-            settings.map(|settings| rung(format!("{} {}", family.name, settings.share), family, settings)),
-        );
+        let settings = SHARES.map(|share| Settings { refresh_fraction: share, ..of(method) });
+        rungs.extend(settings.map(|settings| {
+            rung(format!("{} {}", family.name, settings.refresh_fraction), family, settings)
+        }));
     }
     rungs
 }
