@@ -21,8 +21,11 @@ pub enum Output {
     Nowhere,
 }
 
-/// The planes that the attribute buffer may have, in order, and which frames that interpolate need them.
-pub(super) const CHANNELS: &[(&str, fn(&FrameSpec) -> bool)] = &[
+/// A channel of the attribute buffer: its name in WGSL, and whether an interpolating frame stores it.
+type Channel = (&'static str, fn(&FrameSpec) -> bool);
+
+/// The channels that the attribute buffer may have, in order.
+pub(super) const CHANNELS: &[Channel] = &[
     ("DEPTH", |_| true),
     ("OBJECT", |_| true),
     ("NORMAL", |_| true),
