@@ -23,7 +23,7 @@
 //! buffer, no formula. [`Reference::with_wide_tree`] shares the tree's builder: it is for pictures, not for judging them.
 //!
 //! Spawned rays start exactly on the surface and cannot meet the primitive that they leave; the shaders start them a
-//! little off it. Lights and materials are the formulas of `scene/material.rs` and of the glTF extensions.
+//! little off it. Lights and materials are the formulas of `core/MATERIALS.md` and of the glTF extensions.
 //!
 //! An f32 answer that differs is judged in one of two ways. [`Tracer::judge`] knows how far off f32 may be, from the
 //! geometry of one ray. For everything that follows from a hit, the reference is asked again under [`Rounding`]: numbers

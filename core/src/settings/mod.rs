@@ -179,7 +179,7 @@ impl Tolerances {
     /// shrinks with the square of the distance, so that the angle shrinks with the distance. What mirrors and glass show
     /// has no shape of its own to interpolate: its bound shrinks with the fourth power, so that larger blocks interpolate
     /// only where it is nearly constant. Distances grow with the stride by themselves, and the zone at the border of a
-    /// texture is wider than any step: both stay. Chosen by measurement: see the README.
+    /// texture is wider than any step: both stay. Chosen by measurement: desktop/MEASUREMENTS.md, "Larger blocks".
     #[must_use]
     pub fn at(&self, stride: u32) -> Self {
         let nearer = 2.0 / stride as f32;

@@ -7,6 +7,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
+use glimpse::Tracing;
 use glimpse_tests::workspace;
 
 /// The most lines of the README: what a newcomer reads in one go.
@@ -127,4 +128,18 @@ fn the_readme_shows_the_program_of_the_crates_front_page() {
     for line in lines {
         assert!(front.contains(&format!("//! {line}\n")), "not in core/src/lib.rs: {line}");
     }
+}
+
+/// The passes that the page of the architecture lists are those that there are.
+#[test]
+fn the_architecture_names_passes_that_exist() {
+    let page = fs::read_to_string(workspace().join("core/ARCHITECTURE.md")).expect("a page");
+    let (_, section) = page.split_once("\n## Passes by method\n").expect("a section");
+    let (section, _) = section.split_once("\n## ").expect("its end");
+    let cells = section.lines().filter_map(|line| line.strip_prefix("| `")?.split_once(" |"));
+    let passes: Vec<_> =
+        cells.flat_map(|(cell, _)| cell.split(['`', ',', ' '])).filter(|n| !n.is_empty()).collect();
+    assert!(passes.len() > 15, "found only {passes:?}");
+    let unknown: Vec<_> = passes.iter().filter(|name| Tracing::of_pass(name).is_none()).collect();
+    assert!(unknown.is_empty(), "no such passes: {unknown:?}");
 }

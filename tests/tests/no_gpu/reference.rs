@@ -202,7 +202,7 @@ fn interpolation_is_exact_on_planes() {
     }
 }
 
-/// Storing keeps to the errors that the README states.
+/// Storing keeps to the errors that core/NUMERICS.md states.
 #[test]
 fn attributes_are_stored_as_stated() {
     let scene = gallery::textures();

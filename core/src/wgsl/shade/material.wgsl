@@ -1,4 +1,4 @@
-// Materials at a point, in Whitted's terms; the formulas stand in scene/material.rs.
+// Materials at a point, in Whitted's terms; the formulas are in core/MATERIALS.md.
 
 struct Material {
     base: vec3f,
