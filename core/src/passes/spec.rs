@@ -21,8 +21,11 @@ pub enum Output {
     Nowhere,
 }
 
-/// The planes that the attribute buffer may have, in order, and which frames that interpolate need them.
-pub(super) const CHANNELS: &[(&str, fn(&FrameSpec) -> bool)] = &[
+/// Whether a frame that interpolates needs a channel.
+type Needed = fn(&FrameSpec) -> bool;
+
+/// The channels that the attribute buffer may have, in order, and which frames that interpolate need them.
+pub(super) const CHANNELS: &[(&str, Needed)] = &[
     ("DEPTH", |_| true),
     ("OBJECT", |_| true),
     ("NORMAL", |_| true),

@@ -84,6 +84,14 @@ mod tests {
     use super::*;
     use crate::record::tests::example;
 
+    /// A renamed stage would be counted among all else.
+    #[test]
+    fn every_step_names_a_stage() {
+        for (step, name) in STEPS {
+            assert!(glimpse::Tracing::of_pass(name).is_some(), "step {step}: no stage is named {name}");
+        }
+    }
+
     #[test]
     fn passes_belong_to_the_papers_steps() {
         let mut record = example("r", 20.0, None);
