@@ -1,5 +1,5 @@
 #!/bin/sh
-# Takes the README's pictures of the window, desktop/window.png and desktop/split.png, on an X server without a screen
+# Takes the pictures of app/README.md, desktop/window.png and desktop/split.png, on an X server without a screen
 # (Xvfb, which desktop/setup.sh installs).
 set -eu
 cd "$(dirname "$0")/.."

@@ -9,7 +9,7 @@ use android_activity::{AndroidApp, AndroidAppWaker, MainEvent, PollEvent, input:
 
 use crate::{
     java,
-    shell::{Shell, Stage},
+    shell::{Lifecycle, Shell},
 };
 
 /// Called by `android_activity` on a separate thread once the activity exists; the activity is finished when this
@@ -47,15 +47,15 @@ fn run(android: &AndroidApp) {
     android.enable_motion_axis(Axis::Vscroll);
     android.enable_motion_axis(Axis::Hscroll);
     let mut shell = Shell::new(android.clone());
-    while shell.stage() == Stage::Runs && !leave.asked.load(Ordering::Acquire) {
-        android.poll_events(shell.patience(), |event| shell.hear(event));
+    while shell.lifecycle() == Lifecycle::Runs && !leave.asked.load(Ordering::Acquire) {
+        android.poll_events(shell.poll_timeout(), |event| shell.handle_event(event));
         // Any event may have changed what is to be shown.
-        if shell.stage() == Stage::Runs {
+        if shell.lifecycle() == Lifecycle::Runs {
             shell.frame();
         }
     }
     current().take_if(|newest| Arc::ptr_eq(newest, &leave));
-    let mut destroyed = shell.stage() == Stage::Destroyed;
+    let mut destroyed = shell.lifecycle() == Lifecycle::Destroyed;
     drop(shell);
     if !destroyed {
         java::on_main_thread(android, |android| {

@@ -21,7 +21,7 @@ impl Input {
     /// Reads all events that are waiting; the overlay has one point for `pixels_per_point` pixels.
     pub fn read(&mut self, app: &AndroidApp, pixels_per_point: f32) {
         match app.input_events_iter() {
-            Ok(mut events) => while events.next(|event| self.hear(event, pixels_per_point)) {},
+            Ok(mut events) => while events.next(|event| self.handle_event(event, pixels_per_point)) {},
             Err(error) => log::warn!("input is lost: {error}"),
         }
     }
@@ -36,7 +36,7 @@ impl Input {
         std::mem::take(&mut self.backs)
     }
 
-    fn hear(&mut self, event: &InputEvent<'_>, pixels_per_point: f32) -> InputStatus {
+    fn handle_event(&mut self, event: &InputEvent<'_>, pixels_per_point: f32) -> InputStatus {
         match event {
             InputEvent::MotionEvent(motion) => self.motion(motion, pixels_per_point),
             InputEvent::KeyEvent(key) => self.key(key),

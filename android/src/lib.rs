@@ -18,8 +18,8 @@
 
 pub mod canvas;
 pub mod fingers;
-pub mod heat;
-pub mod wishes;
+pub mod intent_extras;
+pub mod thermal_budget;
 
 #[cfg(target_os = "android")]
 mod activity;

@@ -6,7 +6,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use crate::{heat, ndk_late::function};
+use crate::{ndk_late::function, thermal_budget};
 
 /// Time between two queries of the headroom, and how far ahead it is forecast. The system answers at most once a
 /// second.
@@ -48,7 +48,7 @@ impl Thermometer {
         self.asked = Some(now);
         // SAFETY: the manager is acquired until `self` is dropped.
         let headroom = unsafe { (self.headroom)(self.manager, ASK.as_secs() as i32) };
-        let share = heat::share(headroom);
+        let share = thermal_budget::share(headroom);
         log::info!("thermal: headroom {headroom}, frames may take {share} of their time");
         Some(share)
     }

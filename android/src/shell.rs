@@ -18,8 +18,9 @@ use crate::{
     files::Names,
     input::Input,
     insets::Insets,
+    intent_extras,
     java::{self, Intent},
-    lend, screen, wishes,
+    lend, screen,
 };
 
 /// Size of frames at full resolution in pixels, in landscape, on any display.
@@ -27,10 +28,10 @@ const QHD: [u32; 2] = [2560, 1440];
 
 /// State of the activity.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Stage {
+pub enum Lifecycle {
     Runs,
     /// Its user has left it.
-    Enough,
+    Finished,
     Destroyed,
 }
 
@@ -50,7 +51,7 @@ pub struct Shell {
     due: Option<Instant>,
     /// The activity has not been resumed yet.
     fresh: bool,
-    stage: Stage,
+    lifecycle: Lifecycle,
 }
 
 impl Shell {
@@ -62,7 +63,7 @@ impl Shell {
             Ok(intent) => (intent, None),
             Err(reason) => (Intent::default(), Some(format!("the intent cannot be read: {reason}"))),
         };
-        let view = intent.view.as_deref().map_or(Ok(QHD), wishes::pixels);
+        let view = intent.view.as_deref().map_or(Ok(QHD), intent_extras::pixels);
         let view = view.unwrap_or_else(|line| {
             problem.get_or_insert(line);
             QHD
@@ -71,11 +72,11 @@ impl Shell {
         let waker = android.create_waker();
         let mut session = Session::new(setup, Arc::new(move || waker.wake()));
         if let Some(words) = &intent.set
-            && let Err(line) = wishes::choose(&mut session.app, words)
+            && let Err(line) = intent_extras::choose(&mut session.app, words)
         {
             problem.get_or_insert(line);
         }
-        problem.into_iter().for_each(|line| session.app.complain(line));
+        problem.into_iter().for_each(|line| session.app.report_problem(line));
         Self {
             android,
             session,
@@ -88,23 +89,23 @@ impl Shell {
             feedback: Feedback::new(),
             due: None,
             fresh: true,
-            stage: Stage::Runs,
+            lifecycle: Lifecycle::Runs,
         }
     }
 
-    /// State of the activity; the main loop ends when it is not [`Stage::Runs`].
-    pub fn stage(&self) -> Stage {
-        self.stage
+    /// State of the activity; the main loop ends when it is not [`Lifecycle::Runs`].
+    pub fn lifecycle(&self) -> Lifecycle {
+        self.lifecycle
     }
 
     /// How long to wait for an event; `None` for any time.
-    pub fn patience(&self) -> Option<Duration> {
+    pub fn poll_timeout(&self) -> Option<Duration> {
         self.android.native_window()?;
         self.due.map(|due| due.saturating_duration_since(Instant::now()))
     }
 
     /// Handles an event of the activity.
-    pub fn hear(&mut self, event: PollEvent<'_>) {
+    pub fn handle_event(&mut self, event: PollEvent<'_>) {
         let PollEvent::Main(event) = event else { return };
         match event {
             MainEvent::InitWindow { .. } => {
@@ -136,7 +137,7 @@ impl Shell {
             MainEvent::SaveState { saver, .. } => saver.store(self.session.app.scene_wanted().as_bytes()),
             MainEvent::Pause => self.keep_compiled(),
             MainEvent::LowMemory => self.session.app.trim(),
-            MainEvent::Destroy => self.stage = Stage::Destroyed,
+            MainEvent::Destroy => self.lifecycle = Lifecycle::Destroyed,
             _ => {}
         }
     }
@@ -152,7 +153,7 @@ impl Shell {
                 self.canvas = None;
             }
             Err(line) => {
-                self.session.app.complain(line);
+                self.session.app.report_problem(line);
                 self.gpu = None;
                 let mut canvas = Canvas::default();
                 self.session.app.fonts().into_iter().for_each(|image| canvas.load_fonts(image));
@@ -188,7 +189,7 @@ impl Shell {
         self.input.read(&self.android, scale);
         for _ in 0..self.input.take_backs() {
             if !self.session.app.back() {
-                self.stage = Stage::Enough;
+                self.lifecycle = Lifecycle::Finished;
             }
         }
         let Some(window) = self.android.native_window() else { return };
@@ -247,7 +248,7 @@ impl Shell {
             self.make_surface();
         }
         if leftover.quit {
-            self.stage = Stage::Enough;
+            self.lifecycle = Lifecycle::Finished;
         }
     }
 

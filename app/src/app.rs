@@ -15,7 +15,7 @@ pub(crate) use self::device::MAX_LOSSES;
 pub use self::update::{Request, Update};
 use self::{clock::Clock, delivery::Delivery, device::DeviceState, pacing::Pacing, scene_list::SceneList};
 use crate::{
-    CameraControl, Change, Choices, Files, FrameRate, Gestures, Job, Overlay, Painting, Quality, Readings,
+    CameraControl, Change, Choices, Files, FrameRate, Gestures, HudState, Job, Overlay, Painting, Quality,
     Wake, Worker, view::View,
 };
 
@@ -23,7 +23,7 @@ use crate::{
 pub struct App {
     pub(crate) context: egui::Context,
     pub(crate) choices: Choices,
-    pub(crate) readings: Readings,
+    pub(crate) hud_state: HudState,
     pub(crate) scenes: SceneList,
     pub(crate) device: DeviceState,
     pub(crate) delivery: Delivery,
@@ -47,7 +47,7 @@ impl App {
             context,
             pacing: Pacing::new(&choices),
             choices,
-            readings: Readings::default(),
+            hud_state: HudState::default(),
             scenes: SceneList::new(scene, recent),
             device: DeviceState::new(files, wake),
             delivery: Delivery::default(),
@@ -77,14 +77,14 @@ impl App {
     pub fn attach(&mut self, gpu: Arc<Gpu>, format: wgpu::TextureFormat) {
         let facts = gpu.facts();
         let on_cpu = facts.info.device_type == wgpu::DeviceType::Cpu;
-        if self.readings.adapter.is_empty() && on_cpu && self.choices.governor == Choices::default().governor
+        if self.hud_state.adapter.is_empty() && on_cpu && self.choices.governor == Choices::default().governor
         {
             self.choices.governor = Some(FrameRate::Fifteen);
         }
-        self.readings.adapter = format!("{} ({})", facts.info.name, facts.info.driver_info);
+        self.hud_state.adapter = format!("{} ({})", facts.info.name, facts.info.driver_info);
         self.delivery = Delivery::default();
         if let Err(error) = self.device.attach(gpu, format, self.fonts()) {
-            self.readings.problem = Some(format!("no thread to render with: {error}"));
+            self.hud_state.problem = Some(format!("no thread to render with: {error}"));
         }
         let wanted = self.scenes.wanted().to_owned();
         self.load(&wanted);
@@ -93,7 +93,7 @@ impl App {
     /// Opens a scene. The present one is shown until it is loaded.
     pub fn open(&mut self, name: &str) {
         self.scenes.want(name);
-        self.readings.problem = None;
+        self.hud_state.problem = None;
         self.load(name);
     }
 
@@ -108,7 +108,7 @@ impl App {
     /// next frame, and returns what to show. `now` counts from any fixed moment and never decreases.
     pub fn update(&mut self, input: egui::RawInput, now: Duration) -> Update {
         let passed = self.clock.advance(now);
-        self.hear();
+        self.poll_worker();
         // The device is asked here because a view at rest requests nothing, so the worker would not notice a loss.
         if let Some(reason) = self.device.lost().map(str::to_owned) {
             self.lost(&reason);
@@ -118,10 +118,10 @@ impl App {
             self.open(&file.path().to_string_lossy());
         }
         let context = self.context.clone();
-        let mut wishes = Vec::new();
-        let output = context.run_ui(input, |ui| wishes = self.show(ui, passed));
-        for wish in wishes {
-            self.grant(wish, &context);
+        let mut user_requests = Vec::new();
+        let output = context.run_ui(input, |ui| user_requests = self.show(ui, passed));
+        for request in user_requests {
+            self.handle_request(request, &context);
         }
         self.order();
         let pixels_per_point = output.pixels_per_point;
@@ -191,7 +191,7 @@ impl App {
 
     /// Closes the error message and the help, or else reduces the full overlay; false where none was open.
     pub fn back(&mut self) -> bool {
-        let closed = self.readings.problem.take().is_some() || self.choices.help;
+        let closed = self.hud_state.problem.take().is_some() || self.choices.help;
         self.choices.help = false;
         if !closed && self.choices.overlay == Overlay::Full {
             self.choices.overlay = Overlay::Brief;
@@ -203,7 +203,7 @@ impl App {
     /// The number of timed frames so far, and the time of the last one in milliseconds.
     #[must_use]
     pub fn last_frame(&self) -> (u64, Option<f32>) {
-        (self.pacing.frames(), self.readings.frame_ms.back().copied())
+        (self.pacing.frames(), self.hud_state.frame_ms.back().copied())
     }
 
     /// The name of the scene that was requested last; the present one where that failed.
@@ -215,7 +215,7 @@ impl App {
     /// The error message that is shown.
     #[must_use]
     pub fn problem(&self) -> Option<&str> {
-        self.readings.problem.as_deref()
+        self.hud_state.problem.as_deref()
     }
 
     /// Reduces the use of memory: ends the split view and lowers the governor's resolution.
@@ -230,19 +230,19 @@ impl App {
             worker.capture(job);
             self.delivery.capture_requested(file);
         } else {
-            self.complain("There is no frame to save yet.".to_owned());
+            self.report_problem("There is no frame to save yet.".to_owned());
         }
     }
 
     /// Shows a confirmation for a few seconds.
     pub fn notify(&mut self, text: String) {
-        self.readings.notice = Some(text);
+        self.hud_state.notice = Some(text);
         self.clock.notice_began();
     }
 
     /// Shows an error message until it is closed.
-    pub fn complain(&mut self, text: String) {
-        self.readings.problem = Some(text);
+    pub fn report_problem(&mut self, text: String) {
+        self.hud_state.problem = Some(text);
     }
 
     /// The camera does not move, the overlay is not animated, all requests are answered, and the frame at rest is shown
@@ -257,8 +257,8 @@ impl App {
     /// Waits until the worker has answered all requests.
     pub fn wait(&mut self) {
         while self.delivery.is_waiting() {
-            let Some(news) = self.device.worker().and_then(Worker::wait) else { return };
-            self.take(news);
+            let Some(event) = self.device.worker().and_then(Worker::wait) else { return };
+            self.take(event);
         }
     }
 
@@ -278,7 +278,7 @@ impl App {
 
     pub(crate) fn job(&self, quality: &Quality) -> Option<Job> {
         let camera = self.control.as_ref()?.camera();
-        let size = self.readings.view.map(|side| quality.pixels(side));
+        let size = self.hud_state.view.map(|side| quality.pixels(side));
         let settings = quality.settings(&self.choices.settings);
         Some(Job {
             camera,

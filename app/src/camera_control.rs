@@ -1,36 +1,36 @@
 //! Interactive camera: orbit, pan, dolly and flight, with damping that is independent of the frame rate.
 
 mod damping;
-mod stance;
+mod orbit_state;
 #[cfg(test)]
 mod tests;
 
 use std::time::Duration;
 
 use glam::{DVec2, DVec3, Vec2, Vec3};
-use glimpse::{Camera, Lens, Pose};
+use glimpse::{Camera, Lens, LookAt};
 
 use self::{
     damping::{Damped, Flight, RATE},
-    stance::{Extent, Stance},
+    orbit_state::{Extent, OrbitState},
 };
 use crate::{Motion, Navigation};
 
 /// A camera that motions move.
 ///
 /// [`CameraControl::apply`] takes motions; [`CameraControl::advance`] carries them out, with a lag of about 60 ms.
-/// Until the first motion the camera is the scene's own, bit for bit, which may have properties that no [`Pose`] has (a
+/// Until the first motion the camera is the scene's own, bit for bit, which may have properties that no [`LookAt`] has (a
 /// shifted lens, a mirrored picture); from then on it is that of a pose.
 #[derive(Clone, Debug)]
 pub struct CameraControl {
     extent: Extent,
     /// The scene's camera that was chosen last.
     base: Camera,
-    stance: Stance,
+    orbit_state: OrbitState,
     /// The camera differs from `base`.
     moved: bool,
     /// The animation back to `base`: the stance where it began, and the share that is left.
-    glide: Option<(Stance, f64)>,
+    glide: Option<(OrbitState, f64)>,
     /// Rotation: yaw and pitch in radians.
     turn: Damped,
     /// Translation parallel to the picture, in picture heights right and up.
@@ -44,7 +44,7 @@ pub struct CameraControl {
     /// Flight velocity right, up and forward, in longest sides of the scene a second.
     flight: Flight,
     /// Natural logarithm of the factor on the flying speed.
-    haste: f64,
+    speed_exponent: f64,
     navigation: Navigation,
 }
 
@@ -52,7 +52,7 @@ pub struct CameraControl {
 const FLIGHT: f64 = 0.25;
 
 /// The limit of the exponent of the flying speed: 400 times faster or slower.
-const HASTE: f64 = 6.0;
+const MAX_SPEED_EXPONENT: f64 = 6.0;
 
 /// Rotation of the orbit for a drag over the height of the picture.
 const ORBIT_RADIANS: f64 = std::f64::consts::PI;
@@ -77,7 +77,7 @@ impl CameraControl {
         Self {
             extent,
             base: home,
-            stance: Stance::of(&home, &extent),
+            orbit_state: OrbitState::of(&home, &extent),
             moved: false,
             glide: None,
             turn: Damped::default(),
@@ -86,7 +86,7 @@ impl CameraControl {
             dolly: Damped::default(),
             held: DVec2::ZERO,
             flight: Flight::default(),
-            haste: 0.0,
+            speed_exponent: 0.0,
             navigation: Navigation::Orbit,
         }
     }
@@ -106,7 +106,10 @@ impl CameraControl {
                 let along = if along.is_finite() { along.clamp_length_max(1.0) } else { Vec3::ZERO };
                 self.flight.ask(along.as_dvec3() * self.speed());
             }
-            Motion::Haste { by } => self.haste = (self.haste + sound(Vec2::X * by).x).clamp(-HASTE, HASTE),
+            Motion::FlySpeed { by } => {
+                self.speed_exponent = (self.speed_exponent + sound(Vec2::X * by).x)
+                    .clamp(-MAX_SPEED_EXPONENT, MAX_SPEED_EXPONENT)
+            }
             Motion::Focus { .. } => return,
         }
         if self.is_steered() {
@@ -123,7 +126,7 @@ impl CameraControl {
         self.glide = None;
         self.moved = true;
         self.slide.stop();
-        let way = self.stance.reach(point.as_dvec3(), &self.extent);
+        let way = self.orbit_state.reach(point.as_dvec3(), &self.extent);
         self.slide.ask(way);
     }
 
@@ -142,7 +145,7 @@ impl CameraControl {
         let is_there = !self.moved && camera == self.base;
         self.base = camera;
         self.moved |= !is_there;
-        self.glide = (!is_there).then_some((self.stance, 1.0));
+        self.glide = (!is_there).then_some((self.orbit_state, 1.0));
     }
 
     /// Advances the motions by a time.
@@ -168,7 +171,7 @@ impl CameraControl {
     #[must_use]
     pub fn camera(&self) -> Camera {
         // A stance can always be converted, as its values are bounded.
-        if self.moved { self.stance.pose().camera().unwrap_or(self.base) } else { self.base }
+        if self.moved { self.orbit_state.look_at().camera().unwrap_or(self.base) } else { self.base }
     }
 
     /// Options of the command line for exactly this camera: `--eye=X,Y,Z --target=X,Y,Z --up=X,Y,Z` with
@@ -177,7 +180,7 @@ impl CameraControl {
     pub fn command_line(&self) -> Option<String> {
         let triple = |v: Vec3| format!("{},{},{}", v.x, v.y, v.z);
         self.moved.then(|| {
-            let Pose { eye, target, up, lens } = self.stance.pose();
+            let LookAt { eye, target, up, lens } = self.orbit_state.look_at();
             let lens = match lens {
                 Lens::Perspective { vertical_fov_degrees } => format!("--fov={vertical_fov_degrees}"),
                 Lens::Orthographic { height } => format!("--ortho={height}"),
@@ -194,13 +197,13 @@ impl CameraControl {
 
     /// Flying speed in longest sides of the scene a second.
     fn speed(&self) -> f64 {
-        FLIGHT * self.haste.exp()
+        FLIGHT * self.speed_exponent.exp()
     }
 
     /// Converts a drag in picture heights into radians of yaw and pitch. In orbit, the near side follows the hand; in
     /// flight, the centre of the picture does.
     fn turned(&self, by: DVec2) -> DVec2 {
-        match (self.navigation, self.stance.lens) {
+        match (self.navigation, self.orbit_state.lens) {
             (Navigation::Orbit, _) | (Navigation::Fly, Lens::Orthographic { .. }) => {
                 DVec2::new(-by.x, by.y) * ORBIT_RADIANS
             }
@@ -215,11 +218,11 @@ impl CameraControl {
         let left = left * (-RATE * 0.5 * seconds).exp();
         if left < ARRIVED {
             self.glide = None;
-            self.stance = Stance::of(&self.base, &self.extent);
+            self.orbit_state = OrbitState::of(&self.base, &self.extent);
             self.moved = false;
         } else {
             self.glide = Some((start, left));
-            self.stance = start.towards(&Stance::of(&self.base, &self.extent), 1.0 - left);
+            self.orbit_state = start.towards(&OrbitState::of(&self.base, &self.extent), 1.0 - left);
         }
     }
 
@@ -237,25 +240,26 @@ impl CameraControl {
             self.fly(flown);
         }
         let (turn, pan) = (self.turn.settle(1.0), self.pan.settle(1.0));
-        let (slide, dolly) = (self.slide.settle(self.stance.height()), self.dolly.settle(1.0));
+        let (slide, dolly) = (self.slide.settle(self.orbit_state.height()), self.dolly.settle(1.0));
         self.carry_out(turn, pan, slide, dolly);
         self.flight.settle(self.speed());
     }
 
     fn carry_out(&mut self, turn: DVec3, pan: DVec3, slide: DVec3, dolly: DVec3) {
         match self.navigation {
-            Navigation::Orbit => self.stance.orbit(turn.truncate()),
-            Navigation::Fly => self.stance.turn(turn.truncate(), &self.extent),
+            Navigation::Orbit => self.orbit_state.orbit(turn.truncate()),
+            Navigation::Fly => self.orbit_state.turn(turn.truncate(), &self.extent),
         }
-        self.stance.dolly(dolly.x, self.held, &self.extent);
-        self.stance.pan(pan.truncate(), &self.extent);
-        self.stance.shift(slide, &self.extent);
+        self.orbit_state.dolly(dolly.x, self.held, &self.extent);
+        self.orbit_state.pan(pan.truncate(), &self.extent);
+        self.orbit_state.shift(slide, &self.extent);
     }
 
     fn fly(&mut self, along: DVec3) {
-        let (right, up, forward) = (self.stance.right(), self.stance.up(), self.stance.forward());
+        let (right, up, forward) =
+            (self.orbit_state.right(), self.orbit_state.up(), self.orbit_state.forward());
         let way = right * along.x + up * along.y + forward * along.z;
-        self.stance.shift(way * self.extent.size, &self.extent);
+        self.orbit_state.shift(way * self.extent.size, &self.extent);
     }
 }
 

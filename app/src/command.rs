@@ -61,7 +61,7 @@ mod tests {
             "glimpse render builtin:room -o glimpse.png --size 64x32"
         );
         job.settings.tolerances = Tolerances { norm: -0.5, ..settings.tolerances };
-        job.show = Show::Check(1);
+        job.show = Show::Check(glimpse::Check::Pos);
         assert_eq!(
             command("it's my scene.glb", "--camera 2", &job),
             r"glimpse render 'it'\''s my scene.glb' -o glimpse.png --size 64x32 --camera 2 --t-norm=-0.5 --show check:pos"

@@ -5,11 +5,11 @@
 //! | one finger, primary button | turn |
 //! | secondary or middle button, shift and primary button | pan |
 //! | two fingers | pan by where they go, dolly by how far apart they are, at once |
-//! | wheel, two fingers on a trackpad | dolly; haste while flying |
+//! | wheel, two fingers on a trackpad | dolly; speed while flying |
 //! | ctrl and wheel, pinch on a trackpad | dolly |
 //! | double tap, double click | focus |
 //! | arrow keys; with shift | turn; pan |
-//! | page up, page down, `+`, `-` | dolly; haste while flying |
+//! | page up, page down, `+`, `-` | dolly; speed while flying |
 //! | `W` `A` `S` `D` `Q` `E` while flying; with shift | fly; fast |
 
 #[cfg(test)]
@@ -50,7 +50,7 @@ pub enum Motion {
         along: Vec3,
     },
     /// Multiplies the flying speed by e^by.
-    Haste {
+    FlySpeed {
         /// Exponent; negative is slower.
         by: f32,
     },
@@ -162,7 +162,7 @@ fn wheel(input: &InputState, view: &View, navigation: Navigation) -> Vec<Motion>
     let scrolled = input.smooth_scroll_delta().y * WHEEL;
     let scrolled = match navigation {
         Navigation::Orbit => Motion::Dolly { by: scrolled, at },
-        Navigation::Fly => Motion::Haste { by: scrolled },
+        Navigation::Fly => Motion::FlySpeed { by: scrolled },
     };
     some([scrolled, Motion::Dolly { by: input.zoom_delta().ln(), at }])
 }
@@ -188,14 +188,14 @@ fn keyboard(input: &InputState, navigation: Navigation, seconds: f32) -> Vec<Mot
     }
     let along = Vec3::new(axis(&[Key::D], &[Key::A]), axis(&[Key::E], &[Key::Q]), axis(&[Key::W], &[Key::S]));
     let along = along.normalize_or_zero() * if shift { 1.0 } else { STROLL };
-    some([dragged, Motion::Haste { by: nearer }, Motion::Fly { along }])
+    some([dragged, Motion::FlySpeed { by: nearer }, Motion::Fly { along }])
 }
 
 /// Drops motions of length zero.
 fn some<const N: usize>(motions: [Motion; N]) -> Vec<Motion> {
     let moves = |motion: &Motion| match *motion {
         Motion::Turn { by } | Motion::Pan { by } => by.is_finite() && by != Vec2::ZERO,
-        Motion::Dolly { by, .. } | Motion::Haste { by } => by.is_finite() && by != 0.0,
+        Motion::Dolly { by, .. } | Motion::FlySpeed { by } => by.is_finite() && by != 0.0,
         Motion::Fly { along } => along != Vec3::ZERO,
         Motion::Focus { .. } => true,
     };

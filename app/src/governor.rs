@@ -41,7 +41,7 @@ const SAFE: f64 = 0.88;
 const HICCUP: f64 = 1.7;
 
 /// How long frames must have fitted at the better level before the level is raised.
-const PATIENCE: Duration = Duration::from_millis(1000);
+const OBSERVATION: Duration = Duration::from_millis(1000);
 
 /// The same where frames would take less than half of the limit there, as after a demanding scene.
 const HURRY: Duration = Duration::from_millis(250);
@@ -60,7 +60,7 @@ const REST: Duration = Duration::from_millis(200);
 
 /// A level that failed.
 #[derive(Clone, Copy, Debug)]
-struct Vain {
+struct FailedAttempt {
     level: usize,
     /// Cost of a pixel at the best level when the level was tried, in ms.
     cost: f64,
@@ -83,7 +83,7 @@ pub struct Governor {
     since: Duration,
     /// Cost of a pixel at the best level when this level was raised to, in ms; `None` where it was lowered to.
     climbed: Option<f64>,
-    vain: Option<Vain>,
+    failed_attempt: Option<FailedAttempt>,
     /// Pixels of the view, derived from reports.
     view: f64,
     /// Times of the last frames and their costs of a pixel at the best level, in ms.
@@ -105,7 +105,7 @@ impl Governor {
             level: FIRST,
             since: Duration::ZERO,
             climbed: None,
-            vain: None,
+            failed_attempt: None,
             view: 0.0,
             costs: VecDeque::new(),
             doubtful: false,
@@ -117,7 +117,7 @@ impl Governor {
     pub fn set_budget(&mut self, budget_ms: f64) {
         if budget_ms != self.budget_ms {
             self.budget_ms = budget_ms;
-            self.vain = None;
+            self.failed_attempt = None;
         }
     }
 
@@ -202,7 +202,7 @@ impl Governor {
         }
         self.doubtful = false;
         self.costs.push_back((now, cost));
-        while self.costs.front().is_some_and(|&(then, _)| now.saturating_sub(then) > PATIENCE) {
+        while self.costs.front().is_some_and(|&(then, _)| now.saturating_sub(then) > OBSERVATION) {
             self.costs.pop_front();
         }
         if too_slow {
@@ -215,11 +215,14 @@ impl Governor {
     fn descend(&mut self, now: Duration, cost: f64) {
         let tried = self.climbed.filter(|_| now.saturating_sub(self.since) < TRIAL);
         if let Some(cost) = tried {
-            let penance = match self.vain {
-                Some(vain) if vain.level >= self.level => (2 * vain.penance).min(PENANCE[1]),
+            let penance = match self.failed_attempt {
+                Some(failed_attempt) if failed_attempt.level >= self.level => {
+                    (2 * failed_attempt.penance).min(PENANCE[1])
+                }
                 _ => PENANCE[0],
             };
-            self.vain = Some(Vain { level: self.level, cost, until: now + penance, penance });
+            self.failed_attempt =
+                Some(FailedAttempt { level: self.level, cost, until: now + penance, penance });
         }
         // The level before held its limit, so the estimate is right there: it is this level that is more expensive than
         // estimated.
@@ -236,11 +239,13 @@ impl Governor {
         let level = self.level - 1;
         let worst = self.worst();
         let time = self.time(level, worst);
-        let barred = self
-            .vain
-            .is_some_and(|vain| level <= vain.level && now < vain.until && worst > CHEAPER * vain.cost);
-        let patience = if time < 0.5 * self.limit_ms() { HURRY } else { PATIENCE };
-        let has_room = time <= ROOM * self.limit_ms() && now.saturating_sub(self.since) >= patience;
+        let barred = self.failed_attempt.is_some_and(|failed_attempt| {
+            level <= failed_attempt.level
+                && now < failed_attempt.until
+                && worst > CHEAPER * failed_attempt.cost
+        });
+        let wait = if time < 0.5 * self.limit_ms() { HURRY } else { OBSERVATION };
+        let has_room = time <= ROOM * self.limit_ms() && now.saturating_sub(self.since) >= wait;
         if has_room && !barred {
             self.change(now, level, Some(worst));
         }

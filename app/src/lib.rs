@@ -9,21 +9,22 @@ mod camera_control;
 mod change;
 mod choices;
 mod command;
-mod exclusions;
+mod conflicts;
 mod gestures;
 mod governor;
 mod hud;
+mod hud_state;
 mod lenses;
-mod look;
-mod news;
-mod office;
+mod loading;
+mod mailbox;
 mod painter;
 mod phones;
-mod readings;
+mod scene_renderer;
 pub mod script;
-mod studio;
+mod script_values;
 mod view;
 mod worker;
+mod worker_events;
 
 pub use app::{App, Request, Update};
 pub use camera_control::CameraControl;
@@ -32,13 +33,14 @@ pub use choices::{Choices, FrameRate, Navigation, Overlay, SCALES, TEXT_SCALES, 
 pub use gestures::{Gestures, Motion};
 pub use glimpse::Show;
 pub use governor::{FrameReport, Governor, Quality};
-pub use hud::{FLY_KEYS, Hud, Wish};
+pub use hud::{FLY_KEYS, Hud, UserRequest};
+pub use hud_state::{Busy, HISTORY, HudState};
 pub use lenses::Lenses;
+pub use loading::SceneFacts;
 pub use painter::{Painter, Painting};
 pub use phones::{Phone, Sourced};
-pub use readings::{Busy, HISTORY, Readings};
-pub use studio::{Counted, Frame, Job};
-pub use worker::{Files, News, SceneFacts, Wake, Worker};
+pub use scene_renderer::{Counted, Job, RenderedFrame};
+pub use worker::{Files, Wake, Worker, WorkerEvent};
 
 /// The names of the built-in scenes, as `builtin:NAME`, in the order in which they are offered.
 pub fn scenes() -> impl Iterator<Item = String> {

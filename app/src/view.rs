@@ -3,9 +3,9 @@
 use std::time::Duration;
 
 use egui::{Context, Rect, Sense, Ui};
-use glimpse::{Method, Stopping};
+use glimpse::{Foveation, Method};
 
-use crate::{App, CameraControl, Frame, Hud, Motion, Request, Wish, lenses::Bent};
+use crate::{App, CameraControl, Hud, Motion, RenderedFrame, Request, UserRequest, lenses::Bent};
 
 /// The gaze is rounded to this many steps across a picture, as each change of it starts accumulation again.
 const GAZE_STEPS: f32 = 32.0;
@@ -26,29 +26,29 @@ pub(crate) struct View {
 impl App {
     /// Shows picture and overlay, and moves the camera; returns the actions that were chosen in the overlay. `passed`
     /// is the time since the last update.
-    pub(crate) fn show(&mut self, ui: &mut Ui, passed: Duration) -> Vec<Wish> {
+    pub(crate) fn show(&mut self, ui: &mut Ui, passed: Duration) -> Vec<UserRequest> {
         let context = ui.ctx().clone();
         let view = context.viewport_rect();
         let response = ui.interact(view, egui::Id::unique("picture"), Sense::CLICK | Sense::DRAG);
         let pixels = context.pixels_per_point();
         let window = [view.width(), view.height()].map(|side| ((side * pixels).round() as u32).max(1));
-        self.readings.view = self.view.frame_size.unwrap_or(window);
-        let picture = fitted(self.readings.view, view, pixels);
+        self.hud_state.view = self.view.frame_size.unwrap_or(window);
+        let picture = fitted(self.hud_state.view, view, pixels);
         self.sharpen((picture.size() * pixels).round());
         self.draw_picture(ui, picture);
         self.tell_what_is_going_on();
         let motions = self.gestures.read(&response, picture, self.choices.navigation, passed);
         let hud = Hud {
             choices: &mut self.choices,
-            readings: &self.readings,
+            hud_state: &self.hud_state,
             scenes: self.scenes.offered(),
             picture,
             touch: self.view.touch,
         };
-        let wishes = hud.show(&context);
+        let user_requests = hud.show(&context);
         self.gaze(&context, picture);
         self.steer(motions, passed);
-        wishes
+        user_requests
     }
 
     /// Makes the gaze follow the pointer where paths stop early far from it. With two eyes, the position within either
@@ -58,7 +58,7 @@ impl App {
         let at = at.map(|at| self.bent(picture).map_or(at, |bent| bent.without(at)));
         let paths = &mut self.choices.settings.paths;
         let method = self.choices.settings.method;
-        let Some(at) = at.filter(|_| method.follows_paths() && paths.stopping != Stopping::Off) else {
+        let Some(at) = at.filter(|_| method.is_path_traced() && paths.foveation != Foveation::Off) else {
             return;
         };
         let eyes = if method == Method::Vr { 2.0 } else { 1.0 };
@@ -84,7 +84,7 @@ impl App {
     }
 
     /// Every pixel of the frame lies on exactly one pixel of the screen.
-    pub(crate) fn is_exact(&self, frame: &Frame) -> bool {
+    pub(crate) fn is_exact(&self, frame: &RenderedFrame) -> bool {
         frame.job.size == self.view.picture && !self.choices.bends()
     }
 
@@ -104,11 +104,11 @@ impl App {
     }
 
     fn tell_what_is_going_on(&mut self) {
-        if let Some(busy) = &mut self.readings.busy {
+        if let Some(busy) = &mut self.hud_state.busy {
             busy.seconds = self.clock.seconds_of_loading();
         }
         if self.clock.notice_is_over() {
-            self.readings.notice = None;
+            self.hud_state.notice = None;
         }
     }
 
@@ -128,28 +128,28 @@ impl App {
         control.advance(passed);
     }
 
-    pub(crate) fn grant(&mut self, wish: Wish, context: &Context) {
-        match wish {
-            Wish::Open(name) => self.open(&name),
-            Wish::OpenDialog => self.requests.push(Request::OpenDialog),
-            Wish::Screenshot => self.screenshot(None),
-            Wish::CopyCommand => {
+    pub(crate) fn handle_request(&mut self, request: UserRequest, context: &Context) {
+        match request {
+            UserRequest::Open(name) => self.open(&name),
+            UserRequest::OpenDialog => self.requests.push(Request::OpenDialog),
+            UserRequest::Screenshot => self.screenshot(None),
+            UserRequest::CopyCommand => {
                 if let Some(command) = self.command() {
                     context.copy_text(command);
                     self.notify("The command of this frame is in the clipboard.".to_owned());
                 }
             }
-            Wish::FullScreen => self.requests.push(Request::FullScreen),
-            Wish::ResetCamera => self.control.iter_mut().for_each(CameraControl::reset),
-            Wish::Camera(index) => {
+            UserRequest::FullScreen => self.requests.push(Request::FullScreen),
+            UserRequest::ResetCamera => self.control.iter_mut().for_each(CameraControl::reset),
+            UserRequest::Camera(index) => {
                 let camera = self.scenes.shown().and_then(|scene| scene.cameras.get(index));
                 if let (Some((_, camera)), Some(control)) = (camera, &mut self.control) {
                     control.go_to(*camera);
-                    self.readings.camera = index;
+                    self.hud_state.camera = index;
                 }
             }
-            Wish::CloseProblem => self.readings.problem = None,
-            Wish::Quit => self.requests.push(Request::Quit),
+            UserRequest::CloseProblem => self.hud_state.problem = None,
+            UserRequest::Quit => self.requests.push(Request::Quit),
         }
     }
 }

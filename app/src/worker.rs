@@ -11,11 +11,12 @@ use std::{
 };
 
 use glam::Vec3;
-use glimpse::{Camera, DisplayImage, Gpu, GpuScene, Scene};
+use glimpse::{Camera, DisplayImage, Gpu, Scene};
 
 use crate::{
-    office::{Loaded, Office},
-    studio::{Counted, Frame, Job, Studio},
+    loading::{Loaded, SceneFacts, load},
+    mailbox::Mailbox,
+    scene_renderer::{Counted, Job, RenderedFrame, SceneRenderer},
 };
 
 /// Reads the scene of a name: `builtin:NAME`, or a name that the shell gives to a file. Called on loader threads.
@@ -24,35 +25,18 @@ pub type Files = Arc<dyn Fn(&str) -> Result<Scene, String> + Send + Sync>;
 /// Wakes the shell's event loop when the worker has sent a message. Called on any thread.
 pub type Wake = Arc<dyn Fn() + Send + Sync>;
 
-/// Properties of a loaded scene.
-#[derive(Clone, Debug)]
-pub struct SceneFacts {
-    /// The name under which it was requested.
-    pub name: String,
-    /// Number of triangles and spheres.
-    pub primitives: u64,
-    /// Names and cameras of the scene; at least one.
-    pub cameras: Vec<(String, Camera)>,
-    /// Lowest and highest corner of the bounding box, in world space.
-    pub bounds: (Vec3, Vec3),
-    /// One line for each thing that the importer left out or replaced.
-    pub warnings: Vec<String>,
-    /// The name of every optional feature, and whether the scene needs it.
-    pub features: Vec<(&'static str, bool)>,
-}
-
 /// Messages from the worker to the app.
-pub enum News {
+pub enum WorkerEvent {
     /// Progress of loading a scene: a description, and the step of how many.
     Loading(String, [u32; 2]),
     /// The scene is on the device; all later frames show it.
     Opened(Box<SceneFacts>),
     /// The scene could not be loaded, with the reason; the previous scene stays.
-    NotOpened(String),
+    OpenFailed(String),
     /// A rendered frame.
-    Frame(Box<Frame>),
+    Frame(Box<RenderedFrame>),
     /// The frame of that number, or its counters, will not arrive: a newer request came first, or the view is hidden.
-    GivenUp(u64),
+    Cancelled(u64),
     /// The counters of the frame of that number.
     Counted(u64, Box<Counted>),
     /// The picture that [`Worker::capture`] requested.
@@ -70,9 +54,9 @@ pub enum News {
 pub struct Worker {
     gpu: Arc<Gpu>,
     files: Files,
-    office: Arc<Office>,
-    news: Receiver<News>,
-    teller: Teller,
+    mailbox: Arc<Mailbox>,
+    events: Receiver<WorkerEvent>,
+    event_sender: EventSender,
     thread: Option<thread::JoinHandle<()>>,
     jobs: u64,
 }
@@ -83,87 +67,87 @@ impl Worker {
     /// # Errors
     /// The operating system could not start a thread.
     pub fn start(gpu: Arc<Gpu>, files: Files, wake: Wake) -> std::io::Result<Self> {
-        let office = Arc::new(Office::default());
-        let (sender, news) = channel();
-        let teller = Teller { sender, wake };
+        let mailbox = Arc::new(Mailbox::default());
+        let (sender, events) = channel();
+        let event_sender = EventSender { sender, wake };
         let thread = {
-            let (gpu, office, teller) = (gpu.clone(), office.clone(), teller.clone());
+            let (gpu, mailbox, event_sender) = (gpu.clone(), mailbox.clone(), event_sender.clone());
             thread::Builder::new()
                 .name("glimpse-frames".to_owned())
-                .spawn(move || work(&gpu, &office, &teller))?
+                .spawn(move || work(&gpu, &mailbox, &event_sender))?
         };
-        Ok(Self { gpu, files, office, news, teller, thread: Some(thread), jobs: 0 })
+        Ok(Self { gpu, files, mailbox, events, event_sender, thread: Some(thread), jobs: 0 })
     }
 
     /// Starts loading a scene on a thread of its own. Frames of the present scene are rendered meanwhile.
     pub fn open(&mut self, name: &str) {
         let asked = {
-            let mut desk = self.office.desk();
-            desk.asked += 1;
-            desk.asked
+            let mut slots = self.mailbox.slots();
+            slots.asked += 1;
+            slots.asked
         };
-        let (gpu, files, office) = (self.gpu.clone(), self.files.clone(), self.office.clone());
-        let teller = self.teller.clone();
+        let (gpu, files, mailbox) = (self.gpu.clone(), self.files.clone(), self.mailbox.clone());
+        let event_sender = self.event_sender.clone();
         let owned = name.to_owned();
         let spawned = thread::Builder::new().name("glimpse-load".to_owned()).spawn(move || {
-            let loaded = caught(|| load(&gpu, &files, &owned, &teller))
+            let loaded = caught(|| load(&gpu, &files, &owned, &event_sender))
                 .unwrap_or_else(|bug| Err(format!("{owned} could not be opened: {bug}")));
-            let mut desk = office.desk();
+            let mut slots = mailbox.slots();
             match loaded {
-                _ if desk.asked != asked => {}
+                _ if slots.asked != asked => {}
                 Ok(loaded) => {
-                    desk.scene = Some(loaded);
-                    office.bell.notify_one();
+                    slots.scene = Some(loaded);
+                    mailbox.posted.notify_one();
                 }
-                Err(line) => teller.tell(News::NotOpened(line)),
+                Err(line) => event_sender.send(WorkerEvent::OpenFailed(line)),
             }
         });
         if let Err(error) = spawned {
-            self.teller.tell(News::NotOpened(format!("{name}: {error}")));
+            self.event_sender.send(WorkerEvent::OpenFailed(format!("{name}: {error}")));
         }
     }
 
     /// Requests a frame, in place of a requested frame that has not been started; returns the number of the request.
     pub fn order(&mut self, job: Job) -> u64 {
         self.jobs += 1;
-        self.office.desk().job = Some((self.jobs, job));
-        self.office.bell.notify_one();
+        self.mailbox.slots().job = Some((self.jobs, job));
+        self.mailbox.posted.notify_one();
         self.jobs
     }
 
     /// Requests a frame as a picture in main memory.
     pub fn capture(&self, job: Job) {
-        self.office.desk().capture = Some(job);
-        self.office.bell.notify_one();
+        self.mailbox.slots().capture = Some(job);
+        self.mailbox.posted.notify_one();
     }
 
     /// Requests the surface point at a position of the view, in the coordinates of [`Camera::through`].
     pub fn pick(&self, camera: Camera, at: [f32; 2]) {
-        self.office.desk().pick = Some((camera, at));
-        self.office.bell.notify_one();
+        self.mailbox.slots().pick = Some((camera, at));
+        self.mailbox.posted.notify_one();
     }
 
     /// Sets whether the view is hidden: frames at rest are cancelled while it is.
     pub fn set_hidden(&self, hidden: bool) {
-        self.office.desk().hidden = hidden;
+        self.mailbox.slots().hidden = hidden;
     }
 
     /// The next message, without waiting.
-    pub fn news(&mut self) -> Option<News> {
+    pub fn poll(&mut self) -> Option<WorkerEvent> {
         // The channel cannot be disconnected, as `self.teller` is a sender: an error means that it is empty.
-        self.news.try_recv().ok()
+        self.events.try_recv().ok()
     }
 
     /// Waits for the next message.
-    pub fn wait(&mut self) -> Option<News> {
-        self.news.recv().ok()
+    pub fn wait(&mut self) -> Option<WorkerEvent> {
+        self.events.recv().ok()
     }
 }
 
 impl Drop for Worker {
     fn drop(&mut self) {
-        self.office.desk().stop = true;
-        self.office.bell.notify_one();
+        self.mailbox.slots().stop = true;
+        self.mailbox.posted.notify_one();
         if let Some(thread) = self.thread.take() {
             // A panic has been reported as a message already.
             let _ = thread.join();
@@ -173,49 +157,32 @@ impl Drop for Worker {
 
 /// Sends messages to the app and wakes the shell.
 #[derive(Clone)]
-pub(crate) struct Teller {
-    sender: Sender<News>,
+pub(crate) struct EventSender {
+    sender: Sender<WorkerEvent>,
     wake: Wake,
 }
 
-impl Teller {
-    pub fn tell(&self, news: News) {
+impl EventSender {
+    pub fn send(&self, event: WorkerEvent) {
         // The receiver is gone only while the worker is being dropped.
-        let _ = self.sender.send(news);
+        let _ = self.sender.send(event);
         (self.wake)();
     }
 }
 
-fn load(gpu: &Gpu, files: &Files, name: &str, teller: &Teller) -> Result<Loaded, String> {
-    teller.tell(News::Loading(format!("reading {name}"), [1, 3]));
-    let mut scene = files(name)?;
-    let features = glimpse::Features::of(&scene).list().to_vec();
-    let facts = SceneFacts {
-        name: name.to_owned(),
-        primitives: (scene.triangle_objects.len() + scene.spheres.len()) as u64,
-        cameras: scene.cameras.clone(),
-        bounds: scene.bounds().unwrap_or_default(),
-        warnings: std::mem::take(&mut scene.warnings),
-        features,
-    };
-    teller.tell(News::Loading(format!("building {name}"), [2, 3]));
-    let scene = GpuScene::upload(gpu, scene).map_err(|error| format!("{name}: {error}"))?;
-    Ok(Loaded { scene, facts })
-}
-
 /// The main function of the worker thread: serves one scene after the other.
-fn work(gpu: &Gpu, office: &Office, teller: &Teller) {
+fn work(gpu: &Gpu, mailbox: &Mailbox, event_sender: &EventSender) {
     let ended = caught(|| {
-        while let Some(Loaded { scene, facts }) = office.scene() {
-            teller.tell(News::Loading(format!("compiling for {}", facts.name), [3, 3]));
-            teller.tell(News::Opened(Box::new(facts)));
-            if let Err(reason) = Studio::new(gpu, &scene).serve(office, teller) {
-                return teller.tell(News::Lost(reason));
+        while let Some(Loaded { scene, facts }) = mailbox.scene() {
+            event_sender.send(WorkerEvent::Loading(format!("compiling for {}", facts.name), [3, 3]));
+            event_sender.send(WorkerEvent::Opened(Box::new(facts)));
+            if let Err(reason) = SceneRenderer::new(gpu, &scene).serve(mailbox, event_sender) {
+                return event_sender.send(WorkerEvent::Lost(reason));
             }
         }
     });
     if let Err(bug) = ended {
-        teller.tell(News::Lost(format!("a frame could not be made: {bug}")));
+        event_sender.send(WorkerEvent::Lost(format!("a frame could not be made: {bug}")));
     }
 }
 

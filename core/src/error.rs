@@ -41,7 +41,7 @@ pub enum Error {
     },
     /// A kernel does not compile or is bound wrongly.
     #[error(transparent)]
-    Shader(#[from] crate::gpu::shader::ShaderError),
+    Shader(#[from] crate::device::shader::ShaderError),
     /// The device is gone: its driver reset it, it was unplugged, or [`crate::Gpu::destroy`] was called. Everything
     /// made from it is gone too; a new [`crate::Gpu`], upload and renderer make the same pictures again.
     #[error("the graphics device `{adapter}` was lost ({reason})")]
@@ -64,7 +64,7 @@ pub enum Error {
         /// The adapter's name.
         adapter: String,
     },
-    /// The device was not done in time; see [`crate::Gpu::with_patience`]. It may be slow or hung.
+    /// The device was not done in time; see [`crate::Gpu::with_timeout`]. It may be slow or hung.
     #[error("the graphics device `{adapter}` was not done after {} s", .waited.as_secs_f32())]
     Timeout {
         /// The adapter's name.

@@ -84,64 +84,58 @@
 //!   Illumination Filtering", High Performance Graphics.
 //! - *lecture*: Akenine-Moller, Assarsson, "Ray Tracing I", Chalmers; with Heckbert's minimal ray tracer.
 
+// Without the optional modules some of what they share with the renderer has no user.
+#![cfg_attr(
+    not(all(feature = "reference", feature = "stress")),
+    allow(dead_code, unused_imports, reason = "what optional modules use")
+)]
 // Lists of what is not allowed are in .clippy.toml.
 #![cfg_attr(not(test), warn(clippy::disallowed_macros, clippy::disallowed_methods, clippy::disallowed_types))]
 
-mod atlas;
-mod bvh;
-mod camera;
+mod acceleration;
+#[cfg(feature = "reference")]
+pub mod cpu_tracer;
+pub mod device;
 mod error;
 mod frame;
-pub mod gpu;
-mod gpu_scene;
 mod image;
 pub mod metrics;
-mod mip;
-mod missing;
 mod passes;
-mod plan;
-#[cfg(feature = "reference")]
-pub mod planes;
-mod pose;
 #[cfg(feature = "stress")]
 pub mod probe;
 #[cfg(feature = "reference")]
+mod random;
+#[cfg(feature = "reference")]
 pub mod reference;
-mod renderer;
 pub mod scene;
-mod sequence;
 mod settings;
-pub mod show;
-mod stats;
 #[cfg(feature = "stress")]
 pub mod stress;
-mod targets;
 
 // Of their types is the interface of this crate.
 pub use glam;
 pub use wgpu;
 
-pub use camera::Camera;
+pub use device::gpu_scene::GpuScene;
+pub use device::{Gpu, instance};
 pub use error::{Error, Result};
-pub use gpu::{Gpu, instance};
-pub use gpu_scene::GpuScene;
+pub use frame::counters::{Check, Cost, Counts, FailedChecks, Origin, Rays, Samples};
+pub use frame::plan::SAMPLES_PER_SUBMISSION;
+pub use frame::renderer::{FrameCommands, Renderer};
+pub use frame::show;
+pub use frame::show::Show;
+pub use frame::stats::{FrameTime, Inspection, Memory, PassTime, PixelRecord};
 pub use image::{DisplayImage, LinearImage, encode_display};
 #[cfg(feature = "images")]
 pub use image::{Picture, to_exr, to_png};
-pub use missing::Missing;
-pub use passes::{Demand, Demands, Linked};
-pub use plan::SAMPLES_PER_SUBMISSION;
-pub use pose::{Lens, Pose};
-pub use renderer::{FrameCommands, Renderer};
+pub use metrics::missing::Missing;
+pub use passes::{Demand, Demands, Linked, Tracing};
+pub use scene::camera::Camera;
+pub use scene::look_at::{Lens, LookAt};
 pub use scene::{Features, Scene};
 pub use settings::{
-    Crossing, Denoise, Direct, Filter, Focus, Inactive, Jitter, Linking, MAX_CPU_THREADS, MAX_DEPTH,
+    Denoise, DirectLight, Filter, Focus, Foveation, Jitter, LightSelection, MAX_CPU_THREADS, MAX_DEPTH,
     MAX_GAZE, MAX_LIGHT_SAMPLES, MAX_RAYS, MAX_SAMPLING, Method, Mip, Paths, Postcorrect, Preset, Refine,
-    Robustness, Roulette, Sampler, Settings, Shining, Stopping, THRESHOLD_NAMES, Thresholds, Tolerances,
-    options,
-};
-pub use show::Show;
-pub use stats::{
-    CHECK_NAMES, Cost, Counts, FailedChecks, FrameTime, Inspection, Memory, Origin, PassTime, PixelRecord,
-    Rays, Samples,
+    Robustness, Roulette, Sampler, Settings, Specialize, StereoReuse, THRESHOLD_NAMES, Thresholds,
+    Tolerances, Unsampled, options,
 };

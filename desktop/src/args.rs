@@ -8,15 +8,15 @@ use glimpse::{Method, Show};
 
 #[path = "frame_options.rs"]
 mod frame_options;
-#[path = "pose.rs"]
-mod pose;
+#[path = "look_at.rs"]
+mod look_at;
 #[path = "vary.rs"]
 mod vary;
 
 #[cfg(test)]
 pub use frame_options::default_text;
 pub use frame_options::{FrameOptions, Recursion, TypedOptions, method_parser};
-pub use pose::PoseOptions;
+pub use look_at::LookAtOptions;
 pub use vary::Variation;
 
 /// The largest side of a frame.

@@ -4,8 +4,8 @@ use clap::CommandFactory;
 use clap::error::ErrorKind;
 use glimpse::options::OPTIONS;
 use glimpse::{
-    Filter, Focus, Inactive, Jitter, Linking, Mip, Postcorrect, Preset, Refine, Settings, Thresholds,
-    Tolerances,
+    Filter, Focus, Jitter, Mip, Postcorrect, Preset, Refine, Settings, Specialize, Thresholds, Tolerances,
+    Unsampled,
 };
 
 use super::*;
@@ -108,23 +108,26 @@ fn every_option_of_render_arrives() {
             mip: Mip::Off,
             depth: 5,
             min_weight: 0.0,
-            share: 0.5,
-            features: Linking::All,
+            refresh_fraction: 0.5,
+            specialize: Specialize::All,
             supersample: false,
             thresholds: Thresholds { col: 0.25, ste: 1.0, ..Preset::Textures.thresholds() },
             focus: Some(Focus { first: 3, last: 5 }),
             refine: Refine::On,
-            inactive: Inactive::Bilinear,
+            unsampled: Unsampled::Bilinear,
             jitter: Jitter::On,
             filter: Filter::Tent,
-            similar: 0.3,
+            quincunx_threshold: 0.3,
             seed: 9,
             paths: glimpse::Paths::default(),
         }
     );
     assert_eq!(options.frame.size, Size([640, 480]));
     assert_eq!(options.frame.camera.as_deref(), Some("top"));
-    assert_eq!((options.show, options.frames, options.reference), (Show::Check(4), 7, true));
+    assert_eq!(
+        (options.show, options.frames, options.reference),
+        (Show::Check(glimpse::Check::Tex), 7, true)
+    );
     assert!(options.output.linear);
 }
 
@@ -234,8 +237,8 @@ fn reports_have_smaller_frames() {
 
 #[test]
 fn a_camera_of_ones_own_has_an_eye_and_a_target() {
-    let pose = render("render a.glb -o a.png --eye=-1,2e-3,3 --target 0,0,-1").frame.pose;
-    let camera = pose.camera().unwrap().unwrap();
+    let look_at = render("render a.glb -o a.png --eye=-1,2e-3,3 --target 0,0,-1").frame.look_at;
+    let camera = look_at.camera().unwrap().unwrap();
     assert_eq!(camera.origin.to_array(), [-1.0, 2e-3, 3.0]);
     assert!(!camera.orthographic && camera.forward.z < 0.0);
     for wrong in [

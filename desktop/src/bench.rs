@@ -3,10 +3,10 @@
 use glimpse::{Gpu, Method, options};
 
 use crate::args::{BenchOptions, FrameOptions, Size};
-use crate::cores;
+use crate::cpu_tracer;
 use crate::errors::Usage;
-use crate::focus::Wish;
-use crate::measure::{Plan, Run, Stage};
+use crate::focus::FrameRequest;
+use crate::measure::{Plan, Run, Workbench};
 use crate::output;
 use crate::pan::{self, Pan};
 use crate::progress::Progress;
@@ -17,25 +17,25 @@ use crate::summary;
 /// `glimpse bench`
 pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> {
     let rows = rows(options)?;
-    let wishes: Vec<_> = rows.iter().map(|row| row.wish.clone()).collect();
-    cores::check(&wishes, options.frames)?;
+    let requests: Vec<_> = rows.iter().map(|row| row.request.clone()).collect();
+    cpu_tracer::check(&requests, options.frames)?;
     options.scenes.iter().try_for_each(|name| scene_file::check(name))?;
     let Size(size) = options.frame.size;
-    let against = rows.iter().map(|row| rows.iter().position(|full| full.wish == row.baseline)).collect();
+    let against = rows.iter().map(|row| rows.iter().position(|full| full.request == row.baseline)).collect();
     let pan = options.pan.map(|degrees| Pan { degrees, against });
     let plan = Plan { size, frames: options.frames, linear: false, pan };
     let gpu = Gpu::headless(adapter)?;
     let mut all = Vec::new();
     for (index, name) in options.scenes.iter().enumerate() {
-        let progress = Progress::new(plan.steps(wishes.len()));
-        let stage = Stage::set(&gpu, name, &options.frame, &wishes, &progress)?;
-        let runs = plan.measure(&stage, &progress)?;
+        let progress = Progress::new(plan.steps(requests.len()));
+        let workbench = Workbench::set(&gpu, name, &options.frame, &requests, &progress)?;
+        let runs = plan.measure(&workbench, &progress)?;
         let of_row = |(row, run): (&Row, &Run)| {
-            let full = rows.iter().position(|full| full.wish == row.baseline);
+            let full = rows.iter().position(|full| full.request == row.baseline);
             // Two eyes' pictures are no error of one eye's.
             let full = full.map(|index| &runs[index]);
             let full = full.filter(|full| full.picture.dimensions() == run.picture.dimensions());
-            Ok((row.name.clone(), Statistics::of(&stage, run, full)?))
+            Ok((row.name.clone(), Statistics::of(&workbench, run, full)?))
         };
         let statistics = rows.iter().zip(&runs).map(of_row).collect::<glimpse::Result<Vec<_>>>()?;
         drop(progress);
@@ -53,9 +53,9 @@ pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> 
 struct Row {
     /// The method and what was varied.
     name: String,
-    wish: Wish,
+    request: FrameRequest,
     /// `full` with the same of everything that concerns it.
-    baseline: Wish,
+    baseline: FrameRequest,
 }
 
 /// Every method with every combination of what is varied, each once.
@@ -63,18 +63,18 @@ fn rows(options: &BenchOptions) -> anyhow::Result<Vec<Row>> {
     let combinations = options.frame.combinations(&options.vary).map_err(not_varied)?;
     // Other methods are measured without.
     let threads = options.frame.typed.settings(Method::Path)?.paths.cpu_threads;
-    if threads > 0 && !options.methods.iter().any(|method| method.follows_paths()) {
+    if threads > 0 && !options.methods.iter().any(|method| method.is_path_traced()) {
         let expected = "path or vr among --methods: no other adds samples up";
         return Err(glimpse::Error::setting("cpu-threads", expected, threads.to_string()).into());
     }
     let mut rows: Vec<Row> = Vec::new();
     for method in &options.methods {
         for combination in &combinations {
-            let (wish, varied) = heeded(&options.frame, combination, *method)?;
-            let (baseline, _) = heeded(&options.frame, combination, Method::Full)?;
-            let name = format!("{}{varied}", summary::method_name(wish.settings.method));
-            if rows.iter().all(|row| row.wish != wish) {
-                rows.push(Row { name, wish, baseline });
+            let (request, varied) = applicable(&options.frame, combination, *method)?;
+            let (baseline, _) = applicable(&options.frame, combination, Method::Full)?;
+            let name = format!("{}{varied}", summary::method_name(request.settings.method));
+            if rows.iter().all(|row| row.request != request) {
+                rows.push(Row { name, request, baseline });
             }
         }
     }
@@ -83,21 +83,21 @@ fn rows(options: &BenchOptions) -> anyhow::Result<Vec<Row>> {
 
 /// A method with those of the varied options that it heeds, and what these are. What it does not heed is
 /// measured once for all values.
-fn heeded(
+fn applicable(
     options: &FrameOptions,
     (combination, varied): &(FrameOptions, Vec<(String, String)>),
     method: Method,
-) -> anyhow::Result<(Wish, String)> {
+) -> anyhow::Result<(FrameRequest, String)> {
     let settings = combination.settings_beside(method)?;
-    let (mut heeded, mut told) = (options.clone(), String::new());
+    let (mut applicable, mut told) = (options.clone(), String::new());
     for (option, value) in varied {
         if !options::find(option)?.applies(&settings) {
             continue;
         }
-        heeded = heeded.with(option, value).map_err(not_varied)?;
+        applicable = applicable.with(option, value).map_err(not_varied)?;
         told += &format!(" {option}={value}");
     }
-    Ok((Wish::beside(&heeded, method)?, told))
+    Ok((FrameRequest::beside(&applicable, method)?, told))
 }
 
 fn not_varied(reason: String) -> Usage {

@@ -61,17 +61,17 @@ fn every_combination_is_a_row_and_full_stands_once_for_what_concerns_it() {
         ]
     );
     let rows = rows(&options).unwrap();
-    assert_eq!(rows.iter().map(|row| row.wish.settings.block).collect::<Vec<_>>(), [4, 4, 2, 8, 2, 8]);
+    assert_eq!(rows.iter().map(|row| row.request.settings.block).collect::<Vec<_>>(), [4, 4, 2, 8, 2, 8]);
     for row in &rows {
-        assert_eq!(row.baseline.settings.features, row.wish.settings.features);
-        assert!(rows.iter().any(|full| full.wish == row.baseline), "{row:?}");
+        assert_eq!(row.baseline.settings.specialize, row.request.settings.specialize);
+        assert!(rows.iter().any(|full| full.request == row.baseline), "{row:?}");
     }
 }
 
 #[test]
 fn methods_stand_once_for_what_they_do_not_heed() {
     let all = [Method::Full, Method::Adaptive, Method::Supersample, Method::Quincunx];
-    for (vary, heeding) in [
+    for (vary, applying) in [
         ("tau-col=0.1,0.2", &["supersample"][..]),
         ("tau-ste=0.1,0.2", &["supersample"]),
         ("preset=edges,textures", &["supersample"]),
@@ -87,7 +87,7 @@ fn methods_stand_once_for_what_they_do_not_heed() {
         let found = names(&bench(&all, &[vary]));
         let (option, values) = vary.split_once('=').unwrap();
         let expected = ["full", "adaptive", "supersample", "quincunx"].map(|method| {
-            if !heeding.contains(&method) {
+            if !applying.contains(&method) {
                 return vec![method.to_owned()];
             }
             values.split(',').map(|value| format!("{method} {option}={value}")).collect()

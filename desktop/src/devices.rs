@@ -1,7 +1,7 @@
 //! `glimpse devices`: the adapters and what matters of their limits.
 
 use glimpse::Gpu;
-use glimpse::gpu::AdapterFacts;
+use glimpse::device::AdapterFacts;
 use glimpse_measure::statistics::AdapterStatistics;
 use serde::Serialize;
 
@@ -97,7 +97,7 @@ fn described(device: &Device) -> String {
         row(
             "storage",
             &format!(
-                "{} buffers a stage, {} a binding, {} a buffer",
+                "{} buffers a workbench, {} a binding, {} a buffer",
                 l.storage_buffers_per_stage,
                 bytes(l.storage_binding_bytes),
                 bytes(l.buffer_bytes)
@@ -133,7 +133,8 @@ mod tests {
     fn limits_arrive_in_text_and_json() {
         let device = Device::from(&facts());
         let text = described(&device);
-        for expected in ["8 buffers a stage, 128.0 MiB a binding", "256 invocations", "timestamps on the GPU"]
+        for expected in
+            ["8 buffers a workbench, 128.0 MiB a binding", "256 invocations", "timestamps on the GPU"]
         {
             assert!(text.contains(expected), "no `{expected}` in\n{text}");
         }

@@ -10,14 +10,14 @@ const NAMED: usize = 8;
 
 /// How a frame is to be made of a scene that is not known yet.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Wish {
+pub struct FrameRequest {
     /// Checked; the objects in focus only where they are typed by index.
     pub settings: Settings,
     /// The objects in focus as they were typed.
     pub focus: Option<String>,
 }
 
-impl Wish {
+impl FrameRequest {
     /// What was typed, with one method.
     ///
     /// # Errors
@@ -26,7 +26,7 @@ impl Wish {
         Ok(Self { settings: options.settings(method)?, focus: options.focus().map(str::to_owned) })
     }
 
-    /// As [`Wish::of`], for one method of several.
+    /// As [`FrameRequest::of`], for one method of several.
     ///
     /// # Errors
     /// As [`FrameOptions::settings_beside`].
@@ -84,9 +84,9 @@ mod tests {
         names.map(|name| Object { name: name.to_owned(), material: 0 }).to_vec()
     }
 
-    fn wish(focus: &str) -> Wish {
+    fn request(focus: &str) -> FrameRequest {
         let options = FrameOptions::default().with("focus", focus).unwrap();
-        Wish::of(&options, Method::Supersample).unwrap()
+        FrameRequest::of(&options, Method::Supersample).unwrap()
     }
 
     #[test]
@@ -94,10 +94,10 @@ mod tests {
         for (text, first, last) in
             [("3", 3, 3), ("1-6", 1, 6), ("chair", 1, 2), ("back", 2, 2), ("lamp", 4, 5), ("lamp-2", 5, 5)]
         {
-            let settings = wish(text).in_scene(&objects()).unwrap();
+            let settings = request(text).in_scene(&objects()).unwrap();
             assert_eq!(settings.focus, Some(Focus { first, last }), "{text}");
         }
-        let nothing = Wish::of(&FrameOptions::default(), Method::Adaptive).unwrap();
+        let nothing = FrameRequest::of(&FrameOptions::default(), Method::Adaptive).unwrap();
         assert_eq!(nothing.in_scene(&objects()).unwrap(), Settings::default());
     }
 
@@ -111,11 +111,11 @@ mod tests {
             ("", "the scene has 0"),
             ("table", "objects that follow each other; these have the name: 3 (table), 6 (table/leg)"),
         ] {
-            let error = wish(text).in_scene(&objects()).unwrap_err().to_string();
+            let error = request(text).in_scene(&objects()).unwrap_err().to_string();
             assert!(error.starts_with("focus: ") && error.contains(expected), "{error}");
             assert!(error.ends_with(&format!(", found {text}")), "{error}");
         }
-        let error = wish("sofa").in_scene(&[objects(), objects()].concat()).unwrap_err().to_string();
+        let error = request("sofa").in_scene(&[objects(), objects()].concat()).unwrap_err().to_string();
         assert!(error.ends_with("7 (floor), 6 more, found sofa"), "{error}");
     }
 }

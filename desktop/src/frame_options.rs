@@ -8,7 +8,7 @@ use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
 use glimpse::options::{Choice, Kind, OPTIONS, OptionSpec};
 use glimpse::{Method, Settings};
 
-use super::{PoseOptions, Size};
+use super::{LookAtOptions, Size};
 
 /// What every rendering command takes.
 #[derive(Clone, Debug, PartialEq, Args)]
@@ -20,15 +20,15 @@ pub struct FrameOptions {
     #[arg(long, value_name = "INDEX_OR_NAME")]
     pub camera: Option<String>,
     #[command(flatten)]
-    pub pose: PoseOptions,
+    pub look_at: LookAtOptions,
     #[command(flatten)]
     pub typed: TypedOptions<ExceptMethod>,
 }
 
 impl Default for FrameOptions {
     fn default() -> Self {
-        let (camera, pose, typed) = (None, PoseOptions::default(), TypedOptions::default());
-        Self { size: Size([2560, 1440]), camera, pose, typed }
+        let (camera, look_at, typed) = (None, LookAtOptions::default(), TypedOptions::default());
+        Self { size: Size([2560, 1440]), camera, look_at, typed }
     }
 }
 

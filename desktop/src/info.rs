@@ -1,7 +1,7 @@
 //! `glimpse info`: what a scene holds, and what is left out because of it.
 
 use glimpse::scene::{Light, LightKind, Material};
-use glimpse::{Linked, Linking, Scene};
+use glimpse::{Linked, Scene, Specialize};
 use glimpse_measure::statistics::SceneStatistics;
 use serde::Serialize;
 
@@ -120,7 +120,7 @@ impl Info {
                 total: scene.images.len(),
                 bytes: scene.images.iter().map(|i| i.rgba.len() as u64).sum(),
             },
-            scene: SceneStatistics::of(name, &scene, Linking::Auto),
+            scene: SceneStatistics::of(name, &scene, Specialize::Auto),
             warnings: scene.warnings,
         })
     }
@@ -159,7 +159,7 @@ impl Info {
 
 impl Saved {
     fn of(scene: &Scene) -> glimpse::Result<Self> {
-        let [auto, all] = [Linked::of(scene, Linking::Auto)?, Linked::of(scene, Linking::All)?];
+        let [auto, all] = [Linked::of(scene, Specialize::Auto)?, Linked::of(scene, Specialize::All)?];
         Ok(Self {
             files: all.files.difference(&auto.files).copied().collect(),
             files_of: all.files.len(),
@@ -254,8 +254,8 @@ mod tests {
         for expected in [
             "scene     ball.glb: 0 triangles, 1 sphere, 1 object, 1 light, 0 textures",
             "linked    glossy, spheres, reflection, lights",
-            "texture_atlas, texture_mip, vertex_attributes, vertex_buffers), 4 of ",
-            "bindings (atlas_color, atlas_data, landmarks, vertices), 28 of 44 bytes of attributes every two samples",
+            "texture_atlas, texture_mip, vertex_attributes, vertex_buffers, ",
+            "), 4 of 14 bindings (atlas_color, atlas_data, probe_points, vertices), 28 of 44 bytes of attributes every two samples",
             "bounds    (0, 1, 2) to (2, 3, 4), sides (2, 2, 2)",
             "camera    0 (front) at",
             "light     directional along (0, -1, 0), intensity (1, 0.5, 0.25)",

@@ -3,7 +3,7 @@
 mod args;
 mod bench;
 mod compare;
-mod cores;
+mod cpu_tracer;
 mod devices;
 mod errors;
 mod focus;

@@ -2,21 +2,21 @@
 
 use anyhow::Context;
 use glimpse::{
-    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Linking, Memory, Renderer,
-    Scene, Settings, metrics, reference::Reference,
+    Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Renderer, Scene,
+    Settings, Specialize, metrics, reference::Reference,
 };
 use glimpse_measure::statistics::{SceneStatistics, timed};
 
 use crate::args::FrameOptions;
-use crate::cores::{Sides, Unfinished};
-use crate::focus::Wish;
+use crate::cpu_tracer::{Sides, Unfinished};
+use crate::focus::FrameRequest;
 use crate::pan::{Pan, Panned};
 use crate::progress::Progress;
 use crate::scene_file;
 use crate::statistics::ErrorAgainst;
 
 /// A scene on the device, a camera in it, and what is known of both.
-pub struct Stage<'g> {
+pub struct Workbench<'g> {
     /// The device.
     pub gpu: &'g Gpu,
     /// The scene there.
@@ -30,7 +30,7 @@ pub struct Stage<'g> {
     /// What is measured there.
     pub methods: Vec<Settings>,
     /// Threads beside the GPU, of each.
-    pub cores: Vec<u32>,
+    pub cpu_threads: Vec<u32>,
     /// The scene as they see it, where there are any.
     pub reference: Option<Reference>,
     /// What the import had to leave out.
@@ -41,25 +41,29 @@ pub struct Stage<'g> {
     pub build_ms: f64,
 }
 
-impl<'g> Stage<'g> {
+impl<'g> Workbench<'g> {
     /// Loads the scene of that name and moves it to the device.
     pub fn set(
         gpu: &'g Gpu,
         name: &str,
         options: &FrameOptions,
-        wishes: &[Wish],
+        requests: &[FrameRequest],
         progress: &Progress,
     ) -> anyhow::Result<Self> {
         progress.doing(&format!("loading {name}"));
         let (scene, load_ms) = timed(|| scene_file::load(name))?;
         let (camera, camera_name) = chosen_camera(&scene, options).with_context(|| name.to_owned())?;
-        let methods = wishes.iter().map(|wish| wish.in_scene(&scene.objects)).collect::<glimpse::Result<_>>();
+        let methods =
+            requests.iter().map(|request| request.in_scene(&scene.objects)).collect::<glimpse::Result<_>>();
         let methods = methods.with_context(|| name.to_owned())?;
-        let linking = wishes.first().map_or(Linking::Auto, |wish| wish.settings.features);
-        let statistics = SceneStatistics::of(name, &scene, linking);
+        let specialize = requests.first().map_or(Specialize::Auto, |request| request.settings.specialize);
+        let statistics = SceneStatistics::of(name, &scene, specialize);
         let warnings = scene.warnings.clone();
-        let cores: Vec<_> = wishes.iter().map(|wish| wish.settings.paths.cpu_threads).collect();
-        let reference = cores.iter().any(|cores| *cores > 0).then(|| Reference::new(&scene).with_wide_tree());
+        let cpu_threads: Vec<_> = requests.iter().map(|request| request.settings.paths.cpu_threads).collect();
+        let reference = cpu_threads
+            .iter()
+            .any(|cpu_threads| *cpu_threads > 0)
+            .then(|| Reference::new(&scene).with_wide_tree());
         progress.doing("building the acceleration structure");
         let (scene, build_ms) = timed(|| GpuScene::upload(gpu, scene).with_context(|| name.to_owned()))?;
         Ok(Self {
@@ -69,7 +73,7 @@ impl<'g> Stage<'g> {
             camera_name,
             statistics,
             methods,
-            cores,
+            cpu_threads,
             reference,
             warnings,
             load_ms,
@@ -129,16 +133,20 @@ impl Plan {
         methods as u64 * (2 + u64::from(self.frames))
     }
 
-    /// Measures every method of the stage, in their order.
-    pub fn measure(&self, stage: &Stage<'_>, progress: &Progress) -> anyhow::Result<Vec<Run>> {
-        let name = &stage.statistics.file;
-        let mut camera = stage.camera;
-        let mut renderers = Vec::with_capacity(stage.methods.len());
-        for settings in &stage.methods {
+    /// Measures every method of the workbench, in their order.
+    pub fn measure(&self, workbench: &Workbench<'_>, progress: &Progress) -> anyhow::Result<Vec<Run>> {
+        let name = &workbench.statistics.file;
+        let mut camera = workbench.camera;
+        let mut renderers = Vec::with_capacity(workbench.methods.len());
+        for settings in &workbench.methods {
             progress.doing(&format!("{name}: compiling"));
             renderers.push(timed(|| {
-                let mut renderer =
-                    Renderer::new(stage.gpu, &stage.scene, settings.method.picture(self.size), settings)?;
+                let mut renderer = Renderer::new(
+                    workbench.gpu,
+                    &workbench.scene,
+                    settings.method.picture(self.size),
+                    settings,
+                )?;
                 renderer.render(&camera)?;
                 anyhow::Ok(renderer)
             })?);
@@ -149,7 +157,7 @@ impl Plan {
         for frame in 1..=self.frames {
             progress.doing(&format!("{name}: frame {frame}"));
             if let Some(pan) = &self.pan {
-                camera = stage.camera.panned(f64::from(frame) * pan.degrees);
+                camera = workbench.camera.panned(f64::from(frame) * pan.degrees);
             }
             for ((renderer, _), times) in renderers.iter_mut().zip(&mut frames) {
                 times.push(renderer.render(&camera)?);
@@ -160,14 +168,14 @@ impl Plan {
             }
         }
         let mut runs = Vec::with_capacity(renderers.len());
-        let measured = renderers.into_iter().zip(frames).zip(panned).zip(&stage.cores);
-        for ((((mut renderer, compile_ms), frames), panned), &cores) in measured {
+        let measured = renderers.into_iter().zip(frames).zip(panned).zip(&workbench.cpu_threads);
+        for ((((mut renderer, compile_ms), frames), panned), &cpu_threads) in measured {
             let unfinished = Unfinished {
                 renderer: &mut renderer,
                 camera: &camera,
                 size: self.size,
-                reference: stage.reference.as_ref(),
-                cores,
+                reference: workbench.reference.as_ref(),
+                cpu_threads,
             };
             let sides = unfinished.finish(|samples| progress.doing(&format!("{name}: sample {samples}")))?;
             progress.doing(&format!("{name}: counting"));
@@ -195,7 +203,7 @@ impl Plan {
 
 /// The camera of the command line, or the one of the scene that it names, and what to call it.
 fn chosen_camera(scene: &Scene, options: &FrameOptions) -> glimpse::Result<(Camera, String)> {
-    if let Some(camera) = options.pose.camera()? {
+    if let Some(camera) = options.look_at.camera()? {
         return Ok((camera, "--eye".to_owned()));
     }
     let camera = scene.camera(options.camera.as_deref())?;

@@ -7,12 +7,12 @@ use glimpse::{Gpu, Method, Settings, Show, show, to_exr, to_png};
 
 use crate::args::{FrameOptions, PictureFile, RenderOptions, Size};
 use crate::errors::Usage;
-use crate::focus::Wish;
-use crate::measure::{Plan, Run, Stage};
+use crate::focus::FrameRequest;
+use crate::measure::{Plan, Run, Workbench};
 use crate::output;
 use crate::progress::Progress;
 use crate::statistics::Statistics;
-use crate::{cores, files, scene_file, summary};
+use crate::{cpu_tracer, files, scene_file, summary};
 
 const VIEW_PICTURE: &str = "glimpse.png";
 
@@ -34,9 +34,9 @@ pub fn without_display(scene: &str, adapter: Option<&str>) -> anyhow::Result<()>
 
 /// `glimpse render`
 pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()> {
-    let wish = Wish::of(&options.frame, options.method)?;
-    check_show(options, &wish.settings)?;
-    if options.reference && wish.settings.method == Method::Vr {
+    let request = FrameRequest::of(&options.frame, options.method)?;
+    check_show(options, &request.settings)?;
+    if options.reference && request.settings.method == Method::Vr {
         bail!(Usage(
             "--reference: expected a method of one eye, found vr: method full shows one picture".to_owned()
         ));
@@ -45,27 +45,27 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
     let outputs = std::iter::once(&options.output.path).chain(&options.stats);
     files::check(outputs.map(PathBuf::as_path), Path::new(&options.scene))?;
 
-    let mut wishes = vec![wish];
+    let mut requests = vec![request];
     if options.reference && options.method != Method::Full {
-        wishes.push(Wish::beside(&options.frame, Method::Full)?);
+        requests.push(FrameRequest::beside(&options.frame, Method::Full)?);
     }
     let Size(size) = options.frame.size;
-    cores::check(&wishes, options.frames)?;
+    cpu_tracer::check(&requests, options.frames)?;
     let plan = Plan { size, frames: options.frames, linear: options.output.linear, pan: None };
-    let progress = Progress::new(plan.steps(wishes.len()));
+    let progress = Progress::new(plan.steps(requests.len()));
     let gpu = Gpu::headless(adapter)?;
-    let stage = Stage::set(&gpu, &options.scene, &options.frame, &wishes, &progress)?;
-    let runs = plan.measure(&stage, &progress)?;
+    let workbench = Workbench::set(&gpu, &options.scene, &options.frame, &requests, &progress)?;
+    let runs = plan.measure(&workbench, &progress)?;
 
     progress.doing("writing");
     let full = runs.iter().find(|run| options.reference && run.settings.method == Method::Full);
-    let statistics = Statistics::of(&stage, &runs[0], full)?;
+    let statistics = Statistics::of(&workbench, &runs[0], full)?;
     let legend = write_picture(options, &runs[0])?;
     if let Some(path) = &options.stats {
         files::write(path, output::json(&statistics)?.as_bytes())?;
     }
     drop(progress);
-    let warnings = [options.frame.warnings(&runs[0].settings), stage.warnings.clone()].concat();
+    let warnings = [options.frame.warnings(&runs[0].settings), workbench.warnings.clone()].concat();
     let mut text = summary::frame(&statistics, &warnings);
     text += &legend;
     text += &summary::row("wrote", &options.output.path.display().to_string());

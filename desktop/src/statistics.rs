@@ -1,28 +1,13 @@
 //! The statistics JSON: what was rendered, with what, how long it took and what it cost.
 
 use glimpse::metrics::ErrorReport;
-use glimpse::{Cost, FailedChecks, FrameTime, Memory, Missing, Rays, Samples, Settings};
+use glimpse::{Cost, FailedChecks, FrameTime, Memory, Missing, Rays, Samples, Settings, Tracing};
 use glimpse_measure::statistics::{AdapterStatistics, SceneStatistics, Spread};
 use serde::Serialize;
 
-use crate::cores::Sides;
-use crate::measure::{Run, Stage};
+use crate::cpu_tracer::Sides;
+use crate::measure::{Run, Workbench};
 use crate::pan::PanStatistics;
-
-/// The passes that trace rays; every other one is overhead of the adaptive method.
-const TRACING_PASSES: [&str; 11] = [
-    "base",
-    "trace_a1",
-    "trace_a2",
-    "postcorrect",
-    "postcorrect_scan",
-    "full",
-    "checkerboard",
-    "frameless",
-    "renew",
-    "path",
-    "look",
-];
 
 /// One method on one scene.
 #[derive(Clone, Debug, Serialize)]
@@ -106,6 +91,8 @@ pub struct Times {
 pub struct PassMedian {
     /// Its name.
     pub name: &'static str,
+    /// Whether it traces rays.
+    pub tracing: Tracing,
     /// Over the frames.
     pub median: f64,
 }
@@ -133,7 +120,7 @@ pub struct ErrorAgainst {
 
 impl Statistics {
     /// Of one run, and against the full frame where there is one.
-    pub fn of(stage: &Stage<'_>, run: &Run, full: Option<&Run>) -> glimpse::Result<Self> {
+    pub fn of(workbench: &Workbench<'_>, run: &Run, full: Option<&Run>) -> glimpse::Result<Self> {
         let counts = run.inspection.counts;
         let frame = Spread::of(run.frames.iter().map(|f| f.ms));
         let passes = pass_medians(&run.frames);
@@ -148,19 +135,19 @@ impl Statistics {
         });
         Ok(Self {
             glimpse: env!("CARGO_PKG_VERSION"),
-            adapter: AdapterStatistics::of(&stage.gpu.facts().info),
-            scene: stage.statistics.clone().linked(stage.scene.features(), run.settings.features),
-            settings: SettingsUsed { settings: run.settings, camera: stage.camera_name.clone() },
+            adapter: AdapterStatistics::of(&workbench.gpu.facts().info),
+            scene: workbench.statistics.clone().linked(workbench.scene.features(), run.settings.specialize),
+            settings: SettingsUsed { settings: run.settings, camera: workbench.camera_name.clone() },
             size: run.picture.dimensions().into(),
             frames: run.frames.len(),
             mrays_per_s: counts.rays.total as f64 / (1000.0 * frame.median),
             non_tracing_share: non_tracing_share(&passes, frame.median),
             time_ms: Times {
                 frame,
-                clock: if stage.gpu.facts().timestamps { "gpu" } else { "cpu" },
+                clock: if workbench.gpu.facts().timestamps { "gpu" } else { "cpu" },
                 passes,
-                load: stage.load_ms,
-                build: stage.build_ms,
+                load: workbench.load_ms,
+                build: workbench.build_ms,
                 compile: run.compile_ms,
             },
             rays: counts.rays,
@@ -175,7 +162,7 @@ impl Statistics {
             sides: run.sides.clone(),
             // Of pixels that were kept from an earlier frame the object is not known.
             missing: full
-                .filter(|_| !run.settings.method.keeps_frames())
+                .filter(|_| !run.settings.method.has_history())
                 .and_then(|full| Missing::of(&full.inspection.pixels, &run.inspection.pixels)),
         })
     }
@@ -190,13 +177,17 @@ pub fn pass_medians(frames: &[FrameTime]) -> Vec<PassMedian> {
     first
         .passes
         .iter()
-        .map(|pass| PassMedian { name: pass.name, median: Spread::of(times(pass.name)).median })
+        .map(|pass| PassMedian {
+            name: pass.name,
+            tracing: pass.tracing,
+            median: Spread::of(times(pass.name)).median,
+        })
         .collect()
 }
 
 /// The part of a frame spent in passes that trace nothing.
 pub fn non_tracing_share(passes: &[PassMedian], frame_ms: f64) -> Option<f64> {
-    let other = passes.iter().filter(|p| !TRACING_PASSES.contains(&p.name));
+    let other = passes.iter().filter(|p| p.tracing == Tracing::No);
     (!passes.is_empty() && frame_ms > 0.0).then(|| other.map(|p| p.median).sum::<f64>() / frame_ms)
 }
 

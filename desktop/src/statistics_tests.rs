@@ -1,6 +1,6 @@
 //! The JSON has the contract's names; medians and shares are what they are called.
 
-use glimpse::{Linking, PassTime, Scene};
+use glimpse::{PassTime, Scene, Specialize};
 use serde_json::{Value, json};
 
 use super::*;
@@ -10,7 +10,7 @@ pub fn example() -> Statistics {
     Statistics {
         glimpse: "0",
         adapter: AdapterStatistics { name: "Card".into(), backend: "vulkan".into(), driver: "D 1".into() },
-        scene: SceneStatistics::of("a.glb", &Scene::default(), Linking::Auto),
+        scene: SceneStatistics::of("a.glb", &Scene::default(), Specialize::Auto),
         settings: SettingsUsed { settings: Settings::default(), camera: "0 (front)".into() },
         size: [8, 4],
         frames: 1,
@@ -18,8 +18,8 @@ pub fn example() -> Statistics {
             frame: Spread { median: 10.0, p95: 12.0 },
             clock: "gpu",
             passes: vec![
-                PassMedian { name: "base", median: 8.0 },
-                PassMedian { name: "resolve", median: 2.0 },
+                PassMedian { name: "base", tracing: Tracing::Neighbours, median: 8.0 },
+                PassMedian { name: "resolve", tracing: Tracing::No, median: 2.0 },
             ],
             load: 1.0,
             build: 2.0,
@@ -139,16 +139,38 @@ fn without_a_reference_nothing_speaks_of_one() {
 fn medians_are_per_pass_and_keep_the_order() {
     let frame = |base, resolve| FrameTime {
         ms: base + resolve,
-        passes: vec![PassTime { name: "base", ms: base }, PassTime { name: "resolve", ms: resolve }],
+        passes: vec![
+            PassTime { name: "base", tracing: Tracing::Neighbours, ms: base },
+            PassTime { name: "resolve", tracing: Tracing::No, ms: resolve },
+        ],
     };
     let passes = pass_medians(&[frame(6.0, 1.0), frame(8.0, 2.0), frame(30.0, 0.5)]);
     assert_eq!(
         passes,
-        [PassMedian { name: "base", median: 8.0 }, PassMedian { name: "resolve", median: 1.0 }]
+        [
+            PassMedian { name: "base", tracing: Tracing::Neighbours, median: 8.0 },
+            PassMedian { name: "resolve", tracing: Tracing::No, median: 1.0 }
+        ]
     );
     assert_eq!(non_tracing_share(&passes, 10.0), Some(0.1));
     assert_eq!(non_tracing_share(&[], 10.0), None);
     assert!(pass_medians(&[]).is_empty());
+}
+
+/// Passes of every method: the time of those that trace is no overhead, whatever they are called.
+#[test]
+fn overhead_is_the_time_of_passes_that_trace_nothing() {
+    let median = |name| PassMedian { name, tracing: Tracing::of_pass(name).expect(name), median: 1.0 };
+    for (passes, share) in [
+        (["presample", "subpixel_test", "compact_active", "extra_samples"], 0.5),
+        (["quincunx_base", "quincunx_split_a", "quincunx_trace_a", "quincunx_trace_b"], 0.25),
+        (["refine_test", "refine", "stratum_test", "strata"], 0.5),
+        (["base", "similarity_a1", "compact_a1", "trace_a1"], 0.5),
+        (["path", "stereo_reproject", "stereo_gather", "median"], 0.5),
+    ] {
+        assert_eq!(non_tracing_share(&passes.map(median), 4.0), Some(share), "{passes:?}");
+    }
+    assert_eq!(serde_json::to_value(median("refine")).unwrap()["tracing"], "listed");
 }
 
 #[test]

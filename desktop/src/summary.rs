@@ -3,10 +3,10 @@
 use std::fmt::Write;
 
 use glimpse::metrics::ErrorReport;
-use glimpse::{CHECK_NAMES, FailedChecks, Method, Missing};
+use glimpse::{Method, Missing, Rays};
 use glimpse_measure::statistics::SceneStatistics;
 
-use crate::cores::{Side, Sides};
+use crate::cpu_tracer::{Side, Sides};
 use crate::output::{bytes, counted, grouped, listed};
 use crate::statistics::Statistics;
 
@@ -54,7 +54,7 @@ pub fn frame(statistics: &Statistics, warnings: &[String]) -> String {
     text += &row("rays", &rays(s));
     text += &row("samples", &samples(s));
     text += &row("RT ratio", &format!("{:.4}", s.rt_ratio));
-    text += &row("failed", &failed(&s.failed_checks));
+    text += &row("failed", &counts(s.failed_checks.labelled()));
     text += &row("work", &work(s));
     let m = &s.memory_bytes;
     text += &row(
@@ -108,8 +108,9 @@ pub fn sides(sides: &Sides) -> String {
     let side = |who: String, side: &Side| {
         format!("{who} {} ({:.0} % busy)", counted(side.samples as usize, "sample"), 100.0 * side.utilisation)
     };
-    let cores = sides.cores.iter().enumerate().map(|(index, core)| side(format!("core {index}"), core));
-    let all: Vec<_> = std::iter::once(side("GPU".to_owned(), &sides.gpu)).chain(cores).collect();
+    let cpu_threads =
+        sides.cpu_threads.iter().enumerate().map(|(index, core)| side(format!("core {index}"), core));
+    let all: Vec<_> = std::iter::once(side("GPU".to_owned(), &sides.gpu)).chain(cpu_threads).collect();
     format!("{} in {:.0} ms, {:.3} samples/s", all.join(", "), sides.wall_ms, sides.samples_per_s)
 }
 
@@ -165,48 +166,25 @@ pub fn adapter(statistics: &Statistics) -> String {
 }
 
 fn rays(s: &Statistics) -> String {
-    let r = &s.rays;
-    // Of paths alone.
-    let diffuse = if r.diffuse > 0 { format!(", diffuse {}", grouped(r.diffuse)) } else { String::new() };
-    format!(
-        "{} (primary {}, shadow {}, reflection {}, refraction {}{diffuse}), {:.2} million/s",
-        grouped(r.total),
-        grouped(r.primary),
-        grouped(r.shadow),
-        grouped(r.reflection),
-        grouped(r.refraction),
-        s.mrays_per_s
-    )
+    let Rays { total, .. } = s.rays;
+    format!("{} ({}), {:.2} million/s", grouped(total), counts(s.rays.labelled()), s.mrays_per_s)
 }
 
 fn samples(s: &Statistics) -> String {
-    let n = &s.samples;
-    format!(
-        "{} (base {}, traced A1 {}, traced A2 {}, postcorrected {}, interpolated {})",
-        grouped(n.total),
-        grouped(n.base),
-        grouped(n.traced_a1),
-        grouped(n.traced_a2),
-        grouped(n.postcorrected),
-        grouped(n.interpolated)
-    )
+    format!("{} ({})", grouped(s.samples.total), counts(s.samples.labelled()))
 }
 
-fn failed(f: &FailedChecks) -> String {
-    let counts = [f.oid, f.pos, f.norm, f.convex, f.tex, f.shadow, f.gcol];
-    let named = CHECK_NAMES.iter().zip(counts).map(|(name, count)| format!("{name} {}", grouped(count)));
-    named.collect::<Vec<_>>().join(", ")
+/// Counters with their labels.
+fn counts<const N: usize>(labelled: [(&str, u64); N]) -> String {
+    labelled.map(|(label, count)| format!("{label} {}", grouped(count))).join(", ")
 }
 
 fn work(s: &Statistics) -> String {
     let share = s.cost.traced_share.map_or_else(String::new, |share| {
         format!("; {:.1} % of the full frame's work lies in traced samples", 100.0 * share)
     });
-    format!(
-        "{} node visits, {} primitive tests{share}",
-        grouped(s.cost.node_visits),
-        grouped(s.cost.primitive_tests)
-    )
+    let work = s.cost.labelled().map(|(label, count)| format!("{} {label}", grouped(count)));
+    format!("{}{share}", work.join(", "))
 }
 
 #[cfg(test)]
@@ -225,6 +203,8 @@ mod tests {
             "10.00 ms (median of 1 frame, 95 % within 12.00 ms), gpu clock",
             "base                 8.000 ms  80.0 %",
             "RT ratio  0.3400",
+            "rays      0 (primary 0, shadow 0, reflected 0, refracted 0, diffuse 0), 7.00 million/s",
+            "samples   32 (base 8, traced A1 1, traced A2 2, postcorrected 0, extra 0, interpolated 21)",
             "oid 3, pos 0",
             "50.0 % of the full frame's work",
             "speedup   2.00 over full's 20.00 ms",
@@ -235,6 +215,22 @@ mod tests {
             assert!(text.contains(expected), "no `{expected}` in\n{text}");
         }
         assert!(!text.contains("warning"));
+    }
+
+    /// What is counted is told: a sum is never larger than the counts beside it.
+    #[test]
+    fn every_counter_of_the_json_is_told() {
+        let mut statistics = example();
+        statistics.samples.extra = 1_234_567;
+        statistics.rays.diffuse = 7_654_321;
+        let text = frame(&statistics, &[]);
+        assert!(text.contains("extra 1,234,567") && text.contains("diffuse 7,654,321"), "{text}");
+        let json = serde_json::to_value(&statistics).unwrap();
+        for (section, labels) in
+            [("rays", statistics.rays.labelled().len()), ("samples", statistics.samples.labelled().len())]
+        {
+            assert_eq!(json[section].as_object().unwrap().len(), labels + 1, "{section}: all and `total`");
+        }
     }
 
     #[test]

@@ -136,10 +136,10 @@ fn cores_and_the_gpu_bring_a_pictures_samples_together() {
     let json = std::fs::read(folder.path().join("a.json")).unwrap();
     let sides = serde_json::from_slice::<serde_json::Value>(&json).unwrap()["sides"].take();
     let samples = |side: &serde_json::Value| side["samples"].as_u64().unwrap();
-    let cores = sides["cores"].as_array().unwrap();
+    let cpu_threads = sides["cores"].as_array().unwrap();
     // Two were the timed frame's and the one before it; each core may bring more while the last frame is being made.
-    let brought = samples(&sides["gpu"]) + cores.iter().map(samples).sum::<u64>();
-    assert!(cores.len() == 2 && brought >= 58, "{sides}");
+    let brought = samples(&sides["gpu"]) + cpu_threads.iter().map(samples).sum::<u64>();
+    assert!(cpu_threads.len() == 2 && brought >= 58, "{sides}");
     assert!(sides["given_up"].as_u64() <= Some(2) && sides["samples_per_s"].as_f64() > Some(0.0), "{sides}");
     assert!(said.contains(&format!("sides     GPU {} sample", samples(&sides["gpu"]))), "{said}");
     assert!(said.contains("core 1 "), "{said}");

@@ -7,7 +7,7 @@
 
 use std::error::Error;
 
-use glimpse::{CHECK_NAMES, Gpu, GpuScene, Origin, PixelRecord, Renderer, Scene, Settings};
+use glimpse::{Check, Gpu, GpuScene, Origin, PixelRecord, Renderer, Scene, Settings};
 
 const SIZE: [u32; 2] = [1024, 1024];
 
@@ -20,18 +20,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         let scene = GpuScene::upload(&gpu, scene)?;
         let pixels = Renderer::new(&gpu, &scene, SIZE, &Settings::default())?.inspect(&camera)?.pixels;
         let traced: Vec<_> = pixels.iter().filter(|pixel| pixel.origin != Origin::Interpolated).collect();
-        let columns: Vec<_> = [bit("shadow"), bit("gcol"), bit("shadow") | bit("gcol")]
-            .map(|failed| shares(&traced, failed))
-            .iter()
-            .map(|[samples, work]| format!("{:>22}", format!("{samples:.1}, {work:.1}")))
-            .collect();
+        let columns: Vec<_> =
+            [Check::Shadow.bit(), Check::Gcol.bit(), Check::Shadow.bit() | Check::Gcol.bit()]
+                .map(|failed| shares(&traced, failed))
+                .iter()
+                .map(|[samples, work]| format!("{:>22}", format!("{samples:.1}, {work:.1}")))
+                .collect();
         println!("{:<32}{}", path.rsplit('/').next().unwrap_or(&path), columns.concat());
     }
     Ok(())
-}
-
-fn bit(check: &str) -> u32 {
-    CHECK_NAMES.iter().position(|name| *name == check).map_or(0, |i| 1 << i)
 }
 
 /// Percent of the samples that fail exactly these checks, and of the work in them.

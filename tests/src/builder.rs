@@ -16,7 +16,8 @@ impl Builder {
     #[must_use]
     #[allow(clippy::new_without_default, reason = "a builder is begun, not defaulted")]
     pub fn new() -> Self {
-        let black = Environment { background: Vec3::ZERO, ambient: Vec3::ZERO, truncated: Vec3::ZERO };
+        let black =
+            Environment { background: Vec3::ZERO, ambient: Vec3::ZERO, fallback_radiance: Vec3::ZERO };
         Self(Scene { environment: black, ..Scene::default() })
     }
 
@@ -83,7 +84,7 @@ impl Builder {
 
     /// Sets the radiance of the background and of ambient light.
     pub fn environment(&mut self, background: Vec3, ambient: Vec3) {
-        self.0.environment = Environment { background, ambient, truncated: ambient };
+        self.0.environment = Environment { background, ambient, fallback_radiance: ambient };
     }
 
     /// Finishes the scene with this camera.

@@ -258,7 +258,7 @@ pub fn greys() -> Scene {
     let texture = b.texture(Texture { image, wrap: [Wrap::ClampToEdge; 2], nearest: true });
     let wall = b.object(Material { base_color_texture: Some(texture), ..unlit(Vec3::ONE) });
     b.textured_quad(wall, [Vec3::ZERO, 256.0 * Vec3::X, Vec3::Y], [Vec2::ZERO, Vec2::ONE]);
-    let dark = Environment { background: Vec3::ZERO, ambient: Vec3::ZERO, truncated: Vec3::ZERO };
+    let dark = Environment { background: Vec3::ZERO, ambient: Vec3::ZERO, fallback_radiance: Vec3::ZERO };
     let camera = Camera::look_at(vec3(128.0, 0.5, 300.0), vec3(128.0, 0.5, 0.0), 0.8).expect("a camera");
     Scene { environment: dark, ..b.seen_by(camera) }
 }

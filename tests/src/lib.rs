@@ -61,14 +61,14 @@ impl Drop for Lent {
 }
 
 /// A scene on the device with the camera to look through.
-pub struct Stage {
+pub struct TestScene {
     /// The scene on the device.
     pub scene: GpuScene,
     /// Its first camera, unless set otherwise.
     pub camera: Camera,
 }
 
-impl Stage {
+impl TestScene {
     /// Uploads a scene and takes its first camera.
     ///
     /// # Panics

@@ -5,15 +5,15 @@ mod gpu {
     mod agreement;
     mod checks;
     mod closed_forms;
+    mod cpu_tracer;
+    mod denoise;
     mod device;
     mod embedding;
     mod eyes;
     mod golden;
     mod minray;
     mod mip;
-    mod noise;
     mod path;
-    mod planes;
     mod postcorrect;
     mod renderer;
     mod scenes;

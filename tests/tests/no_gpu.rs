@@ -6,6 +6,7 @@ mod no_gpu {
     mod golden;
     mod limits;
     mod minray;
+    mod pages;
     mod paths;
     mod promises;
     mod reference;

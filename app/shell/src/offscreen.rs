@@ -18,14 +18,14 @@ const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// There is no device, or a step of the script failed: `FILE:LINE: expected ..., found ...`.
 pub fn run(setup: Setup) -> Result<()> {
     let size = setup.screen.map_or(setup.size, |screen| screen.pixels);
-    let mut stage =
-        Stage { session: Session::new(setup, Arc::new(|| ())), target: None, size, paused: false };
-    stage.attach()?;
-    while stage.frame()? {}
+    let mut shell =
+        OffscreenShell { session: Session::new(setup, Arc::new(|| ())), target: None, size, paused: false };
+    shell.attach()?;
+    while shell.frame()? {}
     Ok(())
 }
 
-struct Stage {
+struct OffscreenShell {
     session: Session,
     /// The device and the image that replaces the window's surface.
     target: Option<(Arc<Gpu>, wgpu::Texture)>,
@@ -33,7 +33,7 @@ struct Stage {
     paused: bool,
 }
 
-impl Stage {
+impl OffscreenShell {
     fn attach(&mut self) -> Result<()> {
         let setup = self.session.setup();
         let gpu =

@@ -151,7 +151,7 @@ impl Session {
             update.requests.extend(self.app.take_requests());
         }
         for request in std::mem::take(&mut update.requests) {
-            self.grant(request, &mut leftover)?;
+            self.handle_request(request, &mut leftover)?;
         }
         Ok((update, leftover))
     }
@@ -187,7 +187,7 @@ impl Session {
         Ok(player.now())
     }
 
-    fn grant(&mut self, request: Request, leftover: &mut Leftover) -> Result<()> {
+    fn handle_request(&mut self, request: Request, leftover: &mut Leftover) -> Result<()> {
         match request {
             Request::OpenDialog => leftover.dialog = true,
             Request::Save(file, picture) => self.save(file, &picture)?,
@@ -245,7 +245,7 @@ impl Session {
         match (self.setup.save)(file, picture) {
             Ok(text) => self.app.notify(text),
             Err(line) if self.player.is_some() => return Err(line),
-            Err(line) => self.app.complain(line),
+            Err(line) => self.app.report_problem(line),
         }
         Ok(())
     }

@@ -28,7 +28,7 @@ pub type OpenDialog = Box<dyn FnMut(Chosen)>;
 #[derive(Debug)]
 pub enum Wakeup {
     /// The worker has sent a message.
-    News,
+    WorkerEvent,
     /// A file was chosen in the dialog.
     Chosen(PathBuf),
 }
@@ -41,7 +41,7 @@ pub fn run(event_loop: EventLoop<Wakeup>, setup: Setup, open_dialog: OpenDialog)
     let proxy = event_loop.create_proxy();
     let waker = proxy.clone();
     // The event loop has ended where sending fails.
-    let wake: Wake = Arc::new(move || drop(waker.send_event(Wakeup::News)));
+    let wake: Wake = Arc::new(move || drop(waker.send_event(Wakeup::WorkerEvent)));
     let mut shell = Shell {
         session: Session::new(setup, wake),
         proxy,

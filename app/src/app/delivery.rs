@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use super::device::DeviceState;
-use crate::{Frame, Job};
+use crate::{Job, RenderedFrame};
 
 /// Requests to the worker that have not been answered, and the frame that is shown.
 #[derive(Default)]
@@ -25,7 +25,7 @@ pub(crate) struct Delivery {
 
 /// The frame that is shown, as textures of the overlay.
 pub(crate) struct Shown {
-    pub frame: Box<Frame>,
+    pub frame: Box<RenderedFrame>,
     pub picture: egui::TextureId,
     /// The picture by full ray tracing, where the view is split.
     pub full: Option<egui::TextureId>,
@@ -132,7 +132,7 @@ impl Delivery {
     }
 
     /// Shows a frame in place of the one before, with pixels repeated where they are `exact` on the screen.
-    pub fn present(&mut self, device: &mut DeviceState, frame: Box<Frame>, exact: bool) {
+    pub fn present(&mut self, device: &mut DeviceState, frame: Box<RenderedFrame>, exact: bool) {
         let (picture, full) = self.shown.take().map_or((None, None), |old| (Some(old.picture), old.full));
         self.register(device, frame, exact, picture, full);
     }
@@ -148,7 +148,7 @@ impl Delivery {
     fn register(
         &mut self,
         device: &mut DeviceState,
-        frame: Box<Frame>,
+        frame: Box<RenderedFrame>,
         exact: bool,
         picture_before: Option<egui::TextureId>,
         full_before: Option<egui::TextureId>,

@@ -47,7 +47,7 @@ impl Pacing {
             self.governor.next(now, self.report.take(), moving)
         } else {
             // Frames of a method that keeps some of the last one must not be given up while the camera moves.
-            let keeps = moving && choices.settings.method.keeps_frames();
+            let keeps = moving && choices.settings.method.has_history();
             Quality { level: keeps.then_some(0), ..self.quality_at_rest(choices) }
         };
         self.quality

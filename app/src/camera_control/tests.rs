@@ -2,17 +2,18 @@ use super::*;
 
 const BOUNDS: (Vec3, Vec3) = (Vec3::new(-2.0, 0.0, -1.0), Vec3::new(2.0, 3.0, 1.0));
 
-fn posed(lens: Lens) -> Camera {
-    let pose = Pose { eye: Vec3::new(3.0, 2.5, 6.0), target: Vec3::new(0.0, 1.0, 0.0), up: Vec3::Y, lens };
-    pose.camera().expect("a camera")
+fn look_at_camera(lens: Lens) -> Camera {
+    let look_at =
+        LookAt { eye: Vec3::new(3.0, 2.5, 6.0), target: Vec3::new(0.0, 1.0, 0.0), up: Vec3::Y, lens };
+    look_at.camera().expect("a camera")
 }
 
 fn perspective() -> Camera {
-    posed(Lens::Perspective { vertical_fov_degrees: 50.0 })
+    look_at_camera(Lens::Perspective { vertical_fov_degrees: 50.0 })
 }
 
 fn orthographic() -> Camera {
-    posed(Lens::Orthographic { height: 4.0 })
+    look_at_camera(Lens::Orthographic { height: 4.0 })
 }
 
 fn shifted() -> Camera {
@@ -52,8 +53,8 @@ fn seen(camera: &Camera, point: DVec3) -> DVec2 {
 
 /// The point in the plane of the target that is seen at a position.
 fn point_at(control: &CameraControl, at: DVec2) -> DVec3 {
-    let stance = &control.stance;
-    stance.target + (stance.right() * at.x + stance.up() * at.y) * stance.height()
+    let orbit_state = &control.orbit_state;
+    orbit_state.target + (orbit_state.right() * at.x + orbit_state.up() * at.y) * orbit_state.height()
 }
 
 #[test]
@@ -184,14 +185,14 @@ fn what_is_not_finite_asks_for_nothing() {
             Motion::Turn { by },
             Motion::Pan { by },
             Motion::Dolly { by: strange, at: None },
-            Motion::Haste { by: strange },
+            Motion::FlySpeed { by: strange },
             Motion::Fly { along: by.extend(0.5) },
         ] {
             control.apply(motion, Navigation::Fly);
         }
         control.focus(by.extend(0.5));
         assert!(
-            !control.is_moving() && control.command_line().is_none() && control.haste == 0.0,
+            !control.is_moving() && control.command_line().is_none() && control.speed_exponent == 0.0,
             "{strange}"
         );
     }
@@ -212,9 +213,9 @@ fn no_time_loses_no_motion() {
 #[test]
 fn the_orbit_keeps_its_distance_and_follows_the_hand() {
     let mut control = CameraControl::new(perspective(), BOUNDS);
-    let (target, far) = (control.stance.target, control.stance.distance);
+    let (target, far) = (control.orbit_state.target, control.orbit_state.distance);
     // A point in front of the target.
-    let front = target - control.stance.forward() * 0.1;
+    let front = target - control.orbit_state.forward() * 0.1;
     control.apply(Motion::Turn { by: Vec2::new(0.05, 0.05) }, Navigation::Orbit);
     settle(&mut control);
     let camera = control.camera();
@@ -227,7 +228,8 @@ fn the_orbit_keeps_its_distance_and_follows_the_hand() {
 #[test]
 fn what_a_flying_eye_looks_at_follows_the_hand() {
     let mut control = CameraControl::new(perspective(), BOUNDS);
-    let (eye, far) = (perspective().origin, control.stance.target + control.stance.forward() * 100.0);
+    let (eye, far) =
+        (perspective().origin, control.orbit_state.target + control.orbit_state.forward() * 100.0);
     control.apply(Motion::Turn { by: Vec2::new(0.05, 0.05) }, Navigation::Fly);
     settle(&mut control);
     assert!((control.camera().origin - eye).length() < 1e-5, "the eye stays");
@@ -262,12 +264,12 @@ fn what_is_under_the_pointer_stays_under_it() {
 
         let mut control = CameraControl::new(home, BOUNDS);
         control.apply(Motion::Dolly { by: 1.0, at: Some(from.as_vec2()) }, Navigation::Orbit);
-        let before = control.stance.height();
+        let before = control.orbit_state.height();
         while control.is_moving() {
             control.advance(Duration::from_millis(16));
             assert!((seen(&control.camera(), point) - from).length() < 1e-5, "on the way of a dolly");
         }
-        let larger = before / control.stance.height();
+        let larger = before / control.orbit_state.height();
         assert!((larger - std::f64::consts::E).abs() < 1e-4, "{larger}");
     }
 }
@@ -276,11 +278,15 @@ fn what_is_under_the_pointer_stays_under_it() {
 fn a_dolly_never_goes_through_the_target_nor_out_of_the_scene() {
     for (by, bound) in [(100.0, 4.0 * 1e-4), (-100.0, 4.0 * 1e3)] {
         let mut control = CameraControl::new(perspective(), BOUNDS);
-        let forward = control.stance.forward();
+        let forward = control.orbit_state.forward();
         control.apply(Motion::Dolly { by, at: None }, Navigation::Orbit);
         settle(&mut control);
-        assert!((control.stance.distance / bound - 1.0).abs() < 1e-9, "{}", control.stance.distance);
-        assert!((control.stance.forward() - forward).length() < 1e-9);
+        assert!(
+            (control.orbit_state.distance / bound - 1.0).abs() < 1e-9,
+            "{}",
+            control.orbit_state.distance
+        );
+        assert!((control.orbit_state.forward() - forward).length() < 1e-9);
     }
 }
 
@@ -306,9 +312,9 @@ fn focus_brings_a_point_to_the_middle_without_turning_or_coming_nearer() {
 
 #[test]
 fn flight_is_measured_by_the_scene() {
-    let fly = |bounds, haste| {
+    let fly = |bounds, speed_exponent| {
         let mut control = CameraControl::new(perspective(), bounds);
-        control.apply(Motion::Haste { by: haste }, Navigation::Fly);
+        control.apply(Motion::FlySpeed { by: speed_exponent }, Navigation::Fly);
         for _ in 0..100 {
             control.apply(Motion::Fly { along: Vec3::Z }, Navigation::Fly);
             control.advance(Duration::from_millis(10));
@@ -323,7 +329,7 @@ fn flight_is_measured_by_the_scene() {
 }
 
 /// As the command line reads it: text, `f32`, pose.
-fn parse(options: &str) -> Pose {
+fn parse(options: &str) -> LookAt {
     let value =
         |name: &str| options.split(' ').find_map(|option| option.strip_prefix(name)?.strip_prefix('='));
     let number = |text: &str| text.parse::<f32>().expect("a number");
@@ -335,7 +341,7 @@ fn parse(options: &str) -> Pose {
         || Lens::Orthographic { height: number(value("--ortho").expect("a lens")) },
         |fov| Lens::Perspective { vertical_fov_degrees: number(fov) },
     );
-    Pose { eye: point("--eye"), target: point("--target"), up: point("--up"), lens }
+    LookAt { eye: point("--eye"), target: point("--target"), up: point("--up"), lens }
 }
 
 /// A generator of its own, so that the motions are the same everywhere: Marsaglia's xorshift.
@@ -365,7 +371,7 @@ impl Random {
             1 => Motion::Pan { by },
             2 => Motion::Dolly { by: by.x, at: Some(Vec2::new(by.y, self.number())) },
             3 => Motion::Fly { along: by.extend(self.number()) },
-            4 => Motion::Haste { by: by.x },
+            4 => Motion::FlySpeed { by: by.x },
             _ => Motion::Focus { at: by },
         }
     }

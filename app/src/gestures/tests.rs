@@ -172,7 +172,7 @@ fn the_wheel_goes_nearer_to_the_pointer_and_flies_faster() {
     let mut hand = Hand::new(600.0, 1.0, Navigation::Fly);
     hand.frame([hand.moved(0.0, 0.0)]);
     let motions = hand.frame([hand.wheel(2.0)]);
-    assert!(matches!(motions[..], [Motion::Haste { by }] if by > 0.0), "{motions:?}");
+    assert!(matches!(motions[..], [Motion::FlySpeed { by }] if by > 0.0), "{motions:?}");
 }
 
 #[test]
@@ -258,7 +258,7 @@ fn everything_is_in_reach_of_the_keyboard() {
         (Orbit, Key::PageUp, false, Motion::Dolly { by: dolly, at: None }),
         (Orbit, Key::Minus, false, Motion::Dolly { by: -dolly, at: None }),
         (Fly, Key::ArrowLeft, false, Motion::Turn { by: left }),
-        (Fly, Key::PageUp, false, Motion::Haste { by: dolly }),
+        (Fly, Key::PageUp, false, Motion::FlySpeed { by: dolly }),
         (Fly, Key::W, false, Motion::Fly { along: Vec3::Z * STROLL }),
         (Fly, Key::S, true, Motion::Fly { along: Vec3::NEG_Z }),
         (Fly, Key::A, true, Motion::Fly { along: Vec3::NEG_X }),

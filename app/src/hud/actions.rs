@@ -1,7 +1,7 @@
 //! What keys do: each to the choices, or as a wish.
 
-use super::{Hud, Wish, options, settings};
-use crate::{Choices, Readings, SCALES, TEXT_SCALES};
+use super::{Hud, UserRequest, options, settings};
+use crate::{Choices, HudState, SCALES, TEXT_SCALES};
 
 /// What a key does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -36,23 +36,23 @@ const SCALE_STEP: f32 = 0.125;
 const TEXT_STEP: f32 = 1.125;
 
 /// Does it, or returns it as a wish; `place` is that of the key among those that do it.
-pub fn act(hud: &mut Hud<'_>, action: Action, place: usize) -> Option<Wish> {
-    let (readings, choices) = (hud.readings, &mut *hud.choices);
+pub fn act(hud: &mut Hud<'_>, action: Action, place: usize) -> Option<UserRequest> {
+    let (hud_state, choices) = (hud.hud_state, &mut *hud.choices);
     // A page that lies above everything waits for being closed.
-    let waiting = readings.problem.is_some() || choices.help;
+    let waiting = hud_state.problem.is_some() || choices.help;
     if waiting && !matches!(action, Action::Close | Action::Help | Action::Quit) {
         return None;
     }
     match action {
-        Action::Screenshot => return Some(Wish::Screenshot),
-        Action::CopyCommand => return Some(Wish::CopyCommand),
-        Action::Open => return Some(Wish::OpenDialog),
-        Action::Scene => return hud.scenes.get(place).cloned().map(Wish::Open),
-        Action::NextCamera => return next_camera(readings),
-        Action::ResetCamera => return Some(Wish::ResetCamera),
-        Action::FullScreen => return Some(Wish::FullScreen),
-        Action::Quit => return Some(Wish::Quit),
-        Action::Close if readings.problem.is_some() => return Some(Wish::CloseProblem),
+        Action::Screenshot => return Some(UserRequest::Screenshot),
+        Action::CopyCommand => return Some(UserRequest::CopyCommand),
+        Action::Open => return Some(UserRequest::OpenDialog),
+        Action::Scene => return hud.scenes.get(place).cloned().map(UserRequest::Open),
+        Action::NextCamera => return next_camera(hud_state),
+        Action::ResetCamera => return Some(UserRequest::ResetCamera),
+        Action::FullScreen => return Some(UserRequest::FullScreen),
+        Action::Quit => return Some(UserRequest::Quit),
+        Action::Close if hud_state.problem.is_some() => return Some(UserRequest::CloseProblem),
         Action::Close => choices.help = false,
         Action::Help => choices.help = !choices.help,
         Action::Overlay => choices.overlay = choices.overlay.next(),
@@ -71,13 +71,13 @@ pub fn act(hud: &mut Hud<'_>, action: Action, place: usize) -> Option<Wish> {
     None
 }
 
-fn next_camera(readings: &Readings) -> Option<Wish> {
-    let cameras = readings.cameras.len();
-    (cameras > 0).then(|| Wish::Camera((readings.camera + 1) % cameras))
+fn next_camera(hud_state: &HudState) -> Option<UserRequest> {
+    let cameras = hud_state.cameras.len();
+    (cameras > 0).then(|| UserRequest::Camera((hud_state.camera + 1) % cameras))
 }
 
 fn scale_by(choices: &mut Choices, step: f32) {
-    if choices.scale_rests().is_none() {
+    if choices.scale_inapplicable().is_none() {
         choices.scale = (choices.scale + step).clamp(SCALES[0], SCALES[1]);
     }
 }
@@ -92,28 +92,28 @@ mod tests {
     use crate::hud::keys::SHORTCUTS;
 
     /// What every action finds something to do on.
-    fn middling() -> (Choices, Readings) {
+    fn middling() -> (Choices, HudState) {
         let mut choices = Choices { governor: None, scale: 0.5, text_scale: 1.5, ..Choices::default() };
         choices.settings.block = 4;
-        (choices, Readings { cameras: vec!["main".to_owned()], ..Readings::default() })
+        (choices, HudState { cameras: vec!["main".to_owned()], ..HudState::default() })
     }
 
     #[test]
     fn every_shortcut_does_something() {
         for shortcut in &SHORTCUTS {
-            let (mut choices, readings) = middling();
+            let (mut choices, hud_state) = middling();
             choices.help = shortcut.action == Action::Close;
             let before = choices;
             let scenes = ["builtin:room".to_owned()];
             let mut hud = Hud {
                 choices: &mut choices,
-                readings: &readings,
+                hud_state: &hud_state,
                 scenes: &scenes,
                 picture: egui::Rect::ZERO,
                 touch: false,
             };
-            let wish = act(&mut hud, shortcut.action, 0);
-            assert!(wish.is_some() != (choices != before), "{:?}: {wish:?}", shortcut.action);
+            let request = act(&mut hud, shortcut.action, 0);
+            assert!(request.is_some() != (choices != before), "{:?}: {request:?}", shortcut.action);
         }
     }
 

@@ -2,12 +2,12 @@
 
 use egui::{Align2, Area, Context, Id, Label, LayerId, Modal, Order, ProgressBar, RichText, ScrollArea, Ui};
 
-use super::{Wish, style};
-use crate::{Busy, Readings};
+use super::{UserRequest, style};
+use crate::{Busy, HudState};
 
 /// A problem, above everything until it is closed.
-pub fn problem(ctx: &Context, readings: &Readings, text_scale: f32, wishes: &mut Vec<Wish>) {
-    let Some(problem) = &readings.problem else { return };
+pub fn problem(ctx: &Context, hud_state: &HudState, text_scale: f32, user_requests: &mut Vec<UserRequest>) {
+    let Some(problem) = &hud_state.problem else { return };
     let size = ctx.content_rect().size();
     let modal = Modal::new(Id::unique("problem")).frame(style::card()).show(ctx, |ui| {
         ui.set_width((440.0 * text_scale).min(size.x - 48.0).max(0.0));
@@ -20,28 +20,28 @@ pub fn problem(ctx: &Context, readings: &Readings, text_scale: f32, wishes: &mut
     });
     // The Escape key comes as an action.
     if modal.inner || modal.backdrop_response.clicked() {
-        wishes.push(Wish::CloseProblem);
+        user_requests.push(UserRequest::CloseProblem);
     }
 }
 
 /// Notices and work at the lower edge; neither takes input.
-pub fn messages(ctx: &Context, readings: &Readings, text_scale: f32) {
-    let nothing_yet = readings.size == [0, 0];
+pub fn messages(ctx: &Context, hud_state: &HudState, text_scale: f32) {
+    let nothing_yet = hud_state.size == [0, 0];
     if nothing_yet {
         splash(ctx);
     }
     let anchor = if nothing_yet { Align2::CENTER_CENTER } else { Align2::CENTER_BOTTOM };
-    if readings.busy.is_none() && readings.notice.is_none() {
+    if hud_state.busy.is_none() && hud_state.notice.is_none() {
         return;
     }
     let lift = if nothing_yet { 64.0 } else { -16.0 };
     let area = Area::new(Id::unique("messages")).order(Order::Foreground).interactable(false);
     area.anchor(anchor, [0.0, lift]).show(ctx, |ui| {
         ui.set_max_width((320.0 * text_scale).min(ctx.content_rect().width() - 32.0).max(0.0));
-        if let Some(text) = &readings.notice {
+        if let Some(text) = &hud_state.notice {
             style::card().show(ui, |ui| ui.add(Label::new(text).wrap()));
         }
-        if let Some(busy) = &readings.busy {
+        if let Some(busy) = &hud_state.busy {
             style::card().show(ui, |ui| progress(ui, busy));
         }
     });

@@ -6,17 +6,17 @@ use egui::{
 };
 
 use super::style;
-use crate::{FrameRate, HISTORY, Readings};
+use crate::{FrameRate, HISTORY, HudState};
 
 /// The tops that the curve may have, in milliseconds.
 const TOPS: [f32; 10] = [10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1e3, 2e3, 5e3, 1e4];
 const HEIGHT: f32 = 72.0;
 
 /// Draws the times of the last frames, the newest at the right edge; pointing at one reads it.
-pub fn show(ui: &mut Ui, readings: &Readings, governor: Option<FrameRate>) {
+pub fn show(ui: &mut Ui, hud_state: &HudState, governor: Option<FrameRate>) {
     let width = ui.available_width().max(1.0);
     let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::hover());
-    let times: Vec<f32> = readings.frame_ms.iter().map(|ms| finite(*ms)).collect();
+    let times: Vec<f32> = hud_state.frame_ms.iter().map(|ms| finite(*ms)).collect();
     let budget = governor.map(|rate| rate.budget_ms() as f32);
     let top = top(times.iter().copied().chain(budget).fold(0.0, f32::max));
     let painter = ui.painter_at(rect);

@@ -1,57 +1,49 @@
 //! What was measured, as rows with bars.
 
 use egui::{Color32, ProgressBar, RichText, Ui};
-use glimpse::{CHECK_NAMES, Counts};
 
 use super::{amounts, style};
-use crate::Readings;
+use crate::HudState;
 
 /// The time of each pass of the last frame.
-pub fn passes(ui: &mut Ui, readings: &Readings) {
-    let longest = readings.passes.iter().map(|pass| pass.ms).fold(0.0, f64::max);
-    for pass in &readings.passes {
+pub fn passes(ui: &mut Ui, hud_state: &HudState) {
+    let longest = hud_state.passes.iter().map(|pass| pass.ms).fold(0.0, f64::max);
+    for pass in &hud_state.passes {
         style::reading(ui, pass.name, &format!("{:.2} ms", pass.ms));
         bar(ui, pass.ms, longest);
     }
-    nothing(ui, readings.passes.is_empty(), "The adapter measures no passes, or no frame was made yet.");
+    nothing(ui, hud_state.passes.is_empty(), "The adapter measures no passes, or no frame was made yet.");
 }
 
 /// Rays and samples of the last frame that was counted.
-pub fn rays(ui: &mut Ui, readings: &Readings) {
-    let Some(counts) = readings.counts else {
+pub fn rays(ui: &mut Ui, hud_state: &HudState) {
+    let Some(counts) = hud_state.counts else {
         return nothing(ui, true, "Frames are counted when the camera rests.");
     };
     style::reading(ui, "RT ratio", &amounts::percent(counts.rt_ratio()));
     bar(ui, counts.rt_ratio(), 1.0);
-    let rays = counts.rays;
-    let kinds = [
-        ("primary rays", rays.primary),
-        ("shadow rays", rays.shadow),
-        ("reflected rays", rays.reflection),
-        ("refracted rays", rays.refraction),
-    ];
-    for (name, count) in kinds {
-        style::reading(ui, name, &amounts::count(count));
-        bar(ui, count as f64, rays.total as f64);
+    for (kind, count) in counts.rays.labelled() {
+        style::reading(ui, &format!("{kind} rays"), &amounts::count(count));
+        bar(ui, count as f64, counts.rays.total as f64);
     }
-    style::reading(ui, "all rays", &amounts::count(rays.total));
-    style::reading(ui, "interpolated samples", &amounts::count(counts.samples.interpolated));
-    style::reading(ui, "postcorrected samples", &amounts::count(counts.samples.postcorrected));
+    style::reading(ui, "all rays", &amounts::count(counts.rays.total));
+    for (origin, count) in counts.samples.labelled() {
+        style::reading(ui, &format!("{origin} samples"), &amounts::count(count));
+    }
 }
 
 /// How often each check asked for a ray.
-pub fn failed_checks(ui: &mut Ui, readings: &Readings) {
-    let Some(counts) = readings.counts else { return };
-    let failed = failures(&counts);
-    for (name, count) in CHECK_NAMES.into_iter().zip(failed) {
+pub fn failed_checks(ui: &mut Ui, hud_state: &HudState) {
+    let Some(counts) = hud_state.counts else { return };
+    for (name, count) in counts.failed_checks.labelled() {
         style::reading(ui, name, &amounts::count(count));
         bar(ui, count as f64, counts.samples.total as f64);
     }
 }
 
 /// Bytes on the device, and what it is.
-pub fn device(ui: &mut Ui, readings: &Readings) {
-    let memory = readings.memory;
+pub fn device(ui: &mut Ui, hud_state: &HudState) {
+    let memory = hud_state.memory;
     let rows = [
         ("scene", memory.scene),
         ("hierarchy", memory.bvh),
@@ -61,25 +53,21 @@ pub fn device(ui: &mut Ui, readings: &Readings) {
     for (name, bytes) in rows {
         style::reading(ui, name, &amounts::mebibytes(bytes));
     }
-    ui.label(RichText::new(readings.adapter.as_str()).small().weak());
+    ui.label(RichText::new(hud_state.adapter.as_str()).small().weak());
 }
 
 /// What the scene holds, and what its kernels were made without.
-pub fn scene(ui: &mut Ui, readings: &Readings) {
-    style::reading(ui, "primitives", &amounts::count(readings.primitives));
-    for (caption, names) in [("needs", &readings.features), ("left out of the kernels", &readings.left_out)] {
+pub fn scene(ui: &mut Ui, hud_state: &HudState) {
+    style::reading(ui, "primitives", &amounts::count(hud_state.primitives));
+    for (caption, names) in [("needs", &hud_state.features), ("left out of the kernels", &hud_state.left_out)]
+    {
         style::caption(ui, caption);
         let text = if names.is_empty() { "nothing".to_owned() } else { names.join(", ") };
         ui.label(RichText::new(text).small());
     }
-    for warning in &readings.warnings {
+    for warning in &hud_state.warnings {
         ui.label(RichText::new(warning.as_str()).small().color(style::WARNING));
     }
-}
-
-fn failures(counts: &Counts) -> [u64; CHECK_NAMES.len()] {
-    let failed = counts.failed_checks;
-    [failed.oid, failed.pos, failed.norm, failed.convex, failed.tex, failed.shadow, failed.gcol]
 }
 
 /// A bar over the width, as long as the part in the whole.

@@ -22,13 +22,13 @@ mod tests;
 
 use egui::{Context, Rect};
 
-use crate::{Choices, Overlay, Readings};
+use crate::{Choices, HudState, Overlay};
 
 pub use keys::FLY_KEYS;
 
 /// What a person wishes beyond a [`Choices`].
 #[derive(Clone, Debug, PartialEq)]
-pub enum Wish {
+pub enum UserRequest {
     /// To see that scene: `builtin:NAME` or a file.
     Open(String),
     /// To choose a file.
@@ -54,7 +54,7 @@ pub struct Hud<'a> {
     /// What it changes.
     pub choices: &'a mut Choices,
     /// What it shows.
-    pub readings: &'a Readings,
+    pub hud_state: &'a HudState,
     /// Scenes to choose from: the built-in ones, then those that were opened last.
     pub scenes: &'a [String],
     /// Where the picture is.
@@ -71,28 +71,28 @@ impl Hud<'_> {
     ///
     /// To be called once in each pass of `ctx`, after what lies beneath; the overlay sets the style of `ctx`.
     #[must_use]
-    pub fn show(mut self, ctx: &Context) -> Vec<Wish> {
+    pub fn show(mut self, ctx: &Context) -> Vec<UserRequest> {
         let pressed = keys::pressed(ctx, self.choices.navigation).into_iter();
-        let mut wishes: Vec<_> =
+        let mut user_requests: Vec<_> =
             pressed.filter_map(|(action, place)| actions::act(&mut self, action, place)).collect();
         style::apply(ctx, self.choices.text_scale, self.touch);
         if ctx.content_rect().size().min_elem() >= LEAST_SIDE {
-            self.draw(ctx, &mut wishes);
+            self.draw(ctx, &mut user_requests);
         }
-        wishes
+        user_requests
     }
 
-    fn draw(&mut self, ctx: &Context, wishes: &mut Vec<Wish>) {
-        split::show(ctx, self.choices, self.readings, self.picture);
+    fn draw(&mut self, ctx: &Context, user_requests: &mut Vec<UserRequest>) {
+        split::show(ctx, self.choices, self.hud_state, self.picture);
         match self.choices.overlay {
-            Overlay::Full => panel::show(ctx, self, wishes),
-            Overlay::Brief => status::show(ctx, self.choices, self.readings),
+            Overlay::Full => panel::show(ctx, self, user_requests),
+            Overlay::Brief => status::show(ctx, self.choices, self.hud_state),
             // Without keys there has to be a way back.
             Overlay::Hidden if self.touch => status::faint_menu(ctx, self.choices),
             Overlay::Hidden => {}
         }
-        dialogs::messages(ctx, self.readings, self.choices.text_scale);
+        dialogs::messages(ctx, self.hud_state, self.choices.text_scale);
         help::show(ctx, self.choices);
-        dialogs::problem(ctx, self.readings, self.choices.text_scale, wishes);
+        dialogs::problem(ctx, self.hud_state, self.choices.text_scale, user_requests);
     }
 }

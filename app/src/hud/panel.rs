@@ -8,14 +8,16 @@ use egui::{
 use glimpse::options::Group;
 
 use super::actions::{self, Action};
-use super::{Hud, Wish, graph, keys, knobs, measurements, options, places, settings, split, status, style};
+use super::{
+    Hud, UserRequest, graph, keys, knobs, measurements, options, places, settings, split, status, style,
+};
 use crate::{Overlay, Show};
 
 const WIDTH: f32 = 340.0;
 const MARGIN: f32 = 8.0;
 
 /// Shows everything.
-pub fn show(ctx: &Context, hud: &mut Hud<'_>, wishes: &mut Vec<Wish>) {
+pub fn show(ctx: &Context, hud: &mut Hud<'_>, user_requests: &mut Vec<UserRequest>) {
     let place = place(ctx.content_rect(), hud.choices.text_scale);
     let area = Area::new(Id::unique("panel")).order(Order::Foreground).fixed_pos(place.min).constrain(false);
     area.show(ctx, |ui| {
@@ -31,7 +33,7 @@ pub fn show(ctx: &Context, hud: &mut Hud<'_>, wishes: &mut Vec<Wish>) {
             scroll.show(ui, |ui| {
                 // The scroll bar floats above the right edge.
                 ui.set_max_width((ui.available_width() - 12.0).max(0.0));
-                sections(ui, hud, wishes);
+                sections(ui, hud, user_requests);
             });
         });
     });
@@ -49,14 +51,14 @@ fn place(content: Rect, text_scale: f32) -> Rect {
     Rect::from_min_size(content.max - size, size)
 }
 
-fn sections(ui: &mut Ui, hud: &mut Hud<'_>, wishes: &mut Vec<Wish>) {
-    let readings = hud.readings;
+fn sections(ui: &mut Ui, hud: &mut Hud<'_>, user_requests: &mut Vec<UserRequest>) {
+    let hud_state = hud.hud_state;
     frame_time(ui, hud);
-    commands(ui, hud, wishes);
-    section(ui, "Scenes", true, |ui| places::scenes(ui, hud, wishes));
+    commands(ui, hud, user_requests);
+    section(ui, "Scenes", true, |ui| places::scenes(ui, hud, user_requests));
     section(ui, "Cameras", true, |ui| {
         options::NAVIGATION.buttons(ui, hud.choices, None);
-        places::cameras(ui, hud, wishes);
+        places::cameras(ui, hud, user_requests);
     });
     for group in Group::ALL {
         let open = matches!(group, Group::Frame | Group::Adaptive);
@@ -66,11 +68,11 @@ fn sections(ui: &mut Ui, hud: &mut Hud<'_>, wishes: &mut Vec<Wish>) {
     }
     section(ui, "What is shown", true, |ui| shown(ui, hud));
     section(ui, "Speed", true, |ui| speed(ui, hud));
-    section(ui, "Passes", true, |ui| measurements::passes(ui, readings));
-    section(ui, "Rays", true, |ui| measurements::rays(ui, readings));
-    section(ui, "Failed checks", false, |ui| measurements::failed_checks(ui, readings));
-    section(ui, "This scene", true, |ui| measurements::scene(ui, readings));
-    section(ui, "Memory and adapter", true, |ui| measurements::device(ui, readings));
+    section(ui, "Passes", true, |ui| measurements::passes(ui, hud_state));
+    section(ui, "Rays", true, |ui| measurements::rays(ui, hud_state));
+    section(ui, "Failed checks", false, |ui| measurements::failed_checks(ui, hud_state));
+    section(ui, "This scene", true, |ui| measurements::scene(ui, hud_state));
+    section(ui, "Memory and adapter", true, |ui| measurements::device(ui, hud_state));
 }
 
 fn section(ui: &mut Ui, title: &str, open: bool, contents: impl FnOnce(&mut Ui)) {
@@ -82,19 +84,19 @@ fn section(ui: &mut Ui, title: &str, open: bool, contents: impl FnOnce(&mut Ui))
 }
 
 fn frame_time(ui: &mut Ui, hud: &Hud<'_>) {
-    let readings = hud.readings;
-    if let Some(ms) = readings.recent_ms().filter(|ms| *ms > 0.0) {
+    let hud_state = hud.hud_state;
+    if let Some(ms) = hud_state.recent_ms().filter(|ms| *ms > 0.0) {
         let text = format!("{ms:.1} ms  {:3.0} fps", 1000.0 / ms);
         let size = TextStyle::Heading.resolve(ui.style()).size;
         ui.with_layout(Layout::top_down(Align::Max), |ui| {
             ui.label(RichText::new(text).monospace().size(size).color(style::ACCENT));
         });
     }
-    graph::show(ui, readings, hud.choices.governor);
-    style::reading(ui, "frame", &status::size(readings));
+    graph::show(ui, hud_state, hud.choices.governor);
+    style::reading(ui, "frame", &status::size(hud_state));
 }
 
-fn commands(ui: &mut Ui, hud: &mut Hud<'_>, wishes: &mut Vec<Wish>) {
+fn commands(ui: &mut Ui, hud: &mut Hud<'_>, user_requests: &mut Vec<UserRequest>) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
         let commands = [
@@ -106,7 +108,7 @@ fn commands(ui: &mut Ui, hud: &mut Hud<'_>, wishes: &mut Vec<Wish>) {
         for (name, action) in commands {
             let hint = keys::hint(ui.ctx(), action);
             if ui.button(name).on_hover_text(hint).clicked() {
-                wishes.extend(actions::act(hud, action, 0));
+                user_requests.extend(actions::act(hud, action, 0));
             }
         }
     });
@@ -115,10 +117,10 @@ fn commands(ui: &mut Ui, hud: &mut Hud<'_>, wishes: &mut Vec<Wish>) {
 fn shown(ui: &mut Ui, hud: &mut Hud<'_>) {
     options::SHOW.buttons(ui, hud.choices, None);
     if hud.choices.show != Show::Final {
-        ui.label(RichText::new(hud.readings.legend.as_str()).small());
+        ui.label(RichText::new(hud.hud_state.legend.as_str()).small());
     }
-    split::switch(ui, hud.choices, hud.readings);
-    let rests = hud.choices.lenses_rest();
+    split::switch(ui, hud.choices, hud.hud_state);
+    let rests = hud.choices.lenses_inapplicable();
     options::LENSES.buttons(ui, hud.choices, rests);
 }
 
@@ -126,9 +128,9 @@ fn speed(ui: &mut Ui, hud: &mut Hud<'_>) {
     let rests = hud.choices.governor_rests();
     options::GOVERNOR.buttons(ui, hud.choices, rests);
     if hud.choices.governed().is_some() {
-        ui.label(RichText::new(hud.readings.governor.as_str()).small().weak());
+        ui.label(RichText::new(hud.hud_state.governor.as_str()).small().weak());
     }
-    let rests = hud.choices.scale_rests();
+    let rests = hud.choices.scale_inapplicable();
     knobs::SCALE.show_single(ui, &mut hud.choices.scale, rests);
     options::VSYNC.buttons(ui, hud.choices, None);
     knobs::TEXT_SCALE.show_single(ui, &mut hud.choices.text_scale, None);

@@ -2,35 +2,35 @@
 
 use egui::{Align, Button, Layout, RichText, Ui, vec2};
 
-use super::{Hud, Wish, keys};
+use super::{Hud, UserRequest, keys};
 
 /// The scenes to choose from.
-pub fn scenes(ui: &mut Ui, hud: &Hud<'_>, wishes: &mut Vec<Wish>) {
+pub fn scenes(ui: &mut Ui, hud: &Hud<'_>, user_requests: &mut Vec<UserRequest>) {
     for (index, scene) in hud.scenes.iter().enumerate() {
-        let chosen = *scene == hud.readings.scene;
+        let chosen = *scene == hud.hud_state.scene;
         let hint = RichText::new(keys::scene_hint(ui.ctx(), index)).small().weak();
         let button = Button::selectable(chosen, name(scene)).right_text(hint).truncate();
         if wide(ui, button).accessible_name(format!("scene: {scene}")).on_hover_text(scene).clicked() {
-            wishes.push(Wish::Open(scene.clone()));
+            user_requests.push(UserRequest::Open(scene.clone()));
         }
     }
     if wide(ui, Button::new("Open a file...")).clicked() {
-        wishes.push(Wish::OpenDialog);
+        user_requests.push(UserRequest::OpenDialog);
     }
 }
 
 /// The cameras of the scene, and the way back.
-pub fn cameras(ui: &mut Ui, hud: &Hud<'_>, wishes: &mut Vec<Wish>) {
-    for (index, camera) in hud.readings.cameras.iter().enumerate() {
+pub fn cameras(ui: &mut Ui, hud: &Hud<'_>, user_requests: &mut Vec<UserRequest>) {
+    for (index, camera) in hud.hud_state.cameras.iter().enumerate() {
         let name = if camera.is_empty() { format!("camera {index}") } else { camera.clone() };
         let button =
-            Button::selectable(index == hud.readings.camera, name.as_str()).right_text("").truncate();
+            Button::selectable(index == hud.hud_state.camera, name.as_str()).right_text("").truncate();
         if wide(ui, button).accessible_name(format!("camera: {index} {camera}")).clicked() {
-            wishes.push(Wish::Camera(index));
+            user_requests.push(UserRequest::Camera(index));
         }
     }
     if wide(ui, Button::new("Reset the camera")).clicked() {
-        wishes.push(Wish::ResetCamera);
+        user_requests.push(UserRequest::ResetCamera);
     }
 }
 

@@ -6,19 +6,19 @@ use egui::{
 };
 
 use super::{amounts, style};
-use crate::{Choices, Readings};
+use crate::{Choices, HudState};
 
 /// What a press of an arrow key moves the divider by, as a share of the width.
 const KEY_STEP: f32 = 0.01;
 
 /// Shows the divider while the picture is split. The handle alone takes input: beside it the picture is dragged.
-pub fn show(ctx: &Context, choices: &mut Choices, readings: &Readings, picture: Rect) {
+pub fn show(ctx: &Context, choices: &mut Choices, hud_state: &HudState, picture: Rect) {
     let Some(share) = choices.split else { return };
     let x = picture.left() + share.clamp(0.0, 1.0) * picture.width();
     let line = ctx.layer_painter(LayerId::new(Order::Middle, Id::unique("split line")));
     line.vline(x, picture.y_range(), Stroke::new(3.0, Color32::from_black_alpha(110)));
     line.vline(x, picture.y_range(), Stroke::new(1.0, Color32::WHITE));
-    labels(&line, ctx, choices, readings, x);
+    labels(&line, ctx, choices, hud_state, x);
     let content = ctx.content_rect();
     let size = Vec2::splat(style::TOUCH_TARGET);
     let corner = pos2(x, content.center().y) - 0.5 * size;
@@ -66,12 +66,12 @@ fn paint_handle(ui: &Ui, rect: Rect, response: &Response) {
 }
 
 /// The methods on both sides of the line, and the error between them below the handle.
-fn labels(painter: &Painter, ctx: &Context, choices: &Choices, readings: &Readings, x: f32) {
+fn labels(painter: &Painter, ctx: &Context, choices: &Choices, hud_state: &HudState, x: f32) {
     let y = ctx.content_rect().center().y;
     let below = y + 0.5 * style::TOUCH_TARGET + 10.0;
     label(painter, pos2(x - 10.0, below), Align2::RIGHT_TOP, choices.settings.method.name());
     label(painter, pos2(x + 10.0, below), Align2::LEFT_TOP, "full");
-    let error = format!("PSNR {}", amounts::decibels(readings.psnr_db));
+    let error = format!("PSNR {}", amounts::decibels(hud_state.psnr_db));
     label(painter, pos2(x, below + 28.0 * choices.text_scale), Align2::CENTER_TOP, &error);
 }
 
@@ -85,13 +85,13 @@ fn label(painter: &Painter, at: egui::Pos2, anchor: Align2, text: &str) {
 }
 
 /// The switch of the split screen, and the error between its halves.
-pub fn switch(ui: &mut Ui, choices: &mut Choices, readings: &Readings) {
+pub fn switch(ui: &mut Ui, choices: &mut Choices, hud_state: &HudState) {
     let mut split = choices.split.is_some();
     if ui.checkbox(&mut split, "split screen against full tracing").changed() {
         choices.toggle_split();
     }
     if split {
-        style::reading(ui, "PSNR", &amounts::decibels(readings.psnr_db));
+        style::reading(ui, "PSNR", &amounts::decibels(hud_state.psnr_db));
         ui.label(RichText::new("Left and Right move the divider while it has the focus.").small().weak());
     }
 }

@@ -6,10 +6,10 @@ use egui::{
 };
 
 use super::{amounts, style};
-use crate::{Choices, Overlay, Readings, Show};
+use crate::{Choices, HudState, Overlay, Show};
 
 /// Shows the line, and below it the legend of what is shown instead of the frame.
-pub fn show(ctx: &Context, choices: &mut Choices, readings: &Readings) {
+pub fn show(ctx: &Context, choices: &mut Choices, hud_state: &HudState) {
     let content = ctx.content_rect();
     let area =
         Area::new(Id::unique("status")).order(Order::Foreground).fixed_pos(content.min + vec2(8.0, 8.0));
@@ -21,17 +21,17 @@ pub fn show(ctx: &Context, choices: &mut Choices, readings: &Readings) {
                     choices.overlay = Overlay::Full;
                 }
                 let room = width - style::TOUCH_TARGET - 24.0;
-                let line = fitting(ui, &segments(choices, readings), room);
+                let line = fitting(ui, &segments(choices, hud_state), room);
                 if !line.is_empty() {
                     ui.label(RichText::new(line).monospace());
                     ui.add_space(4.0);
                 }
             });
         });
-        if choices.show != Show::Final && !readings.legend.is_empty() {
+        if choices.show != Show::Final && !hud_state.legend.is_empty() {
             style::card().show(ui, |ui| {
                 ui.set_max_width((width - 24.0).min(520.0 * choices.text_scale).max(0.0));
-                ui.label(RichText::new(readings.legend.as_str()).small());
+                ui.label(RichText::new(hud_state.legend.as_str()).small());
             });
         }
     });
@@ -65,25 +65,25 @@ fn menu_button(ui: &mut Ui) -> Response {
 }
 
 /// What the line says, the most important first.
-fn segments(choices: &Choices, readings: &Readings) -> Vec<String> {
+fn segments(choices: &Choices, hud_state: &HudState) -> Vec<String> {
     let mut segments = Vec::new();
-    if let Some(ms) = readings.recent_ms().filter(|ms| *ms > 0.0) {
+    if let Some(ms) = hud_state.recent_ms().filter(|ms| *ms > 0.0) {
         segments.push(format!("{ms:6.1} ms"));
         segments.push(format!("{:4.0} fps", 1000.0 / ms));
     }
-    if let Some(counts) = readings.counts {
+    if let Some(counts) = hud_state.counts {
         segments.push(format!("rays {:>7}", amounts::percent(counts.rt_ratio())));
     }
-    if readings.size != [0, 0] {
-        segments.push(size(readings));
+    if hud_state.size != [0, 0] {
+        segments.push(size(hud_state));
         segments.push(choices.settings.method.name().to_owned());
     }
     segments
 }
 
 /// The frame's size and, if it is not the view's, the share of its side.
-pub fn size(readings: &Readings) -> String {
-    let ([width, height], [view, _]) = (readings.size, readings.view);
+pub fn size(hud_state: &HudState) -> String {
+    let ([width, height], [view, _]) = (hud_state.size, hud_state.view);
     if width == view || view == 0 {
         format!("{width}x{height}")
     } else {

@@ -16,7 +16,7 @@ use crate::Change;
 const FRAME: Duration = Duration::from_nanos(16_666_667);
 
 /// Seconds after which a view that has not come to rest fails the script.
-const PATIENCE: f64 = 120.0;
+const TIMEOUT: f64 = 120.0;
 
 /// A request of a step to the app or to the shell.
 #[derive(Clone, Debug, PartialEq)]
@@ -190,7 +190,7 @@ impl Player {
                 self.lasting = Some(Lasting::Pause { until: self.now + Duration::from_secs_f64(seconds) });
             }
             Step::Settle => {
-                self.lasting = Some(Lasting::Rest { until: self.now + Duration::from_secs_f64(PATIENCE) });
+                self.lasting = Some(Lasting::Rest { until: self.now + Duration::from_secs_f64(TIMEOUT) });
             }
         }
         Ok(None)
@@ -213,7 +213,7 @@ impl Player {
             Lasting::Rest { .. } if rests => Ok(None),
             Lasting::Rest { until } if self.now < until => Ok(Some(lasting)),
             Lasting::Rest { .. } => {
-                Err(format!("{}: expected rest within {PATIENCE} s, found none", self.place()))
+                Err(format!("{}: expected rest within {TIMEOUT} s, found none", self.place()))
             }
             Lasting::Motion { finger, from, to, began, seconds } => {
                 let passed = (self.now - began).as_secs_f64();

@@ -4,6 +4,7 @@
 
 #[cfg(feature = "flip")]
 mod flip;
+pub(crate) mod missing;
 mod pixelwise;
 mod ssim;
 

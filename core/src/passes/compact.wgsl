@@ -1,5 +1,5 @@
 // Step-II-b and Step-III-b: the dense list is there, the dispatches that work through it are not yet.
-// What of it comes next: list_step.wgsl, list_all.wgsl, list_round.wgsl, list_active.wgsl, list_refine.wgsl.
+// What of it comes next: list_range_step.wgsl, list_range_all.wgsl, list_range_round.wgsl, list_range_subpixels.wgsl, list_range_pending.wgsl.
 
 struct Dispatch {
     x: u32,

@@ -2,14 +2,15 @@
 
 use std::fmt::Write as _;
 
-use super::Variant;
+use super::{FrameSpec, PATH_TILE, postcorrect, spec::CHANNELS};
 use crate::{
-    Crossing, Direct, Linking, MAX_RAYS, Postcorrect, Roulette, SAMPLES_PER_SUBMISSION, Stopping, atlas,
-    gpu::{self, shader::Source},
-    gpu_scene, plan,
+    DirectLight, Foveation, MAX_RAYS, Postcorrect, Roulette, SAMPLES_PER_SUBMISSION, Specialize, StereoReuse,
+    device::atlas,
+    device::gpu_scene,
+    device::{self, shader::Source},
+    frame::counters::{COUNTER_WORDS, GROUPS, Group},
+    frame::sequence::{RANK_TILE, RANKS},
     scene::OCTAHEDRAL_ERROR,
-    sequence::{RANK_TILE, RANKS},
-    stats::{CHECK_NAMES, Origin},
 };
 
 /// Threads of a workgroup that works through a list.
@@ -22,8 +23,8 @@ pub const REFINE_STEP: u32 = 4;
 pub const REFINE_MOST: u32 = 16;
 /// Words of what is known of a pixel that is refined: four samples and a sum.
 pub const REFINE_WORDS: u32 = 15;
-/// What quarters of pixels must exceed the least threshold by for the cells between them to get samples.
-pub const CELL_CONTRAST: f32 = 2.0;
+/// What subpixels must exceed the least threshold by for the cells between them to get samples.
+pub const STRATUM_CONTRAST: f32 = 2.0;
 
 /// By what share of the distance a box grows on all sides in the traversal, so that it loses no hit of what is inside.
 /// With `e = 2^-24` (half a unit in the last place), WGSL's 5 e for a quotient and `D`, the largest distance from the ray's
@@ -73,41 +74,15 @@ pub const CONE_LEAST_COSINE: f32 = 1.0e-4;
 pub const CONE_MOST: f32 = 16.0;
 pub const CONE_MOST_GROWTH: f32 = 8.0;
 
-/// Counters of an inspected frame: first index and how many.
-pub const COUNTER_RAYS: usize = 0;
-pub const RAY_KINDS: usize = 5;
-pub const COUNTER_NODE_VISITS: usize = 5;
-pub const COUNTER_PRIMITIVE_TESTS: usize = 6;
-pub const COUNTER_ORIGINS: usize = 7;
-pub const COUNTER_FAILED: usize = 13;
-pub const COUNTER_CLAIMED: usize = 20;
-/// Words of all counters, low and high.
-pub const COUNTER_WORDS: usize = 64;
-
-/// The planes that the attribute buffer may have.
-const PLANES: [&str; 11] = [
-    "DEPTH",
-    "OBJECT",
-    "NORMAL",
-    "SHADOW",
-    "FACE",
-    "GCOL",
-    "TEXCOORD",
-    "COLOR",
-    "FOOTPRINT",
-    "OBJECT_BETWEEN",
-    "SHADOW_BETWEEN",
-];
-
-impl Variant {
+impl FrameSpec {
     /// Numbers that both sides need, as WGSL constants.
     pub(super) fn constants(&self) -> Source {
         let f = &self.features;
         let mut text = String::new();
-        let planes = self.planes();
-        for name in PLANES {
-            let index = planes.iter().position(|p| *p == name).unwrap_or(0);
-            let _ = writeln!(text, "const PLANE_{name}: u32 = {index}u;");
+        let channels = self.channels();
+        for (name, _) in CHANNELS {
+            let index = channels.iter().position(|p| p == name).unwrap_or(0);
+            let _ = writeln!(text, "const CHANNEL_{name}: u32 = {index}u;");
         }
         let flags = [
             ("HAS_LIGHTS", f.lights),
@@ -123,48 +98,42 @@ impl Variant {
             ("HAS_PANES", f.panes),
             ("HAS_REFLECTION", f.reflection),
             ("HAS_REFRACTION", f.refraction),
-            ("WEIGHS_EMITTERS", self.paths.direct == Direct::Mis),
-            ("CROSSING_COUNTS", self.paths.crossing == Crossing::Paper),
-            ("ROULETTE", self.paths.roulette == Roulette::On),
-            ("STOPPING_COMPENSATED", self.paths.stopping == Stopping::Compensated),
-            ("LIGHT_COUNT_KNOWN", self.linking == Linking::Auto),
-            ("VERTEX_STRIDE_KNOWN", self.linking == Linking::Auto),
+            ("WEIGHS_EMITTERS", self.settings.paths.direct_light == DirectLight::Mis),
+            ("STEREO_REUSE_UNWEIGHTED", self.settings.paths.stereo_reuse == StereoReuse::Paper),
+            ("ROULETTE", self.settings.paths.roulette == Roulette::On),
+            ("FOVEATION_COMPENSATED", self.settings.paths.foveation == Foveation::Compensated),
+            ("LIGHT_COUNT_KNOWN", self.settings.specialize == Specialize::Auto),
+            ("VERTEX_STRIDE_KNOWN", self.settings.specialize == Specialize::Auto),
             ("COUNTS", self.inspect),
             ("HAS_RECORDS", self.records),
             ("HAS_POSTCORRECTION", self.postcorrects()),
-            ("COMPARES_SHADOWS", self.postcorrect != Postcorrect::Objects),
+            ("COMPARES_SHADOWS", self.settings.postcorrect != Postcorrect::Objects),
         ];
         for (name, value) in flags {
             let _ = writeln!(text, "const {name}: bool = {value};");
         }
-        let numbers = [
-            ("PLANES", self.stored_planes()),
-            ("SAMPLING", self.sampling),
-            ("BVH_STACK", self.bvh_stack),
+        let rng = [
+            ("CHANNELS", self.stored_channels()),
+            ("SAMPLING", self.settings.sampling),
+            ("BVH_STACK", self.scene.bvh_stack),
             // Each level leaves at most one branch for later, the last one none; two are put down at a time.
-            ("BOUNCE_STACK", self.depth + 1),
+            ("SCATTER_STACK", self.settings.depth + 1),
             ("MAX_RAYS", MAX_RAYS),
-            ("LIGHT_COUNT", self.lights),
-            ("VERTEX_STRIDE", 6 * u32::from(self.has_texcoords) + 3 * u32::from(self.has_colors)),
+            ("LIGHT_COUNT", self.scene.lights),
+            ("VERTEX_STRIDE", 6 * u32::from(self.scene.has_texcoords) + 3 * u32::from(self.scene.has_colors)),
             ("SHADOW_SHIFT", self.shadow_shift().unwrap_or(0)),
             ("OBJECT_MASK", self.shadow_shift().map_or(u32::MAX, |shift| (1 << shift) - 1)),
             ("TRACE_GROUP", TRACE_GROUP),
             ("TRACE_ROW", TRACE_ROW),
-            ("TEXEL_ROW", gpu::TEXEL_ROW),
+            ("STORAGE_TEXTURE_WIDTH", device::STORAGE_TEXTURE_WIDTH),
             ("CHUNK_SAMPLES", SAMPLES_PER_SUBMISSION),
-            ("ORIGIN_BASE", Origin::Base as u32),
-            ("ORIGIN_TRACED_A1", Origin::TracedA1 as u32),
-            ("ORIGIN_TRACED_A2", Origin::TracedA2 as u32),
-            ("ORIGIN_INTERPOLATED", Origin::Interpolated as u32),
-            ("ORIGIN_POSTCORRECTED", Origin::Postcorrected as u32),
-            ("ORIGIN_EXTRA", Origin::Extra as u32),
-            ("EDGES_FIRST", planes.len() as u32),
-            ("EDGE_PLANES", self.edge_planes()),
-            ("EDGE_SECONDARY", 2),
-            ("EDGE_COLOR", self.edge_round() - 3),
-            ("EDGE_ROUND", self.edge_round()),
-            ("EDGES_APRON", u32::from(!self.interpolates)),
-            ("ROUND_SAMPLES", plan::ROUND_SAMPLES),
+            ("PIXEL_EDGES_FIRST", channels.len() as u32),
+            ("PIXEL_EDGE_CHANNELS", self.pixel_edge_channels()),
+            ("PIXEL_EDGE_SECONDARY", 2),
+            ("PIXEL_EDGE_COLOR", self.pixel_edge_round() - 3),
+            ("PIXEL_EDGE_ROUND", self.pixel_edge_round()),
+            ("PIXEL_EDGES_APRON", u32::from(!self.interpolates())),
+            ("ROUND_SAMPLES", postcorrect::ROUND_SAMPLES),
             ("TEXTURE_PAGE", atlas::MAX_PAGES - 1),
             ("RANKS", RANKS),
             ("RANK_TILE", RANK_TILE),
@@ -181,27 +150,15 @@ impl Variant {
             ("OBJECT_MATTE", gpu_scene::OBJECT_MATTE),
             ("LIGHT_DIRECTIONAL", gpu_scene::LIGHT_DIRECTIONAL),
             ("LIGHT_CONSTANT", gpu_scene::LIGHT_CONSTANT),
-            ("RAY_PRIMARY", 0),
-            ("RAY_SHADOW", 1),
-            ("RAY_REFLECTION", 2),
-            ("RAY_REFRACTION", 3),
             ("REFINE_STEP", REFINE_STEP),
             ("REFINE_MOST", REFINE_MOST),
             ("REFINE_WORDS", REFINE_WORDS),
             ("REFINE_FIRST", (1 << REFINE_STEP) - 1),
-            ("RAY_DIFFUSE", 4),
-            ("RAY_KINDS", RAY_KINDS as u32),
-            ("PATH_TILE", plan::PATH_TILE),
-            ("LIGHT_SAMPLES", self.paths.light_samples),
-            ("STOPPING_LEVEL", self.paths.stopping_level()),
-            ("COUNTER_RAYS", COUNTER_RAYS as u32),
-            ("COUNTER_NODE_VISITS", COUNTER_NODE_VISITS as u32),
-            ("COUNTER_PRIMITIVE_TESTS", COUNTER_PRIMITIVE_TESTS as u32),
-            ("COUNTER_ORIGINS", COUNTER_ORIGINS as u32),
-            ("COUNTER_FAILED", COUNTER_FAILED as u32),
-            ("COUNTER_CLAIMED", COUNTER_CLAIMED as u32),
+            ("PATH_TILE", PATH_TILE),
+            ("LIGHT_SAMPLES", self.settings.paths.light_samples),
+            ("FOVEATION_LEVEL", self.settings.paths.foveation_level()),
         ];
-        for (name, value) in numbers {
+        for (name, value) in rng {
             let _ = writeln!(text, "const {name}: u32 = {value}u;");
         }
         let reals = [
@@ -210,7 +167,7 @@ impl Variant {
             ("OFFSET_SIZE", if self.robustness.offset { OFFSET_SIZE } else { 0.0 }),
             // Rays that pass straight on need one order of the surfaces, without a tolerance.
             ("SAME_DISTANCE", if self.has_panes { 0.0 } else { SAME_DISTANCE }),
-            ("CELL_CONTRAST", CELL_CONTRAST),
+            ("STRATUM_CONTRAST", STRATUM_CONTRAST),
             ("SPHERE_MARK", gpu_scene::SPHERE_MARK),
             ("NORMAL_ERROR", OCTAHEDRAL_ERROR),
             ("FOOTPRINT_LEAST", FOOTPRINT_LEAST),
@@ -226,8 +183,15 @@ impl Variant {
         for (name, value) in reals {
             let _ = writeln!(text, "const {name}: f32 = {value:e};");
         }
-        for (bit, name) in CHECK_NAMES.iter().enumerate() {
-            let _ = writeln!(text, "const CHECK_{}: u32 = {}u;", name.to_uppercase(), 1 << bit);
+        let _ = writeln!(text, "const COUNTER_WORDS: u32 = {COUNTER_WORDS}u;");
+        for group in GROUPS {
+            let Group { name, prefix, first, names, bits } = group;
+            let _ = writeln!(text, "const COUNTER_{name}: u32 = {first}u;");
+            let _ = writeln!(text, "const {prefix}_COUNT: u32 = {}u;", names.len());
+            for (index, name) in names.iter().enumerate() {
+                let value = if bits { 1 << index } else { index };
+                let _ = writeln!(text, "const {prefix}_{}: u32 = {value}u;", name.to_uppercase());
+            }
         }
         Source { file: "(constants)", text: text.into() }
     }

@@ -4,10 +4,13 @@ use std::ops::{Add, AddAssign};
 
 use serde::{Deserialize, Serialize};
 
-use super::{Stage, Variant, operations::count};
+use super::{FrameSpec, Recipe, operations::count, recipe::Loops};
 use crate::{
-    GpuScene, Method, Result, Settings,
-    gpu::shader::{Linked, link},
+    GpuScene, Result, Settings,
+    device::{
+        Tier,
+        shader::{Linked, link},
+    },
 };
 
 /// What some work asks of a device.
@@ -54,7 +57,8 @@ impl AddAssign for Demand {
 
 /// What few tests need: an edge where rounding does not decide it, a triangle beyond the range of f32, and what is asked
 /// about hits, of which a ray has one or two among many tests.
-const RARE: [&str; 5] = ["edge_sign", "triangle_scaled_edges", "bvh_ahead", "bvh_nearer", "hit_counts"];
+const RARE: [&str; 5] =
+    ["triangle_edge_sign", "triangle_scaled_edges", "bvh_ahead", "bvh_nearer", "any_hit_accepts"];
 /// What texture averages are made of, in loops of their own. They are taken for three rows of three points each, in the second
 /// level of one texture.
 const AVERAGES: [&str; 2] = ["texture_points", "texture_level"];
@@ -89,29 +93,20 @@ impl Demands {
     /// [`crate::Error::Shader`] where a kernel does not link.
     pub fn of(scene: &GpuScene, settings: &Settings) -> Result<Self> {
         // As a GPU has them.
-        let variant = Variant { on_cpu: false, ..Variant::new(scene, settings) };
-        Self::of_variant(&variant, settings.method)
+        let spec = FrameSpec { tier: Tier::Gpu, ..FrameSpec::new(scene, settings) };
+        Self::of_spec(&spec)
     }
 
-    fn of_variant(variant: &Variant, method: Method) -> Result<Self> {
-        let traced = match method {
-            Method::Full => Stage::Full,
-            Method::Adaptive => Stage::TraceA1,
-            Method::Checkerboard => Stage::Checkerboard,
-            Method::Supersample => Stage::Presample,
-            Method::Quincunx => Stage::QuincunxBase,
-            Method::Frameless => Stage::Frameless,
-            Method::Reproject => Stage::Renew,
-            Method::Path | Method::Vr => Stage::Path,
-        };
-        let kernel = link(&variant.sources(traced))?;
+    fn of_spec(spec: &FrameSpec) -> Result<Self> {
+        let recipe = Recipe::of(spec.settings.method);
+        let kernel = link(&spec.sources(recipe.traced))?;
         let of = |function, apart: &[&str]| count(&kernel, function, apart).unwrap_or_default();
         let tree = [RARE.as_slice(), &AVERAGES, &[TRAVERSAL]].concat();
         let [sample, followed, light] = of(None, &[tree.as_slice(), &[SHADOWS]].concat());
         // Its own loop is over lights.
         let [surface, shadow, _] = of(Some(SHADOWS), &tree);
         let [ray, node_visit, primitive_test] = of(Some(TRAVERSAL), &RARE);
-        let (interpolated, interpolated_light) = between(variant, method)?;
+        let (interpolated, interpolated_light) = between(spec, recipe)?;
         Ok(Self {
             sample,
             followed_ray: followed + surface + average(&kernel),
@@ -133,45 +128,29 @@ fn average(kernel: &Linked) -> Demand {
 }
 
 /// What is not traced: at each sample, and there for each light.
-fn between(variant: &Variant, method: Method) -> Result<(Demand, Demand)> {
-    let of = |stage| {
-        let kernel = link(&variant.sources(stage))?;
-        let [once, neighbour, deeper] = count(&kernel, None, &AVERAGES).unwrap_or_default();
-        Ok::<_, crate::Error>([once + average(&kernel), neighbour, deeper])
-    };
-    Ok(match method {
-        Method::Full
-        | Method::Supersample
-        | Method::Quincunx
-        | Method::Frameless
-        | Method::Path
-        | Method::Vr => Default::default(),
-        Method::Adaptive => {
-            let [once, light, deeper] = of(Stage::SimilarityA1)?;
-            (once, light + deeper)
+fn between(spec: &FrameSpec, recipe: &Recipe) -> Result<(Demand, Demand)> {
+    let (mut sample, mut light) = (Demand::default(), Demand::default());
+    for (stage, loops) in recipe.interpolated {
+        let kernel = link(&spec.sources(stage))?;
+        let [once, inner, deeper] = count(&kernel, None, &AVERAGES).unwrap_or_default();
+        sample += once + average(&kernel);
+        match loops {
+            Loops::OverLights => light += inner + deeper,
+            Loops::Repeated(turns) => sample += inner.times(*turns),
         }
-        Method::Checkerboard => {
-            let [once, neighbour, _] = of(Stage::Fill)?;
-            (once + neighbour.times(4.0), Demand::default())
-        }
-        Method::Reproject => {
-            let [reused, side, _] = of(Stage::Reuse)?;
-            let [moved, ..] = of(Stage::ReprojectDepth)?;
-            let [found, ..] = of(Stage::ReprojectSource)?;
-            (reused + side.times(4.0) + moved + found, Demand::default())
-        }
-    })
+    }
+    Ok((sample, light))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Linking, scene::builtin};
+    use crate::{Method, Specialize, scene::builtin};
 
     fn demands(scene: &str, method: Method) -> Demands {
-        let settings = Settings { method, features: Linking::Auto, ..Settings::default() };
-        let variant = Variant::of_scene(&builtin(scene).expect(scene), &settings);
-        Demands::of_variant(&variant, method).expect("links")
+        let settings = Settings { method, specialize: Specialize::Auto, ..Settings::default() };
+        let spec = FrameSpec::of_scene(&builtin(scene).expect(scene), &settings);
+        Demands::of_spec(&spec).expect("links")
     }
 
     /// The node of Ylitie 2017 has 80 bytes, a triangle of this crate 36: what the code reads of them is the check that the
@@ -198,18 +177,21 @@ mod tests {
         let full = demands("room", Method::Full);
         assert_eq!((full.sample.frame_bytes, full.interpolated), (4.0, Demand::default()), "a pixel");
         let adaptive = demands("room", Method::Adaptive);
-        let planes = 4.0 * f64::from(u8::try_from(adaptive_planes()).expect("few"));
+        let channels = 4.0 * f64::from(u8::try_from(adaptive_channels()).expect("few"));
         // A pixel, its attributes, its entry in the list and the three numbers at the list's head.
-        assert!(adaptive.sample.frame_bytes >= 4.0 + planes + 4.0, "{adaptive:?}");
-        assert!(adaptive.interpolated.frame_bytes >= 4.0 + 3.0 * planes, "two references read, one written");
+        assert!(adaptive.sample.frame_bytes >= 4.0 + channels + 4.0, "{adaptive:?}");
+        assert!(
+            adaptive.interpolated.frame_bytes >= 4.0 + 3.0 * channels,
+            "two references read, one written"
+        );
         assert_eq!(adaptive.node_visit, full.node_visit);
         let checkerboard = demands("room", Method::Checkerboard);
         // Four neighbours (12 bytes each) and the pixel, and what the other half does beside it: its own sample, its pixel.
         assert_eq!(checkerboard.interpolated.frame_bytes, (4.0 * 12.0 + 4.0) + (12.0 + 4.0));
     }
 
-    fn adaptive_planes() -> usize {
-        Variant::of_scene(&builtin("room").expect("room"), &Settings::default()).planes().len()
+    fn adaptive_channels() -> usize {
+        FrameSpec::of_scene(&builtin("room").expect("room"), &Settings::default()).channels().len()
     }
 
     #[test]
@@ -223,9 +205,11 @@ mod tests {
     #[test]
     fn rare_functions_are_there() {
         let settings = Settings { method: Method::Full, ..Settings::default() };
-        let kernel =
-            link(&Variant::of_scene(&builtin("room").expect("room"), &settings).sources(Stage::Full))
-                .expect("links");
+        let kernel = link(
+            &FrameSpec::of_scene(&builtin("room").expect("room"), &settings)
+                .sources(&super::super::full::FULL),
+        )
+        .expect("links");
         for name in RARE.into_iter().chain(AVERAGES).chain([TRAVERSAL, SHADOWS]) {
             assert!(count(&kernel, Some(name), &[]).is_some(), "{name}");
         }

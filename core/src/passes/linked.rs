@@ -2,12 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use super::{Stage, Variant};
+use super::{FrameSpec, stages};
 use crate::{
-    Linking, Method, Postcorrect, Result, Scene, Settings,
-    gpu::shader::link,
-    plan::{Plan, Shape},
-    scene::Thinness,
+    Postcorrect, Result, Scene, Settings, Specialize, device::gpu_scene::SceneFacts, device::shader::link,
+    frame::plan::Plan, scene::Thinness,
 };
 
 /// The frame that is asked about; its size matters to `postcorrect auto` alone.
@@ -29,35 +27,24 @@ impl Linked {
     ///
     /// # Errors
     /// [`crate::Error::Shader`] where a kernel does not link.
-    pub fn of(scene: &Scene, linking: Linking) -> Result<Self> {
-        let settings = Settings { features: linking, ..Settings::default() };
+    pub fn of(scene: &Scene, specialize: Specialize) -> Result<Self> {
+        let settings = Settings { specialize, ..Settings::default() };
         let thinness = Thinness::of(scene);
         // Everything is more than a scene without thin things would link of it.
-        let everything = linking == Linking::All;
+        let everything = specialize == Specialize::All;
         let corrects = everything || thinness.is_thin(SIZE[1], settings.block);
         let postcorrect = if corrects { Postcorrect::On } else { Postcorrect::Off };
-        let variant = Variant::of_scene(scene, &Settings { postcorrect, ..settings });
+        let spec = FrameSpec::of_scene(scene, &Settings { postcorrect, ..settings });
+        let probe_points = spec.scene.probe_points.max(u32::from(everything));
+        let spec = FrameSpec { scene: SceneFacts { probe_points, ..spec.scene }, ..spec };
         let mut linked = Self {
             files: BTreeSet::new(),
             bindings: BTreeSet::new(),
-            attribute_bytes: size_of::<u32>() * variant.planes().len(),
+            attribute_bytes: size_of::<u32>() * spec.channels().len(),
         };
-        let shape = Shape {
-            grid: SIZE,
-            sampling: settings.sampling,
-            block: settings.block,
-            band: SIZE[1],
-            postcorrect,
-            supersamples: false,
-            refines: false,
-            filter: settings.filter,
-            denoise: settings.paths.denoise,
-            landmarks: thinness.landmarks().len().max(usize::from(everything)) as u32,
-            crosses: false,
-        };
-        let passes = Plan::new(Method::Adaptive, &shape).passes();
-        for stage in Stage::ALL.into_iter().filter(|stage| passes.contains(stage)) {
-            let sources = variant.sources(stage);
+        let passes = Plan::new(&spec, SIZE, SIZE[1]).passes();
+        for stage in stages().filter(|stage| passes.contains(stage)) {
+            let sources = spec.sources(stage);
             let kernel = link(&sources)?;
             linked.bindings.extend(kernel.used_resources().map(|(name, ..)| name.to_owned()));
             linked.files.extend(sources.iter().map(|source| source.file));
@@ -74,17 +61,17 @@ mod tests {
     #[test]
     fn a_plain_scene_is_spared_what_it_does_not_need() {
         let wires = builtin("wires").expect("wires");
-        let all = Linked::of(&wires, Linking::All).expect("links");
-        let auto = Linked::of(&wires, Linking::Auto).expect("links");
+        let all = Linked::of(&wires, Specialize::All).expect("links");
+        let auto = Linked::of(&wires, Specialize::Auto).expect("links");
         let spared: Vec<_> = all.bindings.difference(&auto.bindings).map(String::as_str).collect();
         assert_eq!(spared, ["atlas_color", "atlas_data", "vertices"]);
         assert!(auto.bindings.is_subset(&all.bindings));
         assert_eq!((auto.attribute_bytes, all.attribute_bytes), (16, 44));
         for file in [
-            "wgsl/texture_atlas.wgsl",
-            "wgsl/cone.wgsl",
-            "wgsl/bounce_glass.wgsl",
-            "wgsl/sphere_analytic.wgsl",
+            "wgsl/scene/texture_atlas.wgsl",
+            "wgsl/trace/ray_cone.wgsl",
+            "wgsl/shade/scatter_dielectric.wgsl",
+            "wgsl/trace/sphere_analytic.wgsl",
         ] {
             assert!(all.files.contains(file) && !auto.files.contains(file), "{file}");
         }
@@ -92,24 +79,26 @@ mod tests {
 
     #[test]
     fn postcorrection_is_linked_where_it_is_on() {
-        let files = |name, linking| Linked::of(&builtin(name).expect(name), linking).expect("links").files;
-        let of_postcorrection = ["passes/postcorrect.wgsl", "passes/postcorrect_seed.wgsl"];
-        for (name, linking, corrects) in [
-            ("wires", Linking::Auto, true),
-            ("cornell", Linking::Auto, false),
-            ("cornell", Linking::All, true),
+        let files =
+            |name, specialize| Linked::of(&builtin(name).expect(name), specialize).expect("links").files;
+        let of_postcorrection =
+            ["passes/postcorrect/postcorrect.wgsl", "passes/postcorrect/postcorrect_seed.wgsl"];
+        for (name, specialize, corrects) in [
+            ("wires", Specialize::Auto, true),
+            ("cornell", Specialize::Auto, false),
+            ("cornell", Specialize::All, true),
         ] {
-            let files = files(name, linking);
+            let files = files(name, specialize);
             assert!(
                 of_postcorrection.iter().all(|file| files.contains(file) == corrects),
-                "{name}, {linking:?}"
+                "{name}, {specialize:?}"
             );
         }
     }
 
     #[test]
     fn other_frames_are_not_counted() {
-        let all = Linked::of(&builtin("room").expect("room"), Linking::All).expect("links").files;
+        let all = Linked::of(&builtin("room").expect("room"), Specialize::All).expect("links").files;
         for other in ["full", "checkerboard", "fill", "resolve", "postcorrect_scan"] {
             assert!(!all.contains(format!("passes/{other}.wgsl").as_str()), "{other}");
         }
@@ -117,7 +106,7 @@ mod tests {
 
     #[test]
     fn everything_is_the_same_for_every_scene() {
-        let of = |name| Linked::of(&builtin(name).expect(name), Linking::All).expect("links");
+        let of = |name| Linked::of(&builtin(name).expect(name), Specialize::All).expect("links");
         assert_eq!(of("wires"), of("room"));
         assert_eq!(of("furnace"), of("room"));
     }

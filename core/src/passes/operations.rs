@@ -14,7 +14,7 @@ use wgpu::naga::{
 };
 
 use super::Demand;
-use crate::gpu::shader::Linked;
+use crate::device::shader::Linked;
 
 /// Demands by the number of loops around them; what lies deeper counts with the deepest.
 pub type ByLoops = [Demand; 3];
@@ -27,11 +27,11 @@ const OF_SAMPLES: [&str; 11] = [
     "samples",
     "history",
     "history_before",
-    "landed",
-    "guides",
-    "filtered",
-    "filtered_before",
-    "planes",
+    "splats",
+    "gbuffer",
+    "atrous_buffer",
+    "atrous_buffer_before",
+    "cpu_samples",
 ];
 
 /// Operations of what takes a special unit, of which devices have a quarter as many.

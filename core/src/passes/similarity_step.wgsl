@@ -19,6 +19,6 @@ fn similarity_step(pixel: vec2u, a_pixel: vec2u, b_pixel: vec2u) {
     let color = similarity_shade(pixel, middle);
     output(pixel, color);
     attributes_keep(pixel, middle, ATTRIBUTES_INTERPOLATED);
-    edges_keep_interpolated(pixel, a_pixel, middle, color);
+    pixel_edges_record_interpolated(pixel, a_pixel, middle, color);
     inspect_pixel(pixel, ORIGIN_INTERPOLATED, middle);
 }

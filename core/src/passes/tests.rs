@@ -2,12 +2,17 @@
 
 use wgpu::naga::{AddressSpace, proc::Layouter};
 
-use super::{Output, Stage, Variant};
+use super::{
+    FrameSpec, Output, Stage, Tracing, Work, adaptive, denoise, path, refine, stages, stereo, supersample,
+};
 use crate::{
-    Crossing, Denoise, Direct, Features, Filter, Inactive, Jitter, Linking, Mip, Paths, Postcorrect,
-    Robustness, Roulette, Sampler, Shining, Stopping, frame, gpu,
-    gpu::{mirror::differences, shader::link},
-    gpu_scene, probe,
+    Denoise, DirectLight, Features, Filter, Foveation, Jitter, LightSelection, Method, Mip, Paths,
+    Postcorrect, Refine, Robustness, Roulette, Sampler, Settings, Specialize, StereoReuse, Unsampled, device,
+    device::gpu_scene::{self, SceneFacts},
+    device::{Tier, mirror::differences, shader::link},
+    frame::counters::GROUPS,
+    frame::recorder,
+    probe,
 };
 
 fn features(bits: u32) -> Features {
@@ -33,45 +38,48 @@ fn features(bits: u32) -> Features {
 
 /// All combinations of features for timed frames; counting and linear ones, and those of several samples a
 /// pixel, for the extremes and each feature alone.
-fn variants() -> impl Iterator<Item = Variant> {
-    let make = |bits, inspect, output| Variant {
+fn variants() -> impl Iterator<Item = FrameSpec> {
+    let make = |bits, inspect, output| FrameSpec {
+        settings: Settings {
+            method: Method::Adaptive,
+            specialize: if bits == 255 { Specialize::All } else { Specialize::Auto },
+            supersample: bits & 1 != 0,
+            refine: if bits & 4 != 0 { Refine::On } else { Refine::Off },
+            unsampled: if bits & 4 != 0 { Unsampled::Bilinear } else { Unsampled::Nearest },
+            filter: if bits & 2 != 0 { Filter::Tent } else { Filter::Box },
+            jitter: if bits & 8 != 0 { Jitter::On } else { Jitter::Auto },
+            postcorrect: if bits & 8 != 0 { Postcorrect::Objects } else { Postcorrect::On },
+            mip: if bits & 4 != 0 { Mip::Off } else { Mip::On },
+            paths: Paths {
+                direct_light: DirectLight::ALL[bits as usize % 3],
+                lights: LightSelection::ALL[bits as usize / 8 % 3],
+                sampler: if bits & 1 != 0 { Sampler::Random } else { Sampler::Sobol },
+                foveation: Foveation::ALL[bits as usize % 3],
+                denoise: Denoise::ALL[bits as usize / 2 % 3],
+                roulette: if bits & 16 != 0 { Roulette::Off } else { Roulette::On },
+                stereo_reuse: StereoReuse::ALL[bits as usize / 2 % 3],
+                ..Paths::default()
+            },
+            ..Settings::default()
+        },
         features: features(bits),
-        linking: if bits == 255 { Linking::All } else { Linking::Auto },
-        has_texcoords: bits & 1 != 0,
-        has_colors: bits & 2 != 0,
+        scene: SceneFacts {
+            has_texcoords: bits & 1 != 0,
+            has_colors: bits & 2 != 0,
+            emits: bits & 4 != 0,
+            bvh_stack: 12,
+            lights: 2,
+            // With the shadow bits in the object's word, and without.
+            objects: if bits & 1 != 0 { 1 << 31 } else { 100 },
+            probe_points: 0,
+        },
         has_panes: bits & 64 != 0,
-        on_cpu: bits & 8 != 0,
+        tier: if bits & 8 != 0 { Tier::Cpu } else { Tier::Gpu },
         inspect,
         records: inspect,
         output,
-        sampling: 1,
-        interpolates: true,
-        supersamples: bits & 1 != 0,
-        refines: bits & 5 == 5,
         secondary: bits & 1 != 0 && bits & 96 != 0,
-        inactive: if bits & 4 != 0 { Inactive::Bilinear } else { Inactive::Nearest },
-        filter: if bits & 2 != 0 { Filter::Tent } else { Filter::Box },
-        jitter: if bits & 8 != 0 { Jitter::On } else { Jitter::Auto },
-        postcorrect: if bits & 8 != 0 { Postcorrect::Objects } else { Postcorrect::On },
-        mip: if bits & 4 != 0 { Mip::Off } else { Mip::On },
-        paths: Paths {
-            direct: Direct::ALL[bits as usize % 3],
-            shining: Shining::ALL[bits as usize / 8 % 3],
-            sampler: if bits & 1 != 0 { Sampler::Random } else { Sampler::Sobol },
-            stopping: Stopping::ALL[bits as usize % 3],
-            denoise: Denoise::ALL[bits as usize / 2 % 3],
-            roulette: if bits & 16 != 0 { Roulette::Off } else { Roulette::On },
-            crossing: Crossing::ALL[bits as usize / 2 % 3],
-            ..Paths::default()
-        },
-        two_eyes: bits & 64 != 0,
-        emits: bits & 4 != 0,
-        bvh_stack: 12,
-        depth: 3,
-        lights: 2,
         robustness: Robustness::default(),
-        // With the shadow bits in the object's word, and without.
-        objects: if bits & 1 != 0 { 1 << 31 } else { 100 },
     };
     let few = || (0..8).map(|i| 1 << i).chain([0, 255]);
     let timed = (0..256).map(move |bits| make(bits, false, Output::Display));
@@ -79,7 +87,10 @@ fn variants() -> impl Iterator<Item = Variant> {
     let linear = few().map(move |bits| make(bits, false, Output::Linear));
     let several =
         [(false, Output::Display), (true, Output::Nowhere)].into_iter().flat_map(move |(inspect, output)| {
-            few().map(move |bits| Variant { sampling: 2, ..make(bits, inspect, output) })
+            few().map(move |bits| {
+                let one = make(bits, inspect, output);
+                one.with(Settings { sampling: 2, ..one.settings })
+            })
         });
     timed.chain(counting).chain(linear).chain(several)
 }
@@ -89,7 +100,8 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
     let mut mirrored = std::collections::HashSet::new();
     let mut kernels = 0;
     for variant in variants() {
-        for stage in Stage::ALL.into_iter().filter(|stage| is_linked(&variant, *stage)) {
+        for stage in stages().filter(|stage| is_linked(&variant, stage)) {
+            let variant = of_stage(variant, stage);
             let linked =
                 link(&variant.sources(stage)).unwrap_or_else(|e| panic!("{stage:?} {variant:?}: {e}"));
             kernels += 1;
@@ -102,8 +114,12 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
             assert!(invocations <= 256, "{stage:?}: {invocations} invocations");
             assert!(workgroup_bytes(&linked.module) <= 16_384, "{stage:?}: workgroup memory");
             for mirror in [
-                frame::Frame::MIRROR,
-                frame::PixelRecord::MIRROR,
+                recorder::FrameUniform::MIRROR,
+                recorder::FrameCamera::MIRROR,
+                recorder::FramePart::MIRROR,
+                recorder::FrameTolerances::MIRROR,
+                recorder::FramePaths::MIRROR,
+                recorder::PixelRecord::MIRROR,
                 gpu_scene::Object::MIRROR,
                 gpu_scene::Light::MIRROR,
             ] {
@@ -115,20 +131,98 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
         }
     }
     let all = variants().count();
-    let supersampling = variants().filter(|variant| variant.supersamples).count();
+    let supersampling = variants().filter(|variant| variant.settings.supersamples()).count();
     assert_eq!(all, 256 + 4 * 10);
-    let refining = variants().filter(|variant| variant.refines).count();
-    assert_eq!(kernels, all * (Stage::ALL.len() - 6) + 2 * supersampling + 4 * refining);
+    let refining = variants().filter(|variant| variant.settings.refines()).count();
+    assert_eq!(kernels, all * (stages().count() - 6) + 2 * supersampling + 4 * refining);
     assert!(supersampling > 100 && refining > 50);
-    assert_eq!(mirrored.len(), 4, "every mirrored struct was compared: {mirrored:?}");
+    assert_eq!(mirrored.len(), 8, "every mirrored struct was compared: {mirrored:?}");
+}
+
+/// Stages of paths are linked by a method of paths, of one eye or of two.
+fn of_stage(variant: FrameSpec, stage: &Stage) -> FrameSpec {
+    let of_paths = [path::STAGES, stereo::STAGES, denoise::STAGES].concat().contains(&stage);
+    let paths = if variant.features.refraction { Method::Vr } else { Method::Path };
+    let method = if of_paths { paths } else { variant.settings.method };
+    variant.with(Settings { method, ..variant.settings })
 }
 
 /// Some kernels are not without extra samples, or without their refinement.
-fn is_linked(variant: &Variant, stage: Stage) -> bool {
-    match stage {
-        Stage::SubpixelTest | Stage::ExtraSamples => variant.supersamples,
-        Stage::RefineTest | Stage::Refine | Stage::CellTest | Stage::Cells => variant.refines,
-        _ => true,
+fn is_linked(variant: &FrameSpec, stage: &Stage) -> bool {
+    let of_extra = [&supersample::SUBPIXEL_TEST, &supersample::EXTRA_SAMPLES].contains(&stage);
+    let of_refinement =
+        [&refine::REFINE_TEST, &refine::REFINE, &refine::STRATUM_TEST, &refine::STRATA].contains(&stage);
+    (!of_extra || variant.settings.supersamples()) && (!of_refinement || variant.settings.refines())
+}
+
+/// A stage traces if, and only if, its kernel calls the traversal: the class is not a matter of opinion.
+#[test]
+fn stages_trace_where_their_kernels_call_the_traversal() {
+    for stage in stages() {
+        let variants: Vec<_> = variants().filter(|variant| is_linked(variant, stage)).step_by(37).collect();
+        assert!(!variants.is_empty(), "{stage:?}");
+        for variant in variants {
+            let linked = link(&of_stage(variant, stage).sources(stage)).expect("links");
+            let traverses = linked
+                .module
+                .functions
+                .iter()
+                .any(|(_, function)| function.name.as_deref() == Some("bvh_traverse"));
+            assert_eq!(traverses, stage.tracing != Tracing::No, "{stage:?}");
+            let listed = matches!(stage.work, Work::List | Work::Lines);
+            assert!(
+                stage.tracing == Tracing::No || (stage.tracing == Tracing::Listed) == listed,
+                "{stage:?}"
+            );
+        }
+    }
+}
+
+/// A counter that no kernel counts, or a check that none makes, would be 0 for ever.
+#[test]
+fn every_counter_is_counted_by_some_kernel() {
+    let counting: Vec<_> = variants().filter(|variant| variant.inspect).collect();
+    let linked = |stage: &'static Stage| {
+        let of = |variant: &FrameSpec| of_stage(*variant, stage).sources(stage);
+        counting.iter().filter(move |variant| is_linked(variant, stage)).flat_map(of).collect::<Vec<_>>()
+    };
+    let sources: std::collections::HashMap<_, _> = stages()
+        .flat_map(linked)
+        .filter(|source| source.file != "(constants)")
+        .map(|source| (source.file, source.text))
+        .collect();
+    for group in GROUPS {
+        for name in group.names {
+            let constant = format!("{}_{}", group.prefix, name.to_uppercase());
+            assert!(sources.values().any(|text| text.contains(&constant)), "no kernel counts {constant}");
+        }
+    }
+}
+
+/// Names identify stages: in timings, in reports, and among compiled kernels.
+#[test]
+fn names_of_stages_are_distinct() {
+    let names: std::collections::HashSet<_> = stages().map(|stage| stage.name).collect();
+    assert_eq!(names.len(), stages().count());
+    for stage in stages() {
+        assert_eq!(Tracing::of_pass(stage.name), Some(stage.tracing));
+    }
+    assert_eq!(Tracing::of_pass("no such stage"), None);
+}
+
+/// Threads of a workgroup, which the dispatches of each shape of work are counted in.
+#[test]
+fn workgroups_fit_the_shape_of_their_work() {
+    for stage in stages() {
+        let variant = variants().find(|variant| is_linked(variant, stage)).expect("one");
+        let linked = link(&of_stage(variant, stage).sources(stage)).expect("links");
+        let threads: u32 = linked.module.entry_points[0].workgroup_size.iter().product();
+        match stage.work {
+            Work::Tiles(super::PATH_TILE) => assert_eq!(threads, 64, "{stage:?}"),
+            Work::Tiles(side) => assert_eq!(threads, side * side, "{stage:?}"),
+            Work::List | Work::Lines | Work::Ranks => assert_eq!(threads, super::TRACE_GROUP, "{stage:?}"),
+            Work::Fixed => {}
+        }
     }
 }
 
@@ -166,12 +260,12 @@ fn the_fresnel_probe_is_declared_alike_on_both_sides() {
 
 #[test]
 fn a_swapped_field_is_noticed() {
-    let mirror = gpu::mirror::Mirror {
-        name: "Frame",
-        size: size_of::<frame::Frame>(),
-        fields: &[gpu::mirror::Field { name: "orthographic", offset: 0 }],
+    let mirror = device::mirror::Mirror {
+        name: "FrameCamera",
+        size: size_of::<recorder::FrameCamera>(),
+        fields: &[device::mirror::Field { name: "orthographic", offset: 0 }],
     };
     let variant = variants().next().expect("one");
-    let linked = link(&variant.sources(Stage::Base)).expect("links");
+    let linked = link(&variant.sources(&adaptive::BASE)).expect("links");
     assert!(!differences(&linked.module, &mirror).expect("declared").is_empty());
 }

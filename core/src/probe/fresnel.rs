@@ -3,7 +3,7 @@
 use super::dispatch;
 use crate::{
     Gpu, Result,
-    gpu::{mirror::gpu_struct, shader::Source},
+    device::{mirror::gpu_struct, shader::Source},
     passes::{TRACE_GROUP, TRACE_ROW, wgsl},
 };
 
@@ -46,5 +46,5 @@ pub fn fresnel(gpu: &Gpu, boundaries: &[ProbeBoundary]) -> Result<Vec<ProbeFresn
 pub(crate) fn fresnel_sources() -> Vec<Source> {
     let text = format!("const TRACE_GROUP: u32 = {TRACE_GROUP}u;\nconst TRACE_ROW: u32 = {TRACE_ROW}u;\n");
     let constants = Source { file: "(constants)", text: text.into() };
-    vec![constants, wgsl!("wgsl/fresnel.wgsl"), wgsl!("wgsl/probe_fresnel.wgsl")]
+    vec![constants, wgsl!("wgsl/shade/fresnel.wgsl"), wgsl!("wgsl/probe/probe_fresnel.wgsl")]
 }

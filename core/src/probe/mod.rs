@@ -12,9 +12,9 @@ pub use ray::ProbeRay;
 
 use crate::{
     Camera, Gpu, GpuScene, Result, Robustness, SAMPLES_PER_SUBMISSION, Settings,
-    frame::Frame,
-    gpu::{Kernel, Timer, mirror::gpu_struct, shader::Source},
-    passes::{TRACE_GROUP, TRACE_ROW, Variant, wgsl},
+    device::{Kernel, Timer, mirror::gpu_struct, shader::Source},
+    frame::recorder::FrameUniform,
+    passes::{FrameSpec, TRACE_GROUP, TRACE_ROW, Tracing, wgsl},
 };
 
 gpu_struct! {
@@ -92,16 +92,16 @@ impl ProbeHit {
 pub struct Probe<'a> {
     gpu: &'a Gpu,
     scene: &'a GpuScene,
-    variant: Variant,
+    spec: FrameSpec,
 }
 
 impl<'a> Probe<'a> {
     /// A probe with these measures against rounding.
     #[must_use]
     pub fn new(gpu: &'a Gpu, scene: &'a GpuScene, robustness: Robustness) -> Self {
-        let variant =
-            Variant { robustness, ..Variant::new(scene, &Settings { depth: 1, ..Settings::default() }) };
-        Self { gpu, scene, variant }
+        let spec =
+            FrameSpec { robustness, ..FrameSpec::new(scene, &Settings { depth: 1, ..Settings::default() }) };
+        Self { gpu, scene, spec }
     }
 
     /// The nearest hits (some hit where the ray asks for any), and the GPU time in milliseconds (0 without timestamps).
@@ -109,7 +109,7 @@ impl<'a> Probe<'a> {
     /// # Errors
     /// A device that failed or cannot hold the rays.
     pub fn trace(&self, rays: &[ProbeRay]) -> Result<(Vec<ProbeHit>, f64)> {
-        self.run("probe_trace", &trace_sources(&self.variant), rays, |hit: &mut ProbeHit, scale| {
+        self.run("probe_trace", &trace_sources(&self.spec), rays, |hit: &mut ProbeHit, scale| {
             hit.t = scaled(hit.t, scale);
         })
     }
@@ -119,7 +119,7 @@ impl<'a> Probe<'a> {
     /// # Errors
     /// A device that failed or cannot hold the rays.
     pub fn count(&self, rays: &[ProbeRay]) -> Result<Vec<u32>> {
-        Ok(self.run("probe_count", &count_sources(&self.variant), rays, |_: &mut u32, _| {})?.0)
+        Ok(self.run("probe_count", &count_sources(&self.spec), rays, |_: &mut u32, _| {})?.0)
     }
 
     /// Where rays arrive, and where those that leave the surface start.
@@ -128,7 +128,7 @@ impl<'a> Probe<'a> {
     /// A device that failed or cannot hold the rays.
     pub fn spawn(&self, rays: &[ProbeRay]) -> Result<Vec<ProbeSpawn>> {
         let rescale = |spawn: &mut ProbeSpawn, scale| spawn.t = scaled(spawn.t, scale);
-        Ok(self.run("probe_spawn", &spawn_sources(&self.variant), rays, rescale)?.0)
+        Ok(self.run("probe_spawn", &spawn_sources(&self.spec), rays, rescale)?.0)
     }
 
     /// Traces and shades rays, with the settings' recursion limits.
@@ -137,9 +137,10 @@ impl<'a> Probe<'a> {
     /// Invalid settings, or a device that failed or cannot hold the rays.
     pub fn shade(&self, rays: &[ProbeRay], settings: &Settings) -> Result<Vec<ProbeSample>> {
         settings.validate()?;
-        let variant = Variant { depth: settings.depth, ..self.variant };
+        let settings_of_kernel = Settings { depth: settings.depth, ..self.spec.settings };
+        let spec = FrameSpec { settings: settings_of_kernel, ..self.spec };
         let camera = Camera::framing(self.scene.bounds().0, self.scene.bounds().1);
-        let frame = Frame::new(self.scene, settings, [1, 1], &camera);
+        let frame = FrameUniform::new(self.scene, settings, [1, 1], &camera);
         let frame = self.gpu.filled("frame", bytemuck::bytes_of(&frame), wgpu::BufferUsages::UNIFORM)?;
         let more = [("frame", frame.as_entire_binding())];
         let rescale = |sample: &mut ProbeSample, scale| {
@@ -147,7 +148,7 @@ impl<'a> Probe<'a> {
                 sample.depth = scaled(sample.depth, scale);
             }
         };
-        Ok(self.run_with("probe_shade", &shade_sources(&variant), rays, rescale, more)?.0)
+        Ok(self.run_with("probe_shade", &shade_sources(&spec), rays, rescale, more)?.0)
     }
 
     fn run<O: bytemuck::Pod>(
@@ -192,7 +193,7 @@ pub(crate) fn dispatch<I: bytemuck::NoUninit, O: bytemuck::Pod>(
     resources: &[(&'static str, wgpu::BindingResource<'_>)],
 ) -> Result<(Vec<O>, f64)> {
     let kernel = Kernel::new(gpu, label, sources)?;
-    let timer = Timer::new(gpu, &[label])?;
+    let timer = Timer::new(gpu, vec![(label, Tracing::Listed)])?;
     let (mut all, mut ms) = (Vec::with_capacity(inputs.len()), 0.0);
     for inputs in inputs.chunks(SAMPLES_PER_SUBMISSION as usize) {
         let rays = gpu.storage("rays", inputs)?;
@@ -214,19 +215,19 @@ pub(crate) fn dispatch<I: bytemuck::NoUninit, O: bytemuck::Pod>(
 }
 
 /// The sources of the probe's tracing kernel.
-pub(crate) fn trace_sources(variant: &Variant) -> Vec<Source> {
-    variant.tracing_sources([wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_trace.wgsl")])
+pub(crate) fn trace_sources(spec: &FrameSpec) -> Vec<Source> {
+    spec.tracing_sources([wgsl!("wgsl/probe/probe_ray.wgsl"), wgsl!("wgsl/probe/probe_trace.wgsl")])
 }
 
-pub(crate) fn count_sources(variant: &Variant) -> Vec<Source> {
-    let entry = [wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_count.wgsl")];
-    variant.tracing_sources_with(wgsl!("wgsl/hit_count.wgsl"), entry)
+pub(crate) fn count_sources(spec: &FrameSpec) -> Vec<Source> {
+    let entry = [wgsl!("wgsl/probe/probe_ray.wgsl"), wgsl!("wgsl/probe/probe_count.wgsl")];
+    spec.tracing_sources_with(wgsl!("wgsl/probe/any_hit_count.wgsl"), entry)
 }
 
-pub(crate) fn spawn_sources(variant: &Variant) -> Vec<Source> {
-    variant.tracing_sources([wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_spawn.wgsl")])
+pub(crate) fn spawn_sources(spec: &FrameSpec) -> Vec<Source> {
+    spec.tracing_sources([wgsl!("wgsl/probe/probe_ray.wgsl"), wgsl!("wgsl/probe/probe_spawn.wgsl")])
 }
 
-pub(crate) fn shade_sources(variant: &Variant) -> Vec<Source> {
-    variant.tracing_sources([wgsl!("wgsl/probe_ray.wgsl"), wgsl!("wgsl/probe_shade.wgsl")])
+pub(crate) fn shade_sources(spec: &FrameSpec) -> Vec<Source> {
+    spec.tracing_sources([wgsl!("wgsl/probe/probe_ray.wgsl"), wgsl!("wgsl/probe/probe_shade.wgsl")])
 }

@@ -2,8 +2,8 @@
 
 use crate::{
     Gpu, Result,
-    gpu::{Kernel, Timer, shader::Source},
-    passes::{TRACE_GROUP, wgsl},
+    device::{Kernel, Timer, shader::Source},
+    passes::{TRACE_GROUP, Tracing, wgsl},
 };
 
 /// Turns of the kernel's loop, and operations of a turn: eight multiply-adds of four numbers each.
@@ -24,7 +24,7 @@ pub fn peak_gflops(gpu: &Gpu) -> Result<Option<f64>> {
     let results = gpu.buffer("results", 4 * u64::from(THREADS), wgpu::BufferUsages::STORAGE)?;
     let kernel = Kernel::new(gpu, "probe_arithmetic", &sources)?;
     let bound = kernel.bind(&gpu.device, &[("results", results.as_entire_binding())])?;
-    let timer = Timer::new(gpu, &["probe_arithmetic"])?;
+    let timer = Timer::new(gpu, vec![("probe_arithmetic", Tracing::No)])?;
     let mut times = Vec::with_capacity(1 + RUNS);
     for _ in 0..=RUNS {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
@@ -46,14 +46,14 @@ pub(crate) fn sources() -> Vec<Source> {
     let constants = format!("const TRACE_GROUP: u32 = {TRACE_GROUP};\nconst TURNS: u32 = {TURNS};\n");
     vec![
         Source { file: "(constants of the probe)", text: constants.into() },
-        wgsl!("wgsl/probe_arithmetic.wgsl"),
+        wgsl!("wgsl/probe/probe_arithmetic.wgsl"),
     ]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{gpu::shader::link, passes::count_operations};
+    use crate::{device::shader::link, passes::count_operations};
 
     /// What the kernel is said to do in a turn is what its code does.
     #[test]

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::{gpu::mirror::gpu_struct, reference, scene::MAX_COORDINATE};
+use crate::{device::mirror::gpu_struct, reference, scene::MAX_COORDINATE};
 
 gpu_struct! {
     /// A ray; `direction` may have any length. A ray that is none meets nothing: a direction of zero or with a component

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Crossing, Ray, Reference, Surface};
+use super::{Intersection, Ray, Reference, Surface};
 use crate::scene::octahedral_decode_exact;
 
 /// Surfaces are seen at no smaller cosine, and cones grow by no more.
@@ -62,11 +62,15 @@ impl Reference {
     }
 
     /// Of a crossing: what the ray's cone covers of the textures of the object.
-    pub(super) fn covered(&self, ray: &Ray, crossing: &Crossing) -> DVec3 {
-        let corners = self.scene.positions.get(crossing.primitive);
-        match (corners, self.scene.texcoords.get(crossing.primitive), self.first_texture(crossing.object)) {
+    pub(super) fn covered(&self, ray: &Ray, intersection: &Intersection) -> DVec3 {
+        let corners = self.scene.positions.get(intersection.primitive);
+        match (
+            corners,
+            self.scene.texcoords.get(intersection.primitive),
+            self.first_texture(intersection.object),
+        ) {
             (Some(corners), Some(texcoords), Some(_)) => footprint(
-                ray.width + crossing.t * ray.growth,
+                ray.width + intersection.t * ray.growth,
                 ray.direction,
                 corners.map(|p| p.as_dvec3()),
                 texcoords.map(|t| t.as_dvec2()),

@@ -39,11 +39,11 @@ impl Reference {
             return None;
         }
         let ray = Ray { t_max: REACH * distance, ..s.spawn(direction, (0.0, 0.0), rounding) };
-        let crossing = self.first(&ray, Some(s.primitive), false, rounding)?;
-        let hit = self.surface(&ray, &crossing, rounding);
+        let intersection = self.first(&ray, Some(s.primitive), false, rounding)?;
+        let hit = self.surface(&ray, &intersection, rounding);
         // A ray from outside meets the near side of a sphere; points on the other are hidden by it.
         let hidden = primitive >= self.scene.positions.len() && hit.inside != (normal.dot(direction) > 0.0);
-        if crossing.primitive != primitive || hidden {
+        if intersection.primitive != primitive || hidden {
             return None;
         }
         let m = self.material(hit.object, hit.texcoord, hit.footprint, hit.color);

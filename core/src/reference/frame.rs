@@ -8,7 +8,7 @@ use super::{
 use crate::{Camera, Mip, Origin, Settings};
 
 /// A frame to be computed in f64.
-pub struct Frame<'a> {
+pub struct ReferenceFrame<'a> {
     /// The scene.
     pub reference: &'a Reference,
     /// The camera.
@@ -24,7 +24,7 @@ pub struct Frame<'a> {
 pub struct Pixel {
     /// The step of the method that produced the pixel.
     pub origin: Origin,
-    /// The checks that fail between its two references, as bits in the order of [`crate::CHECK_NAMES`].
+    /// The checks that fail between its two references, as their [bits](crate::Check::bit).
     pub failed: u32,
     /// Attributes of the first hit, not yet quantised for storage.
     pub attributes: Attributes,
@@ -35,7 +35,7 @@ pub struct Pixel {
 /// Scale of the width over which textures are averaged, relative to the width of a sample.
 const SHARE: f64 = 0.85;
 
-impl Frame<'_> {
+impl ReferenceFrame<'_> {
     /// The ray through a pixel's centre, and the length of its direction, in whose units depths are.
     #[must_use]
     pub fn ray(&self, pixel: [u32; 2]) -> (Ray, f64) {

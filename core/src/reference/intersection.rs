@@ -19,7 +19,7 @@ pub struct Ray {
 
 /// The intersection of a ray with one primitive.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crossing {
+pub struct Intersection {
     /// Ray parameter of the intersection.
     pub t: f64,
     /// Triangles of the scene by index, then its spheres.
@@ -57,7 +57,7 @@ impl Primitive {
 
     /// The first crossing in front of the ray. A ray that starts on the primitive itself (`left`) has left it, unless it
     /// goes through a sphere: then it crosses the other side.
-    pub fn crossing(&self, ray: &Ray, left: bool) -> Option<Crossing> {
+    pub fn intersection(&self, ray: &Ray, left: bool) -> Option<Intersection> {
         let (t, u, v) = match self.shape {
             Shape::Triangle { corner, e1, e2 } => {
                 let (u, v, t, _) = moeller_trumbore(ray, corner, e1, e2)?;
@@ -77,7 +77,7 @@ impl Primitive {
                 (t, 0.0, 0.0)
             }
         };
-        (t > 0.0).then_some(Crossing { t, primitive: self.index, object: self.object, u, v })
+        (t > 0.0).then_some(Intersection { t, primitive: self.index, object: self.object, u, v })
     }
 }
 

@@ -1,10 +1,10 @@
 //! Where in its cell a sample lies: the net of `jitter_stratified.wgsl`, whose integers are the same everywhere.
 
 /// Fractions of a cell from its upper left corner.
-pub(super) fn jitter(cell: [u32; 2], seed: u32) -> [f64; 2] {
-    let scramble = hash(cell.map(|i| i / 4), seed).map(|word| word >> 30);
-    let low = net(cell.map(|i| i & 3));
-    let rest = hash(cell, seed);
+pub(super) fn jitter(stratum: [u32; 2], seed: u32) -> [f64; 2] {
+    let scramble = hash(stratum.map(|i| i / 4), seed).map(|word| word >> 30);
+    let low = net(stratum.map(|i| i & 3));
+    let rest = hash(stratum, seed);
     [0, 1].map(|i| f64::from((low[i] ^ scramble[i]) << 22 | rest[i] >> 10) / 16_777_216.0)
 }
 
@@ -50,16 +50,16 @@ mod tests {
         for square in [[0, 0], [3, 7], [100, 41]] {
             let places: Vec<_> = (0..16)
                 .map(|i| [4 * square[0] + i % 4, 4 * square[1] + i / 4])
-                .map(|cell| {
-                    let inside = jitter(cell, 9);
-                    [0, 1].map(|i| (f64::from(cell[i] % 4) + inside[i]) / 4.0)
+                .map(|stratum| {
+                    let inside = jitter(stratum, 9);
+                    [0, 1].map(|i| (f64::from(stratum[i] % 4) + inside[i]) / 4.0)
                 })
                 .collect();
             for columns in [1, 2, 4, 8, 16] {
                 let counts = [f64::from(columns), 16.0 / f64::from(columns)];
-                let cells: std::collections::HashSet<_> =
+                let strata: std::collections::HashSet<_> =
                     places.iter().map(|p| [0, 1].map(|i| (p[i] * counts[i]) as u32)).collect();
-                assert_eq!(cells.len(), 16, "{square:?}, {columns} columns");
+                assert_eq!(strata.len(), 16, "{square:?}, {columns} columns");
             }
         }
     }

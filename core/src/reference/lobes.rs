@@ -4,14 +4,14 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 
-use super::{Cause, Material, Reference, Rounding, Surface, bounce::Leaving};
+use super::{Cause, Material, Reference, Rounding, Surface, scatter::BsdfSample};
 
 /// Weights of the three lobes of a surface.
 pub(super) struct Lobes {
     /// Albedo of the diffuse lobe.
     pub diffuse: DVec3,
     /// The reflected ray, and the refracted one where there is one.
-    pub specular: [Option<Leaving>; 2],
+    pub specular: [Option<BsdfSample>; 2],
     /// The largest channel of each of the three lobes.
     largest: [f64; 3],
 }
@@ -21,7 +21,7 @@ pub(super) struct Chosen {
     /// The share of the light over the probability of the choice.
     pub weight: DVec3,
     /// The mirrored or refracted ray; `None` for a diffuse lobe.
-    pub leaving: Option<Leaving>,
+    pub bsdf_sample: Option<BsdfSample>,
 }
 
 impl Lobes {
@@ -35,7 +35,8 @@ impl Lobes {
     ) -> Self {
         let diffuse = m.albedo((-s.normal.dot(direction)).clamp(0.0, 1.0), s.inside);
         let specular = reference.specular(s, m, direction, rounding);
-        let [mirror, refraction] = specular.map(|leaving| leaving.map_or(0.0, |l| l.share.max_element()));
+        let [mirror, refraction] =
+            specular.map(|bsdf_sample| bsdf_sample.map_or(0.0, |l| l.share.max_element()));
         Self { diffuse, specular, largest: [diffuse.max_element(), mirror, refraction] }
     }
 
@@ -43,7 +44,7 @@ impl Lobes {
     pub fn only_mirror(&self) -> Option<DVec3> {
         let [diffuse, mirror, refraction] = self.largest;
         let only = mirror > 0.0 && diffuse == 0.0 && refraction == 0.0;
-        self.specular[0].filter(|_| only).map(|leaving| leaving.share)
+        self.specular[0].filter(|_| only).map(|bsdf_sample| bsdf_sample.share)
     }
 
     /// Does the path go on by the diffuse lobe alone?
@@ -79,12 +80,15 @@ impl Lobes {
         }
         let number = rounding.number(Cause::Branch, number, 1.0).clamp(0.0, 1.0 - f64::EPSILON) * sum;
         if number < diffuse {
-            return Some(Chosen { weight: self.diffuse * (sum / diffuse), leaving: None });
+            return Some(Chosen { weight: self.diffuse * (sum / diffuse), bsdf_sample: None });
         }
         let reflected = number < diffuse + mirror;
-        let (leaving, largest) =
+        let (bsdf_sample, largest) =
             if reflected { (self.specular[0], mirror) } else { (self.specular[1], refraction) };
-        leaving.map(|leaving| Chosen { weight: leaving.share * (sum / largest), leaving: Some(leaving) })
+        bsdf_sample.map(|bsdf_sample| Chosen {
+            weight: bsdf_sample.share * (sum / largest),
+            bsdf_sample: Some(bsdf_sample),
+        })
     }
 }
 
@@ -108,7 +112,7 @@ fn tangents(n: DVec3) -> [DVec3; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::stress::Random;
+    use crate::random::Random;
 
     #[test]
     fn tangents_are_a_right_handed_basis() {

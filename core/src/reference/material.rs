@@ -1,4 +1,4 @@
-//! Materials in Whitted's terms; the formulas stand in `scene/material.rs`.
+//! Materials in Whitted's terms; the formulas are in `core/MATERIALS.md`.
 
 use glam::{DVec2, DVec3, Vec4Swizzles};
 

@@ -4,17 +4,17 @@
 //! | --- | --- |
 //! | [`Tracer`] | `bvh.wgsl`, `triangle.wgsl`, `sphere_analytic.wgsl` |
 //! | [`Reference::first`], [`Reference::occluded`], [`Reference::shadow_bits`] | `hit_*.wgsl`, `shadow_rays.wgsl` |
-//! | [`Reference::surface`], [`Reference::texture`], [`Reference::material`], [`Reference::arrival`] | `surface.wgsl`, `cone.wgsl`, `texture_*.wgsl`, `material.wgsl`, `lights_punctual.wgsl` |
+//! | [`Reference::surface`], [`Reference::texture`], [`Reference::material`], [`Reference::arrival`] | `surface.wgsl`, `ray_cone.wgsl`, `texture_*.wgsl`, `material.wgsl`, `lights_punctual.wgsl` |
 //! | [`Reference::sample`] | `sample.wgsl`, `bounce_*.wgsl` |
-//! | [`Frame::ray`], [`Frame::traced`], [`Frame::adaptive`], [`Frame::checkerboard`] | `frame.wgsl`, the passes |
-//! | [`Frame::failed`], [`Frame::interpolated`], [`Frame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes_planes.wgsl` |
-//! | [`Frame::postcorrection`] | `postcorrect_seed.wgsl`, `postcorrect_landmarks.wgsl`, `postcorrect.wgsl`, `postcorrect_scan.wgsl` |
-//! | [`Frame::ray_in`], [`Frame::presampled`], [`Frame::tested`], [`Frame::supersampled`] | `jitter_*.wgsl`, `presample.wgsl`, `quarters.wgsl`, `extra_samples.wgsl` |
-//! | [`Frame::quincunx`] | `quincunx_*.wgsl` |
-//! | [`Frame::path`], [`Numbers::pair`] | `path.wgsl`, `lobes*.wgsl`, `emitters*.wgsl`, `numbers*.wgsl` |
-//! | [`PathSample::own`], [`PathSample::landing`] | `eyes_two.wgsl`, `crossing*.wgsl` |
-//! | [`Guide::followed`], [`Noise::median`], [`Noise::atrous`] | `guides_kept.wgsl`, `median.wgsl`, `atrous_begin.wgsl`, `atrous.wgsl` |
-//! | [`Frame::renews`], [`Frame::reprojected`] | `renewal.wgsl`, `reproject_depth.wgsl`, `reproject_source.wgsl`, `reuse.wgsl` |
+//! | [`ReferenceFrame::ray`], [`ReferenceFrame::traced`], [`ReferenceFrame::adaptive`], [`ReferenceFrame::checkerboard`] | `frame.wgsl`, the passes |
+//! | [`ReferenceFrame::failed`], [`ReferenceFrame::interpolated`], [`ReferenceFrame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes_channels.wgsl` |
+//! | [`ReferenceFrame::postcorrection`] | `postcorrect_seed.wgsl`, `postcorrect_probe_points.wgsl`, `postcorrect.wgsl`, `postcorrect_scan.wgsl` |
+//! | [`ReferenceFrame::ray_in`], [`ReferenceFrame::presampled`], [`ReferenceFrame::tested`], [`ReferenceFrame::supersampled`] | `jitter_*.wgsl`, `presample.wgsl`, `subpixels.wgsl`, `extra_samples.wgsl` |
+//! | [`ReferenceFrame::quincunx`] | `quincunx_*.wgsl` |
+//! | [`ReferenceFrame::path`], [`Rng::pair`] | `path.wgsl`, `lobes*.wgsl`, `emitters*.wgsl`, `numbers*.wgsl` |
+//! | [`PathSample::own`], [`PathSample::splat`] | `eyes_stereo.wgsl`, `intersection*.wgsl` |
+//! | [`GBufferPixel::followed`], [`Denoiser::median`], [`Denoiser::atrous`] | `gbuffer_record.wgsl`, `median.wgsl`, `atrous_begin.wgsl`, `atrous.wgsl` |
+//! | [`ReferenceFrame::refreshes`], [`ReferenceFrame::reprojected`] | `refresh.wgsl`, `reproject_depth.wgsl`, `reproject_source.wgsl`, `reuse.wgsl` |
 //!
 //! Shared with what it judges: the [`Scene`] in main memory (with its normals in octahedral words, for that is what the
 //! scene holds), the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), the Rust functions that pack and
@@ -23,7 +23,7 @@
 //! buffer, no formula. [`Reference::with_wide_tree`] shares the tree's builder: it is for pictures, not for judging them.
 //!
 //! Spawned rays start exactly on the surface and cannot meet the primitive that they leave; the shaders start them a
-//! little off it. Lights and materials are the formulas of `scene/material.rs` and of the glTF extensions.
+//! little off it. Lights and materials are the formulas of `core/MATERIALS.md` and of the glTF extensions.
 //!
 //! An f32 answer that differs is judged in one of two ways. [`Tracer::judge`] knows how far off f32 may be, from the
 //! geometry of one ray. For everything that follows from a hit, the reference is asked again under [`Rounding`]: numbers
@@ -31,30 +31,30 @@
 //! [`Cause`] after the other. An answer that is not among these is wrong.
 
 mod attributes;
-mod bounce;
 mod cone;
 mod contrast;
-mod crossing;
+mod denoise;
 mod emission;
 mod frame;
-mod guides;
+mod gbuffer;
 mod intersection;
 mod jitter;
 mod judge;
 mod lights;
 mod lobes;
 mod material;
-mod noise;
-mod numbers;
 mod path;
 mod postcorrection;
 mod quincunx;
 mod refinement;
 mod reprojection;
+mod rng;
 mod rounding;
 mod sample;
+mod scatter;
 mod shadow;
 mod similarity;
+mod stereo_reuse;
 mod supersampling;
 mod surface;
 mod texture;
@@ -64,22 +64,22 @@ mod wide;
 use glam::DVec3;
 
 pub use attributes::Attributes;
-pub use crossing::Landing;
-pub use frame::{Frame, Pixel};
-pub use guides::{Guide, Way};
-pub use intersection::{Crossing, Ray};
+pub use denoise::Denoiser;
+pub use frame::{Pixel, ReferenceFrame};
+pub use gbuffer::{GBufferPixel, Way};
+pub use intersection::{Intersection, Ray};
 pub use judge::Verdict;
 pub use lights::Arrival;
 pub use material::{Material, fresnel_dielectric};
-pub use noise::Noise;
-pub use numbers::Numbers;
 pub use path::PathSample;
 pub use quincunx::Quincunx;
 pub use refinement::Refinement;
 pub use reprojection::Kept;
+pub use rng::Rng;
 pub use rounding::{Cause, Rounding, SPAWN_ULPS, ULPS};
 pub use sample::{Limits, Sample};
 pub use similarity::Reached;
+pub use stereo_reuse::Splat;
 pub use supersampling::Tested;
 pub use surface::Surface;
 pub use texture::Encoding;
@@ -87,7 +87,7 @@ pub use traversal::{Hit, Tracer};
 
 use crate::{
     Features, Scene,
-    mip::{self, Content},
+    device::mip::{self, Content},
     scene::{Emitters, Image8, Thinness},
 };
 

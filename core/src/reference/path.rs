@@ -10,12 +10,12 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use super::{
-    Cause, Frame, Guide, Numbers, Ray, Rounding, Surface,
-    crossing::{Landing, Mirror},
-    guides::Search,
+    Cause, GBufferPixel, Ray, ReferenceFrame, Rng, Rounding, Surface,
+    gbuffer::Search,
     lobes::{Chosen, Lobes, cosine_weighted},
+    stereo_reuse::{Mirror, Splat},
 };
-use crate::{Direct, Roulette, Shining, Stopping};
+use crate::{DirectLight, Foveation, LightSelection, Roulette};
 
 /// Vertices from which on paths end at random.
 const ROULETTE_LEVEL: u32 = 3;
@@ -46,16 +46,16 @@ pub struct PathSample {
     /// Weight of the sample in its own pixel.
     pub own: f64,
     /// The pixel of the other eye that it counts for too.
-    pub landing: Option<Landing>,
+    pub splat: Option<Splat>,
     /// Attributes of the first diffuse surface.
-    pub guide: Guide,
+    pub gbuffer_pixel: GBufferPixel,
 }
 
 /// The state of a path between two bounces.
 struct Path<'a> {
-    frame: &'a Frame<'a>,
+    frame: &'a ReferenceFrame<'a>,
     pixel: [u32; 2],
-    numbers: Numbers,
+    rng: Rng,
     /// The probability of stopping at a vertex.
     stop: f64,
     ray: Ray,
@@ -70,24 +70,24 @@ struct Path<'a> {
     /// The first hit, if that is a plane mirror.
     mirror: Option<Mirror>,
     /// Weight of the sample in its own pixel, and its contribution to the other eye.
-    crossed: Option<(f64, Landing)>,
+    stereo_splat: Option<(f64, Splat)>,
     search: Search,
     radiance: DVec3,
     stopped: bool,
     diffuse_only: bool,
 }
 
-impl Frame<'_> {
+impl ReferenceFrame<'_> {
     /// A sample of a pixel, counted from 0.
     #[must_use]
     pub fn path(&self, pixel: [u32; 2], sample: u32, rounding: &mut Rounding) -> PathSample {
-        let numbers = Numbers::of(&self.settings, pixel, sample);
-        let place = numbers.pair(PLACE_IN_PIXEL);
+        let rng = Rng::of(&self.settings, pixel, sample);
+        let place = rng.pair(PLACE_IN_PIXEL);
         let (ray, length) = self.eye_ray(pixel, place);
         let mut path = Path {
             frame: self,
             pixel,
-            numbers,
+            rng,
             stop: self.stop(pixel),
             ray,
             left: None,
@@ -95,7 +95,7 @@ impl Frame<'_> {
             level: 1,
             density: None,
             mirror: None,
-            crossed: None,
+            stereo_splat: None,
             search: Search::new(length),
             radiance: DVec3::ZERO,
             stopped: false,
@@ -103,9 +103,9 @@ impl Frame<'_> {
         };
         while path.step(rounding).is_some() {}
         let Path { radiance, stopped, diffuse_only, .. } = path;
-        let (own, landing) = path.crossed.map_or((1.0, None), |(own, landing)| (own, Some(landing)));
-        let guide = path.search.guide(stopped && diffuse_only);
-        PathSample { radiance, stopped, diffuse_only, guide, own, landing }
+        let (own, splat) = path.stereo_splat.map_or((1.0, None), |(own, splat)| (own, Some(splat)));
+        let gbuffer_pixel = path.search.gbuffer_pixel(stopped && diffuse_only);
+        PathSample { radiance, stopped, diffuse_only, gbuffer_pixel, own, splat }
     }
 
     /// The probability of stopping in a pixel (Kim & Sung 2021, equation 7).
@@ -116,7 +116,7 @@ impl Frame<'_> {
         let away = |[x, y]: [f64; 2]| (x - gaze[0]).hypot(y - gaze[1]);
         let corners = [[0.0, 0.0], [size[0], 0.0], [0.0, size[1]], size];
         let farthest = corners.map(away).into_iter().fold(0.0, f64::max);
-        f64::from(self.settings.paths.p_max) * away(pixel.map(|i| f64::from(i) + 0.5)) / farthest
+        f64::from(self.settings.paths.foveation_max) * away(pixel.map(|i| f64::from(i) + 0.5)) / farthest
     }
 }
 
@@ -124,38 +124,38 @@ impl Path<'_> {
     /// Follows the ray to the next surface and leaves it again; none where the path ends.
     fn step(&mut self, rounding: &mut Rounding) -> Option<()> {
         let reference = self.frame.reference;
-        let Some(crossing) = reference.first(&self.ray, self.left, false, rounding) else {
+        let Some(intersection) = reference.first(&self.ray, self.left, false, rounding) else {
             self.radiance += self.throughput * reference.scene.environment.background.as_dvec3();
             return None;
         };
-        let s = reference.surface(&self.ray, &crossing, rounding);
+        let s = reference.surface(&self.ray, &intersection, rounding);
         let m = reference.material(s.object, s.texcoord, s.footprint, s.color);
-        self.search.arrive(crossing.t, m.emission);
+        self.search.arrive(intersection.t, m.emission);
         if m.unlit {
             self.radiance += self.throughput * m.base;
             return None;
         }
         if m.emission != DVec3::ZERO {
-            self.radiance += self.throughput * m.emission * self.weight(&s, crossing.t);
+            self.radiance += self.throughput * m.emission * self.weight(&s, intersection.t);
         }
         if self.level == self.frame.settings.depth {
             return None;
         }
         let lobes = Lobes::of(reference, &s, &m, self.ray.direction, rounding);
-        if self.frame.settings.crosses() && self.crossed.is_none() {
+        if self.frame.settings.reuses_stereo() && self.stereo_splat.is_none() {
             let place = (self.pixel, self.level);
             let met = (&s, &m, &lobes);
-            self.crossed = self.frame.crossed(place, &self.ray, met, &mut self.mirror, rounding);
+            self.stereo_splat = self.frame.stereo_splat(place, &self.ray, met, &mut self.mirror, rounding);
         }
-        let [lobe, stopping] = self.pair(LOBE);
+        let [lobe, foveation] = self.pair(LOBE);
         let chosen = lobes.choose(lobe, rounding);
-        let diffuse = chosen.as_ref().is_some_and(|chosen| chosen.leaving.is_none());
+        let diffuse = chosen.as_ref().is_some_and(|chosen| chosen.bsdf_sample.is_none());
         self.search.meet((&s, &lobes), diffuse, self.throughput, self.level);
         if lobes.diffuse != DVec3::ZERO {
             let irradiance = self.punctual(&s, rounding) + self.emitters(&s, &lobes, rounding);
             self.radiance += self.throughput * lobes.diffuse / PI * irradiance;
         }
-        self.foveate(stopping, rounding)?;
+        self.foveate(foveation, rounding)?;
         self.leave(&s, &lobes, chosen?, rounding)
     }
 
@@ -163,11 +163,11 @@ impl Path<'_> {
     /// rest.
     fn weight(&self, s: &Surface, distance: f64) -> f64 {
         let paths = &self.frame.settings.paths;
-        match (self.density, paths.direct, paths.shining) {
+        match (self.density, paths.direct_light, paths.lights) {
             (None, ..) => 1.0,
-            (_, _, Shining::Punctual) | (_, Direct::Light, _) => 0.0,
-            (_, Direct::Walk, _) => 1.0,
-            (Some(density), Direct::Mis, _) => {
+            (_, _, LightSelection::Punctual) | (_, DirectLight::Nee, _) => 0.0,
+            (_, DirectLight::Bsdf, _) => 1.0,
+            (Some(density), DirectLight::Mis, _) => {
                 let cosine = s.face.dot(self.ray.direction);
                 let drawn = self.frame.reference.density(s.object, cosine, distance);
                 density / (density + f64::from(paths.light_samples) * drawn)
@@ -177,7 +177,7 @@ impl Path<'_> {
 
     /// Irradiance of a surface by the punctual lights that reach it.
     fn punctual(&self, s: &Surface, rounding: &mut Rounding) -> DVec3 {
-        if self.frame.settings.paths.shining == Shining::Emitters {
+        if self.frame.settings.paths.lights == LightSelection::Emitters {
             return DVec3::ZERO;
         }
         let reference = self.frame.reference;
@@ -195,8 +195,8 @@ impl Path<'_> {
     fn emitters(&self, s: &Surface, lobes: &Lobes, rounding: &mut Rounding) -> DVec3 {
         let reference = self.frame.reference;
         let paths = &self.frame.settings.paths;
-        let dark = reference.emitters.primitives.is_empty() || paths.shining == Shining::Punctual;
-        if dark || paths.direct == Direct::Walk {
+        let dark = reference.emitters.primitives.is_empty() || paths.lights == LightSelection::Punctual;
+        if dark || paths.direct_light == DirectLight::Bsdf {
             return DVec3::ZERO;
         }
         let count = paths.light_samples;
@@ -209,8 +209,8 @@ impl Path<'_> {
                 continue;
             };
             let drawn = light.density * f64::from(count);
-            let met = match paths.direct {
-                Direct::Mis => light.cosine / PI * lobes.chance_of_diffuse(),
+            let met = match paths.direct_light {
+                DirectLight::Mis => light.cosine / PI * lobes.chance_of_diffuse(),
                 _ => 0.0,
             };
             sum += light.radiance * light.cosine / (drawn + met);
@@ -221,14 +221,14 @@ impl Path<'_> {
     /// Stops the path by a number in [0, 1) and its pixel's distance from the gaze, behind the first bounces.
     fn foveate(&mut self, number: f64, rounding: &mut Rounding) -> Option<()> {
         let paths = &self.frame.settings.paths;
-        if paths.stopping == Stopping::Off || self.level < paths.stopping_level() {
+        if paths.foveation == Foveation::Off || self.level < paths.foveation_level() {
             return Some(());
         }
         if rounding.number(Cause::Branch, number, 1.0) < self.stop {
             self.stopped = true;
             return None;
         }
-        if paths.stopping == Stopping::Compensated {
+        if paths.foveation == Foveation::Compensated {
             self.throughput /= 1.0 - self.stop;
         }
         Some(())
@@ -245,10 +245,10 @@ impl Path<'_> {
             }
             self.throughput /= survivors;
         }
-        let (direction, cone) = match chosen.leaving {
-            Some(leaving) => {
+        let (direction, cone) = match chosen.bsdf_sample {
+            Some(bsdf_sample) => {
                 (self.density, self.diffuse_only) = (None, false);
-                (leaving.direction, leaving.cone)
+                (bsdf_sample.direction, bsdf_sample.cone)
             }
             None => {
                 let (direction, density) = cosine_weighted(s.normal, self.pair(DIRECTION));
@@ -267,6 +267,6 @@ impl Path<'_> {
 
     /// Two numbers in [0, 1) of this vertex.
     fn pair(&self, dimension: u32) -> [f64; 2] {
-        self.numbers.pair(DIMENSIONS * self.level + dimension)
+        self.rng.pair(DIMENSIONS * self.level + dimension)
     }
 }

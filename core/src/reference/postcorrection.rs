@@ -4,12 +4,12 @@ use std::collections::BTreeSet;
 
 use glam::{DVec2, DVec3, Vec3};
 
-use super::{Attributes, Cause, Frame, Rounding};
+use super::{Attributes, Cause, ReferenceFrame, Rounding};
 use crate::{Origin, Postcorrect};
 
-impl Frame<'_> {
+impl ReferenceFrame<'_> {
     /// The pixels that postcorrection traces, where `decided` says how pixels came to be before: the least set that holds
-    /// every interpolated pixel where a thing's landmark is seen, and every interpolated neighbour that differs from a
+    /// every interpolated pixel where a thing's probe point is seen, and every interpolated neighbour that differs from a
     /// traced pixel or from one of the set.
     #[must_use]
     pub fn postcorrection(&self, decided: &dyn Fn([u32; 2]) -> Origin) -> BTreeSet<[u32; 2]> {
@@ -19,7 +19,7 @@ impl Frame<'_> {
         let marked = self
             .reference
             .thinness
-            .landmarks()
+            .probe_points()
             .iter()
             .filter_map(|point| self.pixel_at(self.place(point.as_dvec3(), &mut Rounding::none())));
         let mut found: BTreeSet<_> = marked.filter(|p| decided(*p) == Origin::Interpolated).collect();
@@ -49,7 +49,7 @@ impl Frame<'_> {
             return false;
         }
         let marked = |point: &Vec3| self.pixel_at(self.place(point.as_dvec3(), rounding)) == Some(pixel);
-        if self.reference.thinness.landmarks().iter().any(marked) {
+        if self.reference.thinness.probe_points().iter().any(marked) {
             return true;
         }
         let told = self.adaptive(pixel, Some(&before), rounding).attributes;

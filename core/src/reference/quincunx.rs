@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{
-    Frame, Rounding,
+    ReferenceFrame, Rounding,
     contrast::{contrasts, exceeds},
 };
 
@@ -21,21 +21,21 @@ pub struct Quincunx {
 
 /// The recursive subdivision of one pixel.
 struct Recursion<'a, 'r> {
-    frame: &'a Frame<'r>,
+    frame: &'a ReferenceFrame<'r>,
     decided: Option<u32>,
     divided: u32,
 }
 
-impl Frame<'_> {
+impl ReferenceFrame<'_> {
     /// A pixel of a quincunx frame. `decided` says which quads are divided, where that is not the reference's to decide.
     #[must_use]
     pub fn quincunx(&self, pixel: [u32; 2], decided: Option<u32>, rounding: &mut Rounding) -> Quincunx {
         let mut recursion = Recursion { frame: self, decided, divided: 0 };
         let center = pixel.map(|i| 8 * i + 4);
         let mut color = DVec3::ZERO;
-        for quarter in 0..4 {
-            let corner = [pixel[0] + quarter % 2, pixel[1] + quarter / 2].map(|i| 8 * i);
-            color += recursion.quad([center, corner], 0, quarter, rounding) / 4.0;
+        for subpixel in 0..4 {
+            let corner = [pixel[0] + subpixel % 2, pixel[1] + subpixel / 2].map(|i| 8 * i);
+            color += recursion.quad([center, corner], 0, subpixel, rounding) / 4.0;
         }
         Quincunx { color, divided: recursion.divided }
     }
@@ -46,9 +46,11 @@ impl Recursion<'_, '_> {
     fn quad(&mut self, [inner, outer]: [Point; 2], level: u32, path: u32, rounding: &mut Rounding) -> DVec3 {
         let ends = [inner, outer].map(|point| self.at(point, rounding));
         let bit = 1 << (4 * level + path);
-        let similar = f64::from(self.frame.settings.similar);
-        let differs =
-            level < 2 && self.decided.map_or_else(|| differ(ends, similar, rounding), |bits| bits & bit != 0);
+        let quincunx_threshold = f64::from(self.frame.settings.quincunx_threshold);
+        let differs = level < 2
+            && self
+                .decided
+                .map_or_else(|| differ(ends, quincunx_threshold, rounding), |bits| bits & bit != 0);
         if !differs {
             return (ends[0] + ends[1]) / 2.0;
         }
@@ -78,7 +80,7 @@ fn level(point: Point) -> u32 {
     }
 }
 
-fn differ(ends: [DVec3; 2], similar: f64, rounding: &mut Rounding) -> bool {
+fn differ(ends: [DVec3; 2], quincunx_threshold: f64, rounding: &mut Rounding) -> bool {
     let contrasts = contrasts(ends.into_iter());
-    exceeds(contrasts.map(|c| rounding.contrast(c)), similar)
+    exceeds(contrasts.map(|c| rounding.contrast(c)), quincunx_threshold)
 }

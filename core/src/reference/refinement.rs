@@ -1,12 +1,15 @@
-//! Extra samples for whole pixels, step by step: `refine.wgsl` and `cell_test.wgsl` in f64.
+//! Extra samples for whole pixels, step by step: `refine.wgsl` and `stratum_test.wgsl` in f64.
 
 use glam::DVec3;
 
 use super::{
-    Frame, Rounding,
+    ReferenceFrame, Rounding,
     contrast::{contrasts, exceeds, shown},
 };
-use crate::{Jitter, passes::CELL_CONTRAST, plan::REFINE_ROUNDS};
+use crate::{
+    Jitter,
+    passes::{STRATUM_CONTRAST, refine::REFINE_ROUNDS},
+};
 
 /// The first four of the sixteen samples, as bits.
 const FIRST: u32 = 0b1111;
@@ -16,11 +19,11 @@ const FIRST: u32 = 0b1111;
 pub struct Refinement {
     /// The round in which the pixel is refined, from 0; `None` where it is not.
     pub round: Option<u32>,
-    /// Which samples it gets besides its own, as [`crate::PixelRecord::cells`].
-    pub cells: u32,
+    /// Which samples it gets besides its own, as [`crate::PixelRecord::strata`].
+    pub strata: u32,
 }
 
-impl Frame<'_> {
+impl ReferenceFrame<'_> {
     /// Whether, when and where a pixel is refined, given when its neighbours are.
     #[must_use]
     pub fn refinement(
@@ -37,29 +40,30 @@ impl Frame<'_> {
             Some(0)
         };
         if round.is_none() {
-            return Refinement { round, cells: 0 };
+            return Refinement { round, strata: 0 };
         }
-        let quarters = self.quarters_around(pixel, round_of, rounding);
-        let differing = (4..16).filter(|i| self.cell_differs(&quarters, *i, rounding));
-        let mut cells = differing.fold(0, |cells, i| cells | 1 << i);
+        let subpixels = self.subpixels_around(pixel, round_of, rounding);
+        let differing = (4..16).filter(|i| self.stratum_differs(&subpixels, *i, rounding));
+        let mut strata = differing.fold(0, |strata, i| strata | 1 << i);
         // As many more in their order as make whole steps.
         for i in 4..16 {
-            if u32::count_ones(cells) % 4 != 0 {
-                cells |= 1 << i;
+            if u32::count_ones(strata) % 4 != 0 {
+                strata |= 1 << i;
             }
         }
-        Refinement { round, cells: cells | FIRST }
+        Refinement { round, strata: strata | FIRST }
     }
 
     /// Linear radiance of a pixel that has these samples besides its own.
     #[must_use]
-    pub fn refined(&self, pixel: [u32; 2], cells: u32, rounding: &mut Rounding) -> DVec3 {
+    pub fn refined(&self, pixel: [u32; 2], strata: u32, rounding: &mut Rounding) -> DVec3 {
         let sample = |i: u32| self.refining_sample(pixel, i, rounding);
-        match cells {
+        match strata {
             0 => self.presampled(pixel, rounding).color,
             FIRST => ((0..4).map(sample).sum::<DVec3>() + self.presampled(pixel, rounding).color) / 5.0,
             _ => {
-                let nearest = |i: u32| if cells >> i & 1 == 1 { i } else { in_quarter(quarter(cell(i))) };
+                let nearest =
+                    |i: u32| if strata >> i & 1 == 1 { i } else { in_subpixel(subpixel(stratum(i))) };
                 (0..16).map(|i| sample(nearest(i))).sum::<DVec3>() / 16.0
             }
         }
@@ -83,7 +87,7 @@ impl Frame<'_> {
 
     /// The 4x4 quarters in and around a pixel, row by row from the upper left: of a refined pixel the samples, of others the
     /// pixel's; beyond the frame, the nearest inside.
-    fn quarters_around(
+    fn subpixels_around(
         &self,
         pixel: [u32; 2],
         round_of: &dyn Fn([u32; 2]) -> Option<u32>,
@@ -95,29 +99,29 @@ impl Frame<'_> {
             let at = [0, 1].map(|axis| (2 * i64::from(pixel[axis]) + step[axis]).clamp(0, last[axis]) as u32);
             let owner = at.map(|place| place / 2);
             match round_of(owner) {
-                Some(_) => self.refining_sample(owner, in_quarter((at[0] & 1) + 2 * (at[1] & 1)), rounding),
+                Some(_) => self.refining_sample(owner, in_subpixel((at[0] & 1) + 2 * (at[1] & 1)), rounding),
                 None => self.presampled(owner, rounding).color,
             }
         })
     }
 
     /// Does the quarter in which a sample lies differ from the three at the corner to which its cell is nearest?
-    fn cell_differs(&self, quarters: &[DVec3; 16], sample: u32, rounding: &mut Rounding) -> bool {
-        let cell = cell(sample).map(|place| place as usize);
-        let own = cell.map(|place| place / 2 + 1);
-        let beside = [0, 1].map(|axis| own[axis] + 2 * (cell[axis] & 1) - 1);
+    fn stratum_differs(&self, subpixels: &[DVec3; 16], sample: u32, rounding: &mut Rounding) -> bool {
+        let stratum = stratum(sample).map(|place| place as usize);
+        let own = stratum.map(|place| place / 2 + 1);
+        let beside = [0, 1].map(|axis| own[axis] + 2 * (stratum[axis] & 1) - 1);
         let corner = [own, [beside[0], own[1]], [own[0], beside[1]], beside];
-        let colors = corner.map(|[x, y]| quarters[x + 4 * y]);
+        let colors = corner.map(|[x, y]| subpixels[x + 4 * y]);
         let contrasts = contrasts(colors.into_iter()).map(|c| rounding.contrast(c));
-        exceeds(contrasts, f64::from(CELL_CONTRAST) * self.least_threshold())
+        exceeds(contrasts, f64::from(STRATUM_CONTRAST) * self.least_threshold())
     }
 
     /// In Sobol's order; samples that lie side by side are off alike.
     fn refining_sample(&self, pixel: [u32; 2], i: u32, rounding: &Rounding) -> DVec3 {
         let jitters = self.settings.jitter != Jitter::Off;
-        let inside = cell(i);
-        let cell = [0, 1].map(|axis| 4 * pixel[axis] + inside[axis]);
-        self.sample_in(cell, 4, jitters, &mut rounding.clone()).color
+        let inside = stratum(i);
+        let stratum = [0, 1].map(|axis| 4 * pixel[axis] + inside[axis]);
+        self.sample_in(stratum, 4, jitters, &mut rounding.clone()).color
     }
 
     fn least_threshold(&self) -> f64 {
@@ -136,17 +140,17 @@ impl Frame<'_> {
 }
 
 /// Where the i-th of sixteen samples lies.
-fn cell(i: u32) -> [u32; 2] {
+fn stratum(i: u32) -> [u32; 2] {
     let [a, b, c, d] = [0, 1, 2, 3].map(|bit| i >> bit & 1);
     [2 * a + b, 2 * (a ^ b ^ c ^ d) + (b ^ d)]
 }
 
 /// The quarter of a cell: 0 upper left, 1 upper right, 2 lower left, 3 lower right.
-fn quarter([x, y]: [u32; 2]) -> u32 {
+fn subpixel([x, y]: [u32; 2]) -> u32 {
     x / 2 + 2 * (y / 2)
 }
 
 /// Which of the first four samples lies in a quarter.
-fn in_quarter(quarter: u32) -> u32 {
-    [0, 3, 2, 1][quarter as usize]
+fn in_subpixel(subpixel: u32) -> u32 {
+    [0, 3, 2, 1][subpixel as usize]
 }

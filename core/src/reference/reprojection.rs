@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Frame, Rounding};
+use super::{ReferenceFrame, Rounding};
 
 /// Side of the tile whose pixels are ranked for renewal.
 const TILE: u32 = 16;
@@ -27,24 +27,24 @@ pub struct Kept {
 
 /// A kept surface point, projected into the present frame.
 #[derive(Clone, Copy, Debug)]
-struct Landed {
+struct Reprojected {
     at: DVec2,
     depth: f64,
     radiance: DVec3,
 }
 
-impl Landed {
+impl Reprojected {
     /// Depth as far as it counts, to a part in 2^11; then how far from the centre of the pixel.
     fn order(&self) -> (u32, f64) {
         ((self.depth as f32).to_bits() >> 12, (self.at.fract() - 0.5).length_squared())
     }
 }
 
-impl Frame<'_> {
+impl ReferenceFrame<'_> {
     /// Whether a frame that renews `count` ranks from the `first` on traces this pixel: Bayer's recursion, whose quarters are
     /// 0 2 / 3 1, finest first.
     #[must_use]
-    pub fn renews([x, y]: [u32; 2], first: u32, count: u32) -> bool {
+    pub fn refreshes([x, y]: [u32; 2], first: u32, count: u32) -> bool {
         let [mut side, mut rank] = [TILE / 2, 0];
         let [mut x, mut y] = [x % TILE, y % TILE];
         while side > 0 {
@@ -57,35 +57,35 @@ impl Frame<'_> {
     /// The pixels reprojected from the previous frame, row by row; `None` where a pixel must be traced.
     #[must_use]
     pub fn reprojected(&self, before: &[Kept]) -> Vec<Option<DVec3>> {
-        let landed = self.landed(before);
+        let nearest_points = self.nearest_points(before);
         let [width, height] = self.size;
         let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
-        pixels.map(|pixel| self.reused(&landed, pixel)).collect()
+        pixels.map(|pixel| self.reused(&nearest_points, pixel)).collect()
     }
 
     /// The nearest kept point in each pixel.
-    fn landed(&self, before: &[Kept]) -> Vec<Option<Landed>> {
-        let mut landed: Vec<Option<Landed>> = vec![None; before.len()];
+    fn nearest_points(&self, before: &[Kept]) -> Vec<Option<Reprojected>> {
+        let mut nearest_points: Vec<Option<Reprojected>> = vec![None; before.len()];
         for kept in before {
             let Some(point) = kept.point else { continue };
             let at = self.place(point, &mut Rounding::none());
             let Some([x, y]) = self.pixel_at(at) else { continue };
             let depth = (point - self.camera.origin.as_dvec3()).dot(self.camera.forward.as_dvec3());
-            let new = Landed { at, depth, radiance: kept.radiance };
-            let there = &mut landed[(y * self.size[0] + x) as usize];
+            let new = Reprojected { at, depth, radiance: kept.radiance };
+            let there = &mut nearest_points[(y * self.size[0] + x) as usize];
             if there.is_none_or(|old| new.order() < old.order()) {
                 *there = Some(new);
             }
         }
-        landed
+        nearest_points
     }
 
-    fn reused(&self, landed: &[Option<Landed>], [x, y]: [u32; 2]) -> Option<DVec3> {
+    fn reused(&self, nearest_points: &[Option<Reprojected>], [x, y]: [u32; 2]) -> Option<DVec3> {
         let at = |dx: i64, dy: i64| {
             let (x, y) = (i64::from(x) + dx, i64::from(y) + dy);
             let inside =
                 (0..i64::from(self.size[0])).contains(&x) && (0..i64::from(self.size[1])).contains(&y);
-            inside.then(|| landed[(y * i64::from(self.size[0]) + x) as usize]).flatten()
+            inside.then(|| nearest_points[(y * i64::from(self.size[0]) + x) as usize]).flatten()
         };
         let own = at(0, 0)?;
         let nearer = |dx, dy| at(dx, dy).is_some_and(|other| other.depth < NEARER * own.depth);

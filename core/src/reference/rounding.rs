@@ -4,7 +4,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::stress::Random;
+use crate::random::Random;
 
 /// A unit in the last place of an f32 number between 1 and 2.
 const ULP: f64 = 1.0 / 8_388_608.0;

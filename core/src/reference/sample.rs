@@ -3,8 +3,8 @@
 use glam::DVec3;
 
 use super::{
-    Attributes, Cause, Crossing, Ray, Reference, Rounding, attributes, bounce::Branch, material::Shading,
-    texture::Encoding,
+    Attributes, Cause, Intersection, Ray, Reference, Rounding, attributes, material::Shading,
+    scatter::PathState, texture::Encoding,
 };
 use crate::Settings;
 
@@ -45,7 +45,7 @@ impl Reference {
         left: Option<usize>,
         shadow: bool,
         rounding: &mut Rounding,
-    ) -> Option<Crossing> {
+    ) -> Option<Intersection> {
         // Every number of the intersection is as large as the scene seen from the ray's start.
         let span = (self.bounds.0 - ray.origin).abs().max((self.bounds.1 - ray.origin).abs()).max_element();
         let cause = if shadow { Cause::ShadowEdge } else { Cause::Silhouette };
@@ -58,13 +58,13 @@ impl Reference {
         self.tracer.first(&ray, left, |c| self.hit_counts(c, shadow, &mut rounding.borrow_mut()))
     }
 
-    fn hit_counts(&self, crossing: &Crossing, shadow: bool, rounding: &mut Rounding) -> bool {
-        let m = self.material_of(crossing.object);
+    fn hit_counts(&self, intersection: &Intersection, shadow: bool, rounding: &mut Rounding) -> bool {
+        let m = self.material_of(intersection.object);
         if shadow && !m.casts_shadow {
             return false;
         }
         m.alpha_cutoff.is_none_or(|cutoff| {
-            let texcoord = self.texcoord(crossing, rounding);
+            let texcoord = self.texcoord(intersection, rounding);
             let alpha = self.texture(m.base_color_texture, Encoding::Srgb, texcoord, DVec3::ZERO).w;
             let alpha = rounding.number(Cause::TexelEdge, f64::from(m.alpha) * alpha, 1.0);
             alpha >= f64::from(cutoff)
@@ -74,16 +74,16 @@ impl Reference {
     /// Traces and shades one primary ray by Whitted's model.
     #[must_use]
     pub fn sample(&self, ray: &Ray, limits: &Limits, rounding: &mut Rounding) -> Sample {
-        self.follow(&Branch { ray: *ray, left: None, weight: DVec3::ONE, level: 1 }, limits, rounding)
+        self.follow(&PathState { ray: *ray, left: None, weight: DVec3::ONE, level: 1 }, limits, rounding)
     }
 
-    pub(super) fn follow(&self, branch: &Branch, limits: &Limits, rounding: &mut Rounding) -> Sample {
-        let ray = &branch.ray;
-        let Some(crossing) = self.first(ray, branch.left, false, rounding) else {
-            let color = branch.weight * self.scene.environment.background.as_dvec3();
+    pub(super) fn follow(&self, state: &PathState, limits: &Limits, rounding: &mut Rounding) -> Sample {
+        let ray = &state.ray;
+        let Some(intersection) = self.first(ray, state.left, false, rounding) else {
+            let color = state.weight * self.scene.environment.background.as_dvec3();
             return Sample { attributes: Attributes::miss(), secondary: None, color };
         };
-        let s = self.surface(ray, &crossing, rounding);
+        let s = self.surface(ray, &intersection, rounding);
         let m = self.material(s.object, s.texcoord, s.footprint, s.color);
         let shadow = self.shadow_bits(&s, rounding);
         let local = self.local(Shading {
@@ -95,9 +95,9 @@ impl Reference {
             shadow,
             rounding,
         });
-        let (gcol, secondary) = self.bounced(&s, &m, branch, limits, rounding);
+        let (gcol, secondary) = self.scattered(&s, &m, state, limits, rounding);
         let attributes = Attributes {
-            depth: crossing.t,
+            depth: intersection.t,
             object: Some(s.object),
             normal: s.normal,
             face: s.face,
@@ -107,6 +107,6 @@ impl Reference {
             color: s.color,
             footprint: attributes::footprint(self.folded_footprint(s.object, s.texcoord, s.footprint)),
         };
-        Sample { attributes, secondary, color: branch.weight * local + gcol }
+        Sample { attributes, secondary, color: state.weight * local + gcol }
     }
 }

@@ -6,8 +6,8 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Attributes, Frame, Rounding, attributes, material::Shading};
-use crate::{CHECK_NAMES, scene::OCTAHEDRAL_ERROR};
+use super::{Attributes, ReferenceFrame, Rounding, attributes, material::Shading};
+use crate::{Check, scene::OCTAHEDRAL_ERROR};
 
 /// An attribute vector with the place that it stands for.
 #[derive(Clone, Copy, Debug)]
@@ -18,36 +18,31 @@ pub struct Reached {
     pub position: DVec3,
 }
 
-/// The bit of a check in [`crate::PixelRecord::failed`].
-fn bit(name: &str) -> u32 {
-    CHECK_NAMES.iter().position(|n| *n == name).map_or(0, |i| 1 << i)
-}
-
-impl Frame<'_> {
-    /// The checks that two reference pixels so far apart fail, as bits in the order of [`CHECK_NAMES`].
+impl ReferenceFrame<'_> {
+    /// The checks that two reference pixels so far apart fail, as their [bits](Check::bit).
     #[must_use]
     pub fn failed(&self, a: &Reached, b: &Reached, stride: u32) -> u32 {
         let tolerances = self.settings.tolerances.at(stride);
         let pos = f64::from(tolerances.pos) * self.reference.longest_side();
         let (p, q) = (&a.attributes, &b.attributes);
         if p.object != q.object {
-            return bit("oid");
+            return Check::Oid.bit();
         }
         let Some(object) = p.object else {
             // Two misses differ in nothing.
-            return if pos > 0.0 { 0 } else { bit("pos") };
+            return if pos > 0.0 { 0 } else { Check::Pos.bit() };
         };
         let seam = self.reference.first_texture(object).is_some()
             && at_seam(p.texcoord, q.texcoord, f64::from(tolerances.tex));
         let checks = [
-            ("pos", (b.position - a.position).length() < pos),
-            ("norm", p.normal.dot(q.normal) > f64::from(tolerances.norm)),
-            ("convex", !self.inflected(a, b)),
-            ("tex", !seam),
-            ("shadow", p.shadow == q.shadow),
-            ("gcol", (p.gcol - q.gcol).length() < f64::from(tolerances.gcol)),
+            (Check::Pos, (b.position - a.position).length() < pos),
+            (Check::Norm, p.normal.dot(q.normal) > f64::from(tolerances.norm)),
+            (Check::Convex, !self.inflected(a, b)),
+            (Check::Tex, !seam),
+            (Check::Shadow, p.shadow == q.shadow),
+            (Check::Gcol, (p.gcol - q.gcol).length() < f64::from(tolerances.gcol)),
         ];
-        checks.iter().filter(|(_, passed)| !passed).map(|(name, _)| bit(name)).sum()
+        checks.iter().filter(|(_, passed)| !passed).map(|(check, _)| check.bit()).sum()
     }
 
     /// G4: each point lies on another side of the other's tangent plane, by more than rounding.

@@ -3,12 +3,12 @@
 use glam::DVec3;
 
 use super::{
-    Attributes, Cause, Frame, Ray, Rounding, Sample,
+    Attributes, Cause, Ray, ReferenceFrame, Rounding, Sample,
     attributes::stored_direction,
     contrast::{contrasts, exceeds},
     jitter::jitter,
 };
-use crate::{Inactive, Jitter};
+use crate::{Jitter, Unsampled};
 
 /// The result of the subpixel test of a pixel (Jin 2009, 4.1.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,24 +34,24 @@ struct Compared {
     color: DVec3,
 }
 
-impl Frame<'_> {
+impl ReferenceFrame<'_> {
     /// The ray through a cell of a grid that is so many times as fine as that of the samples, and the length of its
     /// direction.
     #[must_use]
-    pub fn ray_in(&self, cell: [u32; 2], fineness: u32, jitters: bool) -> (Ray, f64) {
-        let inside = if jitters { jitter(cell, self.settings.seed) } else { [0.5; 2] };
+    pub fn ray_in(&self, stratum: [u32; 2], fineness: u32, jitters: bool) -> (Ray, f64) {
+        let inside = if jitters { jitter(stratum, self.settings.seed) } else { [0.5; 2] };
         let side = f64::from(fineness).recip();
-        self.ray_at([0, 1].map(|i| side * (f64::from(cell[i]) + inside[i])), side)
+        self.ray_at([0, 1].map(|i| side * (f64::from(stratum[i]) + inside[i])), side)
     }
 
     pub(super) fn sample_in(
         &self,
-        cell: [u32; 2],
+        stratum: [u32; 2],
         fineness: u32,
         jitters: bool,
         rounding: &mut Rounding,
     ) -> Sample {
-        let (ray, length) = self.ray_in(cell, fineness, jitters);
+        let (ray, length) = self.ray_in(stratum, fineness, jitters);
         self.followed(&ray, length, rounding)
     }
 
@@ -61,21 +61,21 @@ impl Frame<'_> {
         self.sample_in(pixel, 1, self.settings.jitter == Jitter::On, rounding)
     }
 
-    /// Which quarters of a pixel get extra samples, and what differs from the neighbours.
+    /// Which subpixels get extra samples, and what differs from the neighbours.
     #[must_use]
     pub fn tested(&self, pixel: [u32; 2], rounding: &mut Rounding) -> Tested {
         let own = self.compared(pixel, rounding);
         let textures = bits([0, 1].map(|i| self.in_focus(own.hits[i].object) && own.hits[i].textured), 3);
         let mut tested = Tested { active: 0, differing: 0 };
-        for quarter in 0..4 {
-            let [right, down] = [quarter & 1, quarter >> 1].map(|side| 2 * side as i64 - 1);
+        for subpixel in 0..4 {
+            let [right, down] = [subpixel & 1, subpixel >> 1].map(|side| 2 * side as i64 - 1);
             let neighbours = [[right, 0], [0, down], [right, down]]
                 .map(|[x, y]| self.compared(self.beside(pixel, [x, y]), rounding));
             let differing =
                 neighbours.iter().fold(textures, |bits, other| bits | self.differing(&own, other));
             let colors = neighbours.iter().map(|n| n.color).chain([own.color]);
             let contrasts = contrasts(colors).map(|c| rounding.contrast(c));
-            tested.active |= u32::from(exceeds(contrasts, self.threshold(differing))) << quarter;
+            tested.active |= u32::from(exceeds(contrasts, self.threshold(differing))) << subpixel;
             let colored = exceeds(contrasts, self.settings.thresholds.col.into());
             tested.differing |= u32::from(colored) | differing << 1;
         }
@@ -86,19 +86,19 @@ impl Frame<'_> {
     #[must_use]
     pub fn supersampled(&self, pixel: [u32; 2], active: u32, rounding: &mut Rounding) -> DVec3 {
         let own = self.presampled(pixel, rounding).color;
-        let quarters = (0..4_u32).map(|quarter| {
-            let [right, down] = [quarter & 1, quarter >> 1];
-            if active >> quarter & 1 == 1 {
-                let cells = [[0, 0], [1, 0], [0, 1], [1, 1]]
+        let subpixels = (0..4_u32).map(|subpixel| {
+            let [right, down] = [subpixel & 1, subpixel >> 1];
+            if active >> subpixel & 1 == 1 {
+                let strata = [[0, 0], [1, 0], [0, 1], [1, 1]]
                     .map(|[x, y]| [4 * pixel[0] + 2 * right + x, 4 * pixel[1] + 2 * down + y]);
                 let jitters = self.settings.jitter != Jitter::Off;
                 // Samples that lie side by side are off alike.
                 let color = |c: &[u32; 2]| self.sample_in(*c, 4, jitters, &mut rounding.clone()).color;
-                return cells.iter().map(color).sum::<DVec3>() / 4.0;
+                return strata.iter().map(color).sum::<DVec3>() / 4.0;
             }
-            match self.settings.inactive {
-                Inactive::Nearest => own,
-                Inactive::Bilinear => {
+            match self.settings.unsampled {
+                Unsampled::Nearest => own,
+                Unsampled::Bilinear => {
                     let [x, y] = [right, down].map(|side| 2 * i64::from(side) - 1);
                     let [beside, above, across] = [[x, 0], [0, y], [x, y]]
                         .map(|step| self.presampled(self.beside(pixel, step), rounding).color);
@@ -106,7 +106,7 @@ impl Frame<'_> {
                 }
             }
         });
-        quarters.sum::<DVec3>() / 4.0
+        subpixels.sum::<DVec3>() / 4.0
     }
 
     fn compared(&self, pixel: [u32; 2], rounding: &mut Rounding) -> Compared {

@@ -3,7 +3,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Cause, Crossing, Ray, Reference, Rounding};
+use super::{Cause, Intersection, Ray, Reference, Rounding};
 use crate::scene::octahedral_decode_exact;
 
 /// A point of a surface with everything that shading needs.
@@ -42,32 +42,33 @@ const FLAT_ERROR: f64 = 2.0e-7;
 impl Reference {
     /// The surface where `ray` crosses a primitive.
     #[must_use]
-    pub fn surface(&self, ray: &Ray, crossing: &Crossing, rounding: &mut Rounding) -> Surface {
+    pub fn surface(&self, ray: &Ray, intersection: &Intersection, rounding: &mut Rounding) -> Surface {
         let spheres = &self.scene.spheres;
         let triangles = self.scene.positions.len();
-        let at = ray.origin + crossing.t * ray.direction;
-        let (position, mut normal, mut face, low, high) =
-            match spheres.get(crossing.primitive.wrapping_sub(triangles)) {
-                Some(sphere) => {
-                    let (center, radius) = (sphere.center.as_dvec3(), f64::from(sphere.radius));
-                    let normal = (at - center).normalize_or_zero();
-                    (center + radius * normal, normal, normal, center - radius, center + radius)
-                }
-                None => {
-                    let [a, b, c] = self.scene.positions[crossing.primitive].map(|p| p.as_dvec3());
-                    let [na, nb, nc] = self.scene.normals[crossing.primitive].map(octahedral_decode_exact);
-                    let w = 1.0 - crossing.u - crossing.v;
-                    let normal = (w * na + crossing.u * nb + crossing.v * nc).normalize_or_zero();
-                    let face = (b - a).cross(c - a).normalize_or_zero();
-                    // The normals say which side is out; the winding may disagree.
-                    let face = if face.dot(normal) < 0.0 { -face } else { face };
-                    let [first, others @ ..] = self.scene.normals[crossing.primitive];
-                    let flat = others == [first; 2] && normal.dot(face) > 1.0 - FLAT_ERROR;
-                    let normal = if flat { face } else { normal };
-                    let position = w * a + crossing.u * b + crossing.v * c;
-                    (position, normal, face, a.min(b).min(c), a.max(b).max(c))
-                }
-            };
+        let at = ray.origin + intersection.t * ray.direction;
+        let (position, mut normal, mut face, low, high) = match spheres
+            .get(intersection.primitive.wrapping_sub(triangles))
+        {
+            Some(sphere) => {
+                let (center, radius) = (sphere.center.as_dvec3(), f64::from(sphere.radius));
+                let normal = (at - center).normalize_or_zero();
+                (center + radius * normal, normal, normal, center - radius, center + radius)
+            }
+            None => {
+                let [a, b, c] = self.scene.positions[intersection.primitive].map(|p| p.as_dvec3());
+                let [na, nb, nc] = self.scene.normals[intersection.primitive].map(octahedral_decode_exact);
+                let w = 1.0 - intersection.u - intersection.v;
+                let normal = (w * na + intersection.u * nb + intersection.v * nc).normalize_or_zero();
+                let face = (b - a).cross(c - a).normalize_or_zero();
+                // The normals say which side is out; the winding may disagree.
+                let face = if face.dot(normal) < 0.0 { -face } else { face };
+                let [first, others @ ..] = self.scene.normals[intersection.primitive];
+                let flat = others == [first; 2] && normal.dot(face) > 1.0 - FLAT_ERROR;
+                let normal = if flat { face } else { normal };
+                let position = w * a + intersection.u * b + intersection.v * c;
+                (position, normal, face, a.min(b).min(c), a.max(b).max(c))
+            }
+        };
         normal = rounding.direction(Cause::Silhouette, normal);
         let inside = face.dot(ray.direction) > 0.0;
         if inside {
@@ -75,36 +76,36 @@ impl Reference {
         }
         Surface {
             position,
-            object: crossing.object,
-            primitive: crossing.primitive,
+            object: intersection.object,
+            primitive: intersection.primitive,
             normal,
             face,
             inside,
-            texcoord: self.texcoord(crossing, rounding),
-            color: self.vertex_color(crossing),
-            width: ray.width + crossing.t * ray.growth,
+            texcoord: self.texcoord(intersection, rounding),
+            color: self.vertex_color(intersection),
+            width: ray.width + intersection.t * ray.growth,
             growth: ray.growth,
-            footprint: self.covered(ray, crossing),
+            footprint: self.covered(ray, intersection),
             extent: face.abs().dot(low.abs().max(high.abs())) + (high - low).max_element(),
         }
     }
 
     /// The texture coordinates at a crossing; (0, 0) where the scene has none.
-    pub(super) fn texcoord(&self, crossing: &Crossing, rounding: &mut Rounding) -> DVec2 {
-        let Some(corners) = self.scene.texcoords.get(crossing.primitive) else { return DVec2::ZERO };
+    pub(super) fn texcoord(&self, intersection: &Intersection, rounding: &mut Rounding) -> DVec2 {
+        let Some(corners) = self.scene.texcoords.get(intersection.primitive) else { return DVec2::ZERO };
         let [a, b, c] = corners.map(|t| t.as_dvec2());
-        let at = (1.0 - crossing.u - crossing.v) * a + crossing.u * b + crossing.v * c;
+        let at = (1.0 - intersection.u - intersection.v) * a + intersection.u * b + intersection.v * c;
         let largest = a.abs().max(b.abs()).max(c.abs()).max_element().max(1.0);
         rounding.pair(Cause::TexelEdge, at, largest)
     }
 
-    fn vertex_color(&self, crossing: &Crossing) -> DVec3 {
-        let Some(corners) = self.scene.colors.get(crossing.primitive) else { return DVec3::ONE };
+    fn vertex_color(&self, intersection: &Intersection) -> DVec3 {
+        let Some(corners) = self.scene.colors.get(intersection.primitive) else { return DVec3::ONE };
         let [a, b, c] = corners.map(|word| {
             let [r, g, b, _] = word.to_le_bytes().map(|byte| f64::from(byte) / 255.0);
             DVec3::new(r, g, b)
         });
-        (1.0 - crossing.u - crossing.v) * a + crossing.u * b + crossing.v * c
+        (1.0 - intersection.u - intersection.v) * a + intersection.u * b + intersection.v * c
     }
 }
 

@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::{
-    intersection::{Crossing, Primitive, Ray, Shape},
+    intersection::{Intersection, Primitive, Ray, Shape},
     wide::Wide,
 };
 use crate::Scene;
@@ -79,7 +79,7 @@ impl Tracer {
     /// The closest hit, found by testing every primitive: what the tree is checked against.
     #[must_use]
     pub fn nearest_of_all(&self, ray: &Ray) -> Option<Hit> {
-        self.crossings(ray, None).first().map(|c| Hit { object: c.object, t: c.t })
+        self.intersections(ray, None).first().map(|c| Hit { object: c.object, t: c.t })
     }
 
     /// The nearest crossing that counts, of a ray that starts on the primitive `left`, if on any.
@@ -88,14 +88,14 @@ impl Tracer {
         &self,
         ray: &Ray,
         left: Option<usize>,
-        counts: impl Fn(&Crossing) -> bool,
-    ) -> Option<Crossing> {
-        let mut best: Option<Crossing> = None;
+        counts: impl Fn(&Intersection) -> bool,
+    ) -> Option<Intersection> {
+        let mut best: Option<Intersection> = None;
         self.visit(ray, &mut |primitive, reach: &mut f64| {
-            let crossing = primitive.crossing(ray, left == Some(primitive.index));
-            if let Some(crossing) = crossing.filter(|c| c.t < *reach && counts(c)) {
-                *reach = crossing.t;
-                best = Some(crossing);
+            let intersection = primitive.intersection(ray, left == Some(primitive.index));
+            if let Some(intersection) = intersection.filter(|c| c.t < *reach && counts(c)) {
+                *reach = intersection.t;
+                best = Some(intersection);
             }
         });
         best
@@ -103,8 +103,8 @@ impl Tracer {
 
     /// Everything on a ray before its end, the nearest first, at most once a primitive; without the tree.
     #[must_use]
-    pub fn crossings(&self, ray: &Ray, left: Option<usize>) -> Vec<Crossing> {
-        let all = self.primitives.iter().filter_map(|p| p.crossing(ray, left == Some(p.index)));
+    pub fn intersections(&self, ray: &Ray, left: Option<usize>) -> Vec<Intersection> {
+        let all = self.primitives.iter().filter_map(|p| p.intersection(ray, left == Some(p.index)));
         let mut before: Vec<_> = all.filter(|c| c.t < ray.t_max).collect();
         before.sort_by(|a, b| a.t.total_cmp(&b.t));
         before

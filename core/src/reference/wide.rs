@@ -8,7 +8,7 @@ use glam::{DVec3, Vec3, Vec3A};
 use obvhs::{aabb::Aabb, cwbvh::CwBvh, ray};
 
 use super::intersection::{Primitive, Ray};
-use crate::bvh::Bvh;
+use crate::acceleration::Bvh;
 
 /// Groups that wait on obvhs' stack at most.
 const STACK: u32 = 32;
@@ -86,7 +86,7 @@ impl Wide {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{reference::Tracer, scene::Scene, scene::builtin, stress::Random};
+    use crate::{random::Random, reference::Tracer, scene::Scene, scene::builtin};
 
     fn rays(scene: &Scene, away: f64, seed: u64) -> impl Iterator<Item = Ray> {
         let (low, high) = scene.bounds().expect("something");

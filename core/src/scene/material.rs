@@ -1,17 +1,5 @@
-//! Materials in the terms of Whitted's illumination model.
-//!
-//! A glTF material (base colour c, metallic m, roughness r, transmission tau, index n) means, with the Fresnel
-//! reflectance F of the view angle:
-//!
-//! ```text
-//! g         = max(0, 1 - 2 r)                          the share of the specular lobe that is traced as a mirror
-//! F         = fresnel_dielectric(n) (1 - m) + schlick(c) m
-//! diffuse   = c (1 - m)(1 - tau)(1 - F g)
-//! mirror    = F g                                      radiance of the reflection ray
-//! refracted = c tau (1 - m)(1 - F)                     radiance of the refraction ray (solid) or of the straight ray (thin)
-//! lobe      = F(h) (1 - r) D(r) / (4 max(n.l, n.v))    reflection of the lights; Blinn-Phong D, exponent 2 / r^4 - 2, r >= 0.2
-//! ambient   = (diffuse + c m (1 - g)) x ambient radiance
-//! ```
+//! Materials in Whitted's terms: how a surface emits, scatters, reflects and transmits light. The formulas, and how glTF's
+//! materials become these, are in `core/MATERIALS.md`.
 
 use glam::Vec3;
 

@@ -5,10 +5,12 @@
 
 mod build;
 mod builtin;
+pub(crate) mod camera;
 mod emitters;
 mod features;
 #[cfg(feature = "gltf")]
 mod gltf;
+pub(crate) mod look_at;
 mod material;
 mod octahedral;
 mod thinness;
@@ -28,7 +30,7 @@ pub use octahedral::{
 };
 pub use thinness::Thinness;
 
-use crate::camera::Camera;
+use crate::scene::camera::Camera;
 
 /// The most lights a scene may have: one bit each in a pixel's shadow mask (SHDBIT).
 pub const MAX_LIGHTS: usize = 32;
@@ -186,7 +188,7 @@ pub struct Environment {
     /// Radiance that reaches every surface from everywhere (Whitted's ambient term).
     pub ambient: Vec3,
     /// Radiance that stands for a ray which the recursion does not follow any more.
-    pub truncated: Vec3,
+    pub fallback_radiance: Vec3,
 }
 
 impl Default for Environment {
@@ -201,7 +203,7 @@ impl Environment {
     #[must_use]
     pub fn with_background(background: Vec3) -> Self {
         let ambient = (0.25 * background).max(Vec3::splat(0.05));
-        Self { background, ambient, truncated: ambient }
+        Self { background, ambient, fallback_radiance: ambient }
     }
 }
 
@@ -210,6 +212,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`crate::Error::Scene`] names the element of the file, what was expected and what was found.
+    #[cfg(feature = "gltf")]
     pub fn from_gltf(
         bytes: &[u8],
         resolve: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,

@@ -13,7 +13,7 @@
 //! is not known when a scene is loaded; what a sample is wide is taken at a distance of the scene's longest side.
 
 //!
-//! Beside that, points on things are kept that may be small in a frame: their *landmarks*. Postcorrection goes from traced
+//! Beside that, points on things are kept that may be small in a frame: their *probe points*. Postcorrection goes from traced
 //! pixels to their neighbours; what lies between the samples as a whole has none, and is found through these.
 
 #[cfg(test)]
@@ -35,14 +35,14 @@ const FRAME_HEIGHT: f32 = 1.0;
 /// How long all thin things must be together, in units of the scene's longest side.
 const LEAST_LENGTH: f32 = 1.0;
 
-/// Thicker things have no landmarks, in units of the longest side: ten pixels of 1,440 rows at half that distance.
-const LANDMARK_THICKNESS: f64 = 1.0 / 256.0;
+/// Thicker things have no probe points, in units of the longest side: ten pixels of 1,440 rows at half that distance.
+const PROBE_POINT_THICKNESS: f64 = 1.0 / 256.0;
 
-/// The most landmarks of a thing: a long one is met by samples somewhere.
-const LANDMARKS_PER_THING: usize = 8;
+/// The most probe points of a thing: a long one is met by samples somewhere.
+const PROBE_POINTS_PER_THING: usize = 8;
 
-/// The most landmarks of a scene: as many rays at most are traced for nothing.
-const MAX_LANDMARKS: usize = 1 << 16;
+/// The most probe points of a scene: as many rays at most are traced for nothing.
+const MAX_PROBE_POINTS: usize = 1 << 16;
 
 /// How much of what thickness there is.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -50,7 +50,7 @@ pub struct Thinness {
     /// The length of all things by thickness, in units of the longest side: bin i has those from `2^(-i/2)` of it down.
     lengths: [f32; BINS],
     /// Points of thin things, in world space.
-    landmarks: Vec<Vec3>,
+    probe_points: Vec<Vec3>,
 }
 
 impl Thinness {
@@ -67,8 +67,8 @@ impl Thinness {
             each_component(scene, |triangles| {
                 thinness.add(&Thing::of(triangles.iter().map(|t| &scene.positions[*t as usize])), longest);
             });
-            let every = thinness.landmarks.len().div_ceil(MAX_LANDMARKS).max(1);
-            thinness.landmarks = thinness.landmarks.into_iter().step_by(every).collect();
+            let every = thinness.probe_points.len().div_ceil(MAX_PROBE_POINTS).max(1);
+            thinness.probe_points = thinness.probe_points.into_iter().step_by(every).collect();
         }
         thinness
     }
@@ -77,15 +77,15 @@ impl Thinness {
         // Zero goes to the last bin.
         let bin = (-2.0 * (thing.thickness / longest).log2()).clamp(0.0, (BINS - 1) as f64);
         self.lengths[bin as usize] += (thing.length / longest) as f32;
-        if thing.thickness < LANDMARK_THICKNESS * longest {
-            self.landmarks.extend(thing.landmarks.iter().map(|point| point.as_vec3()));
+        if thing.thickness < PROBE_POINT_THICKNESS * longest {
+            self.probe_points.extend(thing.probe_points.iter().map(|point| point.as_vec3()));
         }
     }
 
     /// Points of things that may be small in a frame, in world space.
     #[must_use]
-    pub fn landmarks(&self) -> &[Vec3] {
-        &self.landmarks
+    pub fn probe_points(&self) -> &[Vec3] {
+        &self.probe_points
     }
 
     /// The length of all things thinner than `width`, both in units of the scene's longest side; `width` is rounded up
@@ -110,13 +110,13 @@ struct Thing {
     thickness: f64,
     length: f64,
     /// Points of it, spread over its length.
-    landmarks: Vec<DVec3>,
+    probe_points: Vec<DVec3>,
 }
 
 impl Thing {
     fn sphere(sphere: &Sphere) -> Self {
         let width = 2.0 * f64::from(sphere.radius);
-        Self { thickness: width, length: width, landmarks: vec![sphere.center.as_dvec3()] }
+        Self { thickness: width, length: width, probe_points: vec![sphere.center.as_dvec3()] }
     }
 
     /// Measures the connected object that consists of these triangles.
@@ -129,14 +129,14 @@ impl Thing {
             // Its middle may be empty.
             let middles: Vec<_> =
                 triangles.map(|t| t.map(|p| p.as_dvec3())).map(|[a, b, c]| (a + b + c) / 3.0).collect();
-            let every = middles.len().div_ceil(LANDMARKS_PER_THING).max(1);
-            let landmarks = middles.into_iter().step_by(every).collect();
-            return Self { thickness: (area / (4.0 * (a + b))).min(b), length: a, landmarks };
+            let every = middles.len().div_ceil(PROBE_POINTS_PER_THING).max(1);
+            let probe_points = middles.into_iter().step_by(every).collect();
+            return Self { thickness: (area / (4.0 * (a + b))).min(b), length: a, probe_points };
         }
-        let count = if b > 0.0 { (a / (LANDMARKS_PER_THING as f64 * b)).ceil() } else { 1.0 };
-        let count = count.clamp(1.0, LANDMARKS_PER_THING as f64);
+        let count = if b > 0.0 { (a / (PROBE_POINTS_PER_THING as f64 * b)).ceil() } else { 1.0 };
+        let count = count.clamp(1.0, PROBE_POINTS_PER_THING as f64);
         let along = |i: usize| center + ((i as f64 + 0.5) / count - 0.5) * a * axes.col(order[2]);
-        Self { thickness: b, length: a, landmarks: (0..count as usize).map(along).collect() }
+        Self { thickness: b, length: a, probe_points: (0..count as usize).map(along).collect() }
     }
 }
 

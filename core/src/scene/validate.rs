@@ -49,7 +49,7 @@ impl Scene {
         }
         let e = &self.environment;
         for (name, color) in
-            [("background", e.background), ("ambient", e.ambient), ("truncated", e.truncated)]
+            [("background", e.background), ("ambient", e.ambient), ("truncated", e.fallback_radiance)]
         {
             check_radiance(format!("environment, {name}"), color)?;
         }

@@ -48,10 +48,10 @@ mod paths;
 mod supersampling;
 
 pub use paths::{
-    Crossing, Denoise, Direct, MAX_CPU_THREADS, MAX_GAZE, MAX_LIGHT_SAMPLES, Paths, Roulette, Sampler,
-    Shining, Stopping,
+    Denoise, DirectLight, Foveation, LightSelection, MAX_CPU_THREADS, MAX_GAZE, MAX_LIGHT_SAMPLES, Paths,
+    Roulette, Sampler, StereoReuse,
 };
-pub use supersampling::{Filter, Focus, Inactive, Jitter, Preset, Refine, THRESHOLD_NAMES, Thresholds};
+pub use supersampling::{Filter, Focus, Jitter, Preset, Refine, THRESHOLD_NAMES, Thresholds, Unsampled};
 
 choices! {
     /// How a frame is made.
@@ -63,7 +63,7 @@ choices! {
         /// A baseline: a ray through every second pixel in the order of a checkerboard, the average of their neighbours in the
         /// others. One sample a pixel.
         Checkerboard = "checkerboard": "A ray through every second sample, averages elsewhere",
-        /// Jin 2009: a ray through every pixel, and four more through those quarters of pixels whose neighbours differ.
+        /// Jin 2009: a ray through every pixel, and four more through those subpixels whose neighbours differ.
         Supersample = "supersample": "A ray through every pixel, extra samples where neighbours differ (Jin 2009)",
         /// Lecture, "Adaptive supersampling": rays through centres and corners of pixels, and more between those that differ.
         Quincunx = "quincunx": "Rays through centres and corners of pixels, more between those that differ (lecture)",
@@ -84,13 +84,13 @@ choices! {
 impl Method {
     /// A frame keeps something of the frames before it.
     #[must_use]
-    pub fn keeps_frames(self) -> bool {
-        matches!(self, Self::Frameless | Self::Reproject) || self.follows_paths()
+    pub fn has_history(self) -> bool {
+        matches!(self, Self::Frameless | Self::Reproject) || self.is_path_traced()
     }
 
     /// A frame is a sample of each pixel, added to those before it.
     #[must_use]
-    pub fn follows_paths(self) -> bool {
+    pub fn is_path_traced(self) -> bool {
         matches!(self, Self::Path | Self::Vr)
     }
 
@@ -109,7 +109,7 @@ impl Method {
     /// Levels of rays where nothing else is wished: all of them for paths, which end by themselves.
     #[must_use]
     pub fn usual_depth(self) -> u32 {
-        if self.follows_paths() { MAX_DEPTH } else { 3 }
+        if self.is_path_traced() { MAX_DEPTH } else { 3 }
     }
 
     /// It knows pixels of one sample alone.
@@ -149,7 +149,7 @@ choices! {
 
 choices! {
     /// Which pieces of the shaders are linked.
-    pub enum Linking {
+    pub enum Specialize {
         /// Only what the scene needs.
         Auto = "auto": "Only what the scene needs",
         /// Everything: the check that leaving out changes nothing.
@@ -179,7 +179,7 @@ impl Tolerances {
     /// shrinks with the square of the distance, so that the angle shrinks with the distance. What mirrors and glass show
     /// has no shape of its own to interpolate: its bound shrinks with the fourth power, so that larger blocks interpolate
     /// only where it is nearly constant. Distances grow with the stride by themselves, and the zone at the border of a
-    /// texture is wider than any step: both stay. Chosen by measurement: see the README.
+    /// texture is wider than any step: both stay. Chosen by measurement: desktop/MEASUREMENTS.md, "Larger blocks".
     #[must_use]
     pub fn at(&self, stride: u32) -> Self {
         let nearer = 2.0 / stride as f32;
@@ -215,10 +215,10 @@ pub struct Settings {
     /// Rays that would contribute less than this share of the pixel are not traced. 0 follows them all.
     pub min_weight: f32,
     /// The share of the pixels that a frame traces anew which keeps the others, above 0 and at most 1: more costs time,
-    /// less leaves longer what is no longer so. No pixel is older than `1 / share` frames.
-    pub share: f32,
+    /// less leaves longer what is no longer so. No pixel is older than `1 / refresh_fraction` frames.
+    pub refresh_fraction: f32,
     /// Which pieces are linked.
-    pub features: Linking,
+    pub specialize: Specialize,
     /// Extra samples after an adaptive frame too, where its pixels differ from their neighbours.
     pub supersample: bool,
     /// Where extra samples go.
@@ -228,13 +228,13 @@ pub struct Settings {
     /// Whether extra samples go to whole pixels, step by step.
     pub refine: Refine,
     /// What stands for the rest of a pixel.
-    pub inactive: Inactive,
+    pub unsampled: Unsampled,
     /// Where samples lie.
     pub jitter: Jitter,
     /// How a pixel follows from several samples.
     pub filter: Filter,
     /// How much the ends of a quincunx may differ, 0 to 1, before there are samples between them; as [`Thresholds`].
-    pub similar: f32,
+    pub quincunx_threshold: f32,
     /// Of whatever is random; the same seed gives the same samples.
     pub seed: u32,
     /// What paths do.
@@ -248,7 +248,7 @@ pub const MAX_DEPTH: u32 = 64;
 pub const MAX_SAMPLING: u32 = 16;
 
 /// The most rays that a sample follows, shadow rays aside: nested glass would send 2^depth. Branches beyond count as the
-/// environment's truncated radiance, as those that other limits cut off.
+/// environment's fallback radiance, as those that other limits cut off.
 pub const MAX_RAYS: u32 = 1024;
 
 impl Default for Settings {
@@ -262,16 +262,16 @@ impl Default for Settings {
             mip: Mip::On,
             depth: 3,
             min_weight: 0.05,
-            share: 0.1,
-            features: Linking::Auto,
+            refresh_fraction: 0.1,
+            specialize: Specialize::Auto,
             supersample: false,
             thresholds: Thresholds::default(),
             focus: None,
             refine: Refine::Auto,
-            inactive: Inactive::Nearest,
+            unsampled: Unsampled::Nearest,
             jitter: Jitter::Auto,
             filter: Filter::Box,
-            similar: 0.1,
+            quincunx_threshold: 0.1,
             seed: 0,
             paths: Paths::default(),
         }
@@ -295,23 +295,23 @@ impl Settings {
         }
     }
 
-    /// Can samples that were traced elsewhere be [merged](crate::Renderer::merge)? Not where pixels count them one by one.
+    /// Can samples that were traced elsewhere be [merged](crate::Renderer::accumulate)? Not where pixels count them one by one.
     #[must_use]
-    pub fn takes_planes(&self) -> bool {
-        let copied = self.crosses() && self.paths.crossing == Crossing::Paper;
-        self.method.follows_paths() && !copied
+    pub fn accepts_cpu_samples(&self) -> bool {
+        let copied = self.reuses_stereo() && self.paths.stereo_reuse == StereoReuse::Paper;
+        self.method.is_path_traced() && !copied
     }
 
     /// What is done about noise: it is that of paths.
     #[must_use]
     pub fn denoise(&self) -> Denoise {
-        if self.method.follows_paths() { self.paths.denoise } else { Denoise::Off }
+        if self.method.is_path_traced() { self.paths.denoise } else { Denoise::Off }
     }
 
     /// Do samples of one eye count for the other?
     #[must_use]
-    pub fn crosses(&self) -> bool {
-        self.method == Method::Vr && self.paths.crossing != Crossing::Off
+    pub fn reuses_stereo(&self) -> bool {
+        self.method == Method::Vr && self.paths.stereo_reuse != StereoReuse::Off
     }
 }
 
@@ -342,7 +342,11 @@ mod tests {
         for (share, fits) in
             [(0.0, false), (-0.1, false), (f32::NAN, false), (1.001, false), (1e-9, true), (1.0, true)]
         {
-            assert_eq!(Settings { share, ..Settings::default() }.validate().is_ok(), fits, "{share}");
+            assert_eq!(
+                Settings { refresh_fraction: share, ..Settings::default() }.validate().is_ok(),
+                fits,
+                "{share}"
+            );
         }
     }
 

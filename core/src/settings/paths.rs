@@ -2,12 +2,12 @@
 
 choices! {
     /// How the light of emitters is found.
-    pub enum Direct {
+    pub enum DirectLight {
         /// By the path's own steps alone, as in Kim & Sung 2021: a path brings light where it happens to hit an emitter.
-        Walk = "bsdf" or "walk": "By meeting them: sampling of the BSDF alone",
+        Bsdf = "bsdf" or "walk": "By meeting them: sampling of the BSDF alone",
         /// By rays to points on emitters from every diffuse surface (next-event estimation), and where the path came by a
         /// mirror or glass.
-        Light = "nee" or "light": "By rays to points on them: next-event estimation",
+        Nee = "nee" or "light": "By rays to points on them: next-event estimation",
         /// Both, each weighted by how likely it was to find that point (Veach 1995, balance heuristic).
         Mis = "mis": "By both, each weighted by how likely it was to find the point (balance heuristic)",
     }
@@ -15,7 +15,7 @@ choices! {
 
 choices! {
     /// What shines.
-    pub enum Shining {
+    pub enum LightSelection {
         /// Emissive surfaces and punctual lights.
         All = "all": "Emissive surfaces and punctual lights",
         /// Emissive surfaces alone: for files whose punctual lights stand for those.
@@ -47,7 +47,7 @@ choices! {
 
 choices! {
     /// What happens to paths away from the gaze (Kim & Sung 2021, equation 7).
-    pub enum Stopping {
+    pub enum Foveation {
         /// They go on.
         Off = "off": "Paths go on",
         /// They stop with a probability that grows with the distance, and what they would have brought is missing: darker.
@@ -59,7 +59,7 @@ choices! {
 
 choices! {
     /// Whether what one eye finds out about a point counts for the other eye too (Kim & Sung 2021, equations 1 to 6).
-    pub enum Crossing {
+    pub enum StereoReuse {
         /// Each eye for itself.
         Off = "off": "Each eye for itself",
         /// As in the paper: a sample counts as one more wherever it is seen, though points are not seen equally often by both
@@ -76,7 +76,7 @@ choices! {
     pub enum Denoise {
         /// Nothing.
         Off = "off": "Nothing",
-        /// Kim & Sung 2021, section 3: a pixel whose last path was [stopped](Stopping) and met diffuse surfaces alone shows,
+        /// Kim & Sung 2021, section 3: a pixel whose last path was [stopped](Foveation) and met diffuse surfaces alone shows,
         /// channel by channel, the median of its 3x3 pixels. It does so however many samples there are: the picture stays
         /// darker than the mean, and more samples do not help there.
         Median = "median": "Stopped paths that met diffuse surfaces alone show the median of their 3x3 pixels",
@@ -93,25 +93,25 @@ pub struct Paths {
     /// Samples a pixel after which a resting view is finished; a frame adds one.
     pub samples: u32,
     /// How the light of emitters is found.
-    pub direct: Direct,
+    pub direct_light: DirectLight,
     /// Points on emitters for each diffuse surface that a path meets.
     pub light_samples: u32,
     /// What shines.
-    pub shining: Shining,
+    pub lights: LightSelection,
     /// Where random numbers come from.
     pub sampler: Sampler,
     /// Whether long paths end at random.
     pub roulette: Roulette,
     /// What happens to paths away from the gaze.
-    pub stopping: Stopping,
+    pub foveation: Foveation,
     /// Where the eyes look, in widths and heights of the picture from its upper left corner.
     pub gaze: [f32; 2],
     /// The probability of stopping where the picture is farthest from the gaze, at each bounce.
-    pub p_max: f32,
-    /// Bounces that no path does without; [`Paths::stopping_level`] has where they may stop.
-    pub stop_after: u32,
+    pub foveation_max: f32,
+    /// Bounces that no path does without; [`Paths::foveation_level`] has where they may stop.
+    pub foveation_start: u32,
     /// Whether samples of one eye count for the other.
-    pub crossing: Crossing,
+    pub stereo_reuse: StereoReuse,
     /// From one eye to the other, in the scene's units, which glTF has in metres.
     pub eye_distance: f32,
     /// From the eyes to where both see the same in the middle of their pictures, in the scene's units; none for eyes that
@@ -120,7 +120,7 @@ pub struct Paths {
     /// What is done about noise.
     pub denoise: Denoise,
     /// Threads of the CPU that trace samples beside the GPU. A [`crate::Renderer`] starts none: its caller runs them, and
-    /// [merges](crate::Renderer::merge) what they bring.
+    /// [merges](crate::Renderer::accumulate) what they bring.
     pub cpu_threads: u32,
 }
 
@@ -134,16 +134,16 @@ impl Default for Paths {
     fn default() -> Self {
         Self {
             samples: 1,
-            direct: Direct::Mis,
+            direct_light: DirectLight::Mis,
             light_samples: 1,
-            shining: Shining::All,
+            lights: LightSelection::All,
             sampler: Sampler::Sobol,
             roulette: Roulette::On,
-            stopping: Stopping::Off,
+            foveation: Foveation::Off,
             gaze: [0.5; 2],
-            p_max: 0.9,
-            stop_after: 1,
-            crossing: Crossing::Weighted,
+            foveation_max: 0.9,
+            foveation_start: 1,
+            stereo_reuse: StereoReuse::Weighted,
             eye_distance: 0.064,
             convergence: None,
             denoise: Denoise::Off,
@@ -156,8 +156,8 @@ impl Paths {
     /// The first surface that a path may stop at, counted from 1 for what the eye sees. Kim & Sung 2021, Algorithm 3, follows
     /// every path to the surface behind the threshold and shades it. Where those that go on count for more, that surface is
     /// as right without: only one in 1 / (1 - p) paths is followed there.
-    pub fn stopping_level(&self) -> u32 {
-        self.stop_after.saturating_add(if self.stopping == Stopping::Compensated { 1 } else { 2 })
+    pub fn foveation_level(&self) -> u32 {
+        self.foveation_start.saturating_add(if self.foveation == Foveation::Compensated { 1 } else { 2 })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Wishes about extra samples: which differences between pixels are worth some (Jin 2009).
 
-/// How strong a contrast must be, by what differs between neighbouring pixels, for a quarter of a pixel to get extra
+/// How strong a contrast must be, by what differs between neighbouring pixels, for a subpixel to get extra
 /// samples (Jin 2009, Table 1), each from 0, always, to 1, never.
 ///
 /// Where several attributes differ the smallest counts, where none does that of the colour. All equal to `col` is the
@@ -107,8 +107,8 @@ pub struct Focus {
 }
 
 choices! {
-    /// What stands for the quarters of a pixel that get no extra samples.
-    pub enum Inactive {
+    /// What stands for the subpixels that get no extra samples.
+    pub enum Unsampled {
         /// The sample at the pixel's centre.
         Nearest = "nearest": "The sample at the pixel's centre",
         /// The four centres around them, bilinearly (Jin 2009, section 6): softer textures, softer everything.
@@ -143,7 +143,7 @@ choices! {
     pub enum Refine {
         /// [`Refine::On`] after an adaptive frame, [`Refine::Off`] as a method of its own.
         Auto = "auto": "On after the adaptive method, off with method supersample",
-        /// One in each quarter of the pixel, and where they show what no pixel around a neighbour does, of the neighbour; then four to
+        /// One in each subpixel, and where they show what no pixel around a neighbour does, of the neighbour; then four to
         /// twelve more, where quarters differ by twice the least of the thresholds.
         On = "on": "Whole pixels, step by step",
         /// Four in each quarter that differs (Jin 2009, 4.1.4).

@@ -137,7 +137,7 @@ impl Mesh {
 
 /// A scene with a material and nothing to see, in the dark.
 pub fn bare(material: Material) -> Scene {
-    let dark = Environment { background: Vec3::ZERO, ambient: Vec3::ZERO, truncated: Vec3::ZERO };
+    let dark = Environment { background: Vec3::ZERO, ambient: Vec3::ZERO, fallback_radiance: Vec3::ZERO };
     Scene { materials: vec![material], environment: dark, ..Scene::default() }
 }
 

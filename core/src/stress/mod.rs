@@ -10,7 +10,6 @@ mod directions;
 mod grazing;
 mod lights;
 mod mesh;
-mod random;
 mod recursion;
 mod scale_mix;
 mod self_hits;
@@ -21,7 +20,7 @@ mod trees;
 mod vertices;
 mod watertight;
 
-pub use random::Random;
+pub use crate::random::Random;
 
 use glam::{DVec3, Vec3};
 

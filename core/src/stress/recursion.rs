@@ -48,7 +48,7 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
 }
 
 fn white() -> Environment {
-    Environment { background: Vec3::ONE, ambient: Vec3::ONE, truncated: Vec3::ONE }
+    Environment { background: Vec3::ONE, ambient: Vec3::ONE, fallback_radiance: Vec3::ONE }
 }
 
 fn mirror() -> Material {

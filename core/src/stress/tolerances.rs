@@ -12,44 +12,44 @@ pub const CASE: Case = Case {
 };
 
 /// Valid and invalid values of one option.
-struct Wishes {
+struct Requests {
     option: &'static str,
     set: fn(&mut Settings, f32),
-    granted: &'static [f32],
+    accepted: &'static [f32],
     refused: &'static [f32],
 }
 
 const NOT_NUMBERS: [f32; 3] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
 
-const WISHES: [Wishes; 5] = [
-    Wishes {
+const REQUESTS: [Requests; 5] = [
+    Requests {
         option: "t-pos",
         set: |s, x| s.tolerances.pos = x,
-        granted: &[0.0, -0.0, f32::MIN_POSITIVE, 1.0e-45, 1.0, f32::MAX],
+        accepted: &[0.0, -0.0, f32::MIN_POSITIVE, 1.0e-45, 1.0, f32::MAX],
         refused: &[-f32::MIN_POSITIVE, -1.0],
     },
-    Wishes {
+    Requests {
         option: "t-norm",
         set: |s, x| s.tolerances.norm = x,
-        granted: &[-1.0, 0.0, 1.0, 2.0],
+        accepted: &[-1.0, 0.0, 1.0, 2.0],
         refused: &[-1.1, 2.1],
     },
-    Wishes {
+    Requests {
         option: "t-tex",
         set: |s, x| s.tolerances.tex = x,
-        granted: &[0.0, 1.0e-45, 0.5],
+        accepted: &[0.0, 1.0e-45, 0.5],
         refused: &[-0.1, 0.51],
     },
-    Wishes {
+    Requests {
         option: "t-gcol",
         set: |s, x| s.tolerances.gcol = x,
-        granted: &[0.0, 1.0e-45, 1.0, f32::MAX],
+        accepted: &[0.0, 1.0e-45, 1.0, f32::MAX],
         refused: &[-1.0e-3],
     },
-    Wishes {
+    Requests {
         option: "min-weight",
         set: |s, x| s.min_weight = x,
-        granted: &[0.0, 1.0e-45, 1.0],
+        accepted: &[0.0, 1.0e-45, 1.0],
         refused: &[-1.0e-3, 1.1],
     },
 ];
@@ -59,12 +59,12 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
     let scene = builtin("room").ok_or_else(|| Error::scene("builtin:room", "expected to be there"))?;
     let camera = *scene.camera(None)?;
     let scene = bench.upload(scene)?;
-    let frames: usize = WISHES.iter().map(|w| w.granted.len()).sum();
+    let frames: usize = REQUESTS.iter().map(|w| w.accepted.len()).sum();
     let width = ((bench.rays as f64 / frames as f64 * 4.0 / 3.0).sqrt() as u32 + 4).clamp(16, 2_048);
     let size = [width, width * 3 / 4];
     let frame = |settings: &Settings| Renderer::new(bench.gpu, &scene, size, settings)?.linear_image(&camera);
     let full = frame(&Settings { method: Method::Full, ..Settings::default() })?;
-    for Wishes { option, set, granted, refused } in &WISHES {
+    for Requests { option, set, accepted, refused } in &REQUESTS {
         let wish = |value: f32| {
             let mut settings = Settings::default();
             set(&mut settings, value);
@@ -75,7 +75,7 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
             let named = error.as_ref().is_some_and(|e| e.contains(option));
             outcome.check(named, || format!("{option} {value} gives {error:?}"));
         }
-        for value in *granted {
+        for value in *accepted {
             let settings = wish(*value);
             let image = frame(&settings)?;
             for (x, y, pixel) in image.enumerate_pixels() {

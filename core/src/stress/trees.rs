@@ -7,7 +7,7 @@ use super::{
     mesh::{Mesh, Objects},
     ray, ray_through,
 };
-use crate::{Result, bvh, reference::Tracer};
+use crate::{Result, acceleration, reference::Tracer};
 
 pub const CASE: Case = Case {
     name: "trees",
@@ -37,8 +37,9 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
         let scene = mesh.scene(matte(), objects);
         let tracer = Tracer::new(&scene);
         let scene = bench.upload(scene)?;
-        outcome
-            .check(scene.bvh_stack <= bvh::DEPTH_LIMIT, || format!("{name}: a stack of {}", scene.bvh_stack));
+        outcome.check(scene.facts().bvh_stack <= acceleration::DEPTH_LIMIT, || {
+            format!("{name}: a stack of {}", scene.facts().bvh_stack)
+        });
         // A ray tests everything that lies in one place.
         let share =
             if name == "coincident" { share.min(COINCIDENT_TESTS / coincident as u64) } else { share };

@@ -1,58 +1,33 @@
-//! What a frame asks of a device: its counters, times what each counted thing takes.
+//! The work of a frame: its counters times the demand of each counted item.
 
-use glimpse::{Demand, Demands, Inspection, Origin};
+use glimpse::{Demand, Demands, Inspection, Origin, Tracing};
 use serde::{Deserialize, Serialize};
 
-/// Passes whose threads run differently well together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Neighbouring samples are traced.
-    Neighbours,
-    /// Samples from all over a tile are traced, as a list has them.
-    Listed,
-    /// Nothing is traced.
-    Untraced,
-}
-
-impl Kind {
-    /// In the order of [`Work::loads`].
-    pub const ALL: [Self; 3] = [Self::Neighbours, Self::Listed, Self::Untraced];
-
-    /// That of a pass by its name.
-    pub fn of(pass: &str) -> Self {
-        match pass {
-            "full" | "base" | "checkerboard" => Self::Neighbours,
-            "trace_a1" | "trace_a2" | "postcorrect" | "postcorrect_scan" => Self::Listed,
-            _ => Self::Untraced,
-        }
-    }
-
-    /// As the page has it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Neighbours => "traced neighbours",
-            Self::Listed => "traced lists",
-            Self::Untraced => "passes that trace nothing",
-        }
+/// Name of a class of passes on the page.
+pub fn class_name(class: Tracing) -> &'static str {
+    match class {
+        Tracing::Neighbours => "traced neighbours",
+        Tracing::Listed => "traced lists",
+        Tracing::No => "passes that trace nothing",
     }
 }
 
-/// The work of a frame.
+/// Counted work of a frame.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Work {
-    /// Visited nodes of the acceleration structure.
+    /// Number of visited nodes of the acceleration structure.
     pub node_visits: u64,
-    /// Tested triangles and spheres.
+    /// Number of intersection tests with triangles and spheres.
     pub primitive_tests: u64,
-    /// By [`Kind`].
+    /// Operations and bytes by class of passes, in the order of [`Tracing::ALL`].
     pub loads: [Demand; 3],
 }
 
 impl Work {
-    /// Of an inspected frame with one sample a pixel, of a scene with so many lights.
+    /// Computes the work of an inspected frame with one sample per pixel, of a scene with `lights` lights.
     ///
-    /// The counters are of the whole frame. Nodes and primitives are known of each pixel too: by them rays and visits are
-    /// divided between the base and the lists.
+    /// The counters cover the whole frame. The cost of each pixel divides rays and visits between the base
+    /// samples and the traced lists.
     pub fn of(inspection: &Inspection, demands: &Demands, lights: usize) -> Self {
         let counts = &inspection.counts;
         let lights = lights as f64;
@@ -104,7 +79,7 @@ mod tests {
             cost,
             active: 0,
             differing: 0,
-            cells: 0,
+            strata: 0,
             object: None,
             depth: 1.0,
             normal: [0.0; 3],
@@ -150,30 +125,5 @@ mod tests {
         let expected = [0.75 * traced + 2.0, 0.25 * traced + 2.0, 7.0 * (1e6 + 2.0 * 1e7)];
         assert_eq!(work.loads.map(|load| load.operations), expected);
         assert_eq!((work.node_visits, work.primitive_tests), (16, 8));
-    }
-
-    #[test]
-    fn passes_that_trace_are_told_from_those_that_do_not() {
-        let of = |kind| move |pass: &&str| Kind::of(pass) == kind;
-        let passes = [
-            "full",
-            "base",
-            "checkerboard",
-            "trace_a1",
-            "trace_a2",
-            "postcorrect",
-            "postcorrect_scan",
-            "similarity_a1",
-            "compact_a1",
-            "compact_seed",
-            "postcorrect_seed",
-            "postcorrect_landmarks",
-            "compact_postcorrect",
-            "fill",
-            "resolve",
-        ];
-        let [neighbours, listed, untraced] =
-            Kind::ALL.map(|kind| passes.iter().filter(|pass| of(kind)(pass)).count());
-        assert_eq!((neighbours, listed, untraced), (3, 4, 8));
     }
 }

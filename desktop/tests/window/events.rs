@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::stage::Stage;
+use crate::harness::ScriptHarness;
 
 /// The program's memory is looked at after so many events.
 const SAMPLE: usize = 10;
@@ -223,12 +223,12 @@ fn play(seed: u64, events: usize, rounds: usize) -> [u64; 4] {
     // Frames of the usual kind, after which the device has told what it had against the others.
     script += "key escape\nopen builtin:minray\nset method full\nsettle\nset method adaptive\nsettle\n\
         expect problem =\nexpect scene = builtin:minray\n";
-    let stage = Stage::with_window();
-    std::fs::write(stage.path("text.glb"), "this is no scene at all").unwrap();
-    std::fs::create_dir(stage.path("folder.glb")).unwrap();
+    let harness = ScriptHarness::with_window();
+    std::fs::write(harness.path("text.glb"), "this is no scene at all").unwrap();
+    std::fs::create_dir(harness.path("folder.glb")).unwrap();
     let mut samples = Vec::new();
     let ended =
-        stage.plays_watched("builtin:cornell --size 160x90", &script, |id| samples.push(resident(id)));
+        harness.plays_watched("builtin:cornell --size 160x90", &script, |id| samples.push(resident(id)));
     for problem in ended.told("problem") {
         assert!(problem.is_empty() || FILES.iter().any(|file| problem.contains(file)), "{problem}");
     }

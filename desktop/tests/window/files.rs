@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::json;
 
-use crate::stage::Stage;
+use crate::harness::ScriptHarness;
 
 /// A triangle in front of the camera.
 fn glb() -> Vec<u8> {
@@ -39,9 +39,9 @@ fn glb() -> Vec<u8> {
 
 #[test]
 fn a_scene_is_dropped_on_the_window() {
-    let stage = Stage::with_window();
-    fs::write(stage.path("good.glb"), glb()).unwrap();
-    stage.plays(
+    let harness = ScriptHarness::with_window();
+    fs::write(harness.path("good.glb"), glb()).unwrap();
+    harness.plays(
         "builtin:cornell --size 64x36",
         "settle
          drop good.glb
@@ -56,13 +56,13 @@ fn a_scene_is_dropped_on_the_window() {
 
 #[test]
 fn a_wrong_file_says_why_and_leaves_the_scene() {
-    let stage = Stage::with_window();
+    let harness = ScriptHarness::with_window();
     let whole = glb();
-    fs::write(stage.path("text.glb"), "this is no scene at all").unwrap();
-    fs::write(stage.path("cut.glb"), &whole[..whole.len() / 2]).unwrap();
-    fs::create_dir(stage.path("folder.glb")).unwrap();
+    fs::write(harness.path("text.glb"), "this is no scene at all").unwrap();
+    fs::write(harness.path("cut.glb"), &whole[..whole.len() / 2]).unwrap();
+    fs::create_dir(harness.path("folder.glb")).unwrap();
     for name in ["gone.glb", "text.glb", "cut.glb", "folder.glb", "picture.png", "builtin:attic"] {
-        stage.plays(
+        harness.plays(
             "builtin:cornell --size 160x90",
             &format!(
                 "set overlay hidden
@@ -84,17 +84,17 @@ fn a_wrong_file_says_why_and_leaves_the_scene() {
             ),
         );
         for after in ["after.png", "again.png"] {
-            assert!(stage.picture("before.png") == stage.picture(after), "{name}: {after}");
+            assert!(harness.picture("before.png") == harness.picture(after), "{name}: {after}");
         }
     }
 }
 
 #[test]
 fn a_first_file_that_is_no_scene_leaves_the_room() {
-    let stage = Stage::with_window();
-    fs::write(stage.path("good.glb"), glb()).unwrap();
-    fs::write(stage.path("bad.glb"), "nothing").unwrap();
-    stage.plays(
+    let harness = ScriptHarness::with_window();
+    fs::write(harness.path("good.glb"), glb()).unwrap();
+    fs::write(harness.path("bad.glb"), "nothing").unwrap();
+    harness.plays(
         "bad.glb --size 64x36",
         "settle
          expect problem contains bad.glb
@@ -108,11 +108,11 @@ fn a_first_file_that_is_no_scene_leaves_the_room() {
 
 #[test]
 fn a_frame_that_is_not_there_is_not_saved() {
-    let stage = Stage::with_window();
-    stage.plays(
+    let harness = ScriptHarness::with_window();
+    harness.plays(
         "builtin:room --size 64x36",
         "screenshot none.png
          expect problem contains no frame",
     );
-    assert!(!stage.path("none.png").exists());
+    assert!(!harness.path("none.png").exists());
 }

@@ -1,22 +1,22 @@
 //! What is shown and saved is what `glimpse render` makes.
 
-use crate::stage::Stage;
+use crate::harness::ScriptHarness;
 
 /// Plays the script in a window of 160x90 and renders its last frame by the command that it tells: all three are equal.
 fn is_rendered_again(scene: &str, script: &str) -> String {
-    let stage = Stage::with_window();
+    let harness = ScriptHarness::with_window();
     let all = format!(
         "set overlay hidden\n{script}\nsettle\nwindow window.png\nscreenshot saved.png\nprint command"
     );
-    let ended = stage.plays(&format!("{scene} --size 160x90"), &all);
+    let ended = harness.plays(&format!("{scene} --size 160x90"), &all);
     let command = ended.told("command")[0].to_owned();
     let words = command.strip_prefix("glimpse ").unwrap().split_whitespace();
-    let output = stage.glimpse().args(words).output().unwrap();
+    let output = harness.glimpse().args(words).output().unwrap();
     assert!(output.status.success(), "{command}: {output:?}");
-    let rendered = stage.picture("glimpse.png");
+    let rendered = harness.picture("glimpse.png");
     assert_eq!(rendered.dimensions(), (160, 90), "{command}");
-    assert!(rendered == stage.picture("saved.png"), "not what was saved: {command}");
-    assert!(rendered == stage.picture("window.png"), "not what was shown: {command}");
+    assert!(rendered == harness.picture("saved.png"), "not what was saved: {command}");
+    assert!(rendered == harness.picture("window.png"), "not what was shown: {command}");
     command
 }
 

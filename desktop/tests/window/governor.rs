@@ -1,13 +1,13 @@
 //! The governor in the program itself, on heat that comes and goes.
 
-use crate::stage::Stage;
+use crate::harness::ScriptHarness;
 
 /// A factor on the time of a frame, every four seconds: heat as phones have it in stress tests, by steps of their clocks.
 const HEAT: [f64; 9] = [1.0, 0.9, 0.8, 0.72, 0.6, 0.5, 0.72, 0.9, 1.0];
 
 #[test]
 fn frames_stay_within_their_time_while_the_device_gets_hot() {
-    let stage = Stage::with_window();
+    let harness = ScriptHarness::with_window();
     // A full frame takes 1.3 times what it may at the best.
     let mut script = "settle\ncost 752\nset governor 30\npress\n".to_owned();
     for (step, heat) in HEAT.iter().enumerate() {
@@ -15,7 +15,7 @@ fn frames_stay_within_their_time_while_the_device_gets_hot() {
         script += &format!("thermal {heat}\nmove {x},0.5 over 4\n");
     }
     script += "release\nprint frames\nprint late\n";
-    let ended = stage.plays("builtin:minray --size 320x180", &script);
+    let ended = harness.plays("builtin:minray --size 320x180", &script);
     let [frames, late] = ["frames", "late"].map(|name| ended.told(name)[0].parse::<f64>().unwrap());
     assert!(frames > 1500.0, "{frames} frames");
     assert!(late <= 0.01 * frames, "{late} of {frames} frames are late");

@@ -1,11 +1,11 @@
 //! What a person does in the window, and what comes of it.
 
-use crate::stage::Stage;
+use crate::harness::ScriptHarness;
 
 #[test]
 fn a_window_shows_its_first_picture() {
-    let stage = Stage::with_window();
-    stage.plays(
+    let harness = ScriptHarness::with_window();
+    harness.plays(
         "builtin:cornell --size 160x90",
         "set overlay hidden
          settle
@@ -18,7 +18,7 @@ fn a_window_shows_its_first_picture() {
          expect moved = 0
          window first.png",
     );
-    let picture = stage.picture("first.png");
+    let picture = harness.picture("first.png");
     assert_eq!(picture.dimensions(), (160, 90));
     let colors: std::collections::HashSet<_> = picture.pixels().map(|pixel| pixel.0).collect();
     assert!(colors.len() > 500, "{} colours", colors.len());
@@ -26,8 +26,8 @@ fn a_window_shows_its_first_picture() {
 
 #[test]
 fn dragging_turns_and_the_wheel_moves_the_camera() {
-    let stage = Stage::with_window();
-    stage.plays(
+    let harness = ScriptHarness::with_window();
+    harness.plays(
         "builtin:cornell --size 160x90",
         "set overlay hidden
          settle
@@ -46,20 +46,20 @@ fn dragging_turns_and_the_wheel_moves_the_camera() {
          window back.png",
     );
     let [before, turned, nearer, back] =
-        ["before", "turned", "nearer", "back"].map(|name| stage.picture(&format!("{name}.png")));
+        ["before", "turned", "nearer", "back"].map(|name| harness.picture(&format!("{name}.png")));
     assert!(before != turned && turned != nearer);
     assert_eq!(before, back);
 }
 
 #[test]
 fn a_pinch_and_fingers_move_the_camera() {
-    let stage = Stage::with_window();
+    let harness = ScriptHarness::with_window();
     for fingers in [
         "touch 0 begin 0.4,0.5\ntouch 0 move 0.6,0.5 over 0.2\ntouch 0 end",
         "touch 0 begin 0.4,0.5\ntouch 1 begin 0.6,0.5\ntouch 1 move 0.8,0.5 over 0.2\ntouch 1 end\ntouch 0 end",
         "move 0.5,0.5\npinch 1.5",
     ] {
-        stage.plays(
+        harness.plays(
             "builtin:cornell --size 64x36",
             &format!("settle\nexpect moved = 0\n{fingers}\nsettle\nexpect moved = 1"),
         );
@@ -68,8 +68,8 @@ fn a_pinch_and_fingers_move_the_camera() {
 
 #[test]
 fn a_double_click_puts_what_was_hit_into_the_middle() {
-    let stage = Stage::with_window();
-    let ended = stage.plays(
+    let harness = ScriptHarness::with_window();
+    let ended = harness.plays(
         "builtin:cornell --size 160x90",
         "settle
          move 0.4,0.7
@@ -86,8 +86,8 @@ fn a_double_click_puts_what_was_hit_into_the_middle() {
 
 #[test]
 fn keys_and_sliders_choose() {
-    let stage = Stage::with_window();
-    stage.plays(
+    let harness = ScriptHarness::with_window();
+    harness.plays(
         "builtin:cornell --size 64x36",
         "settle
          key b
@@ -114,7 +114,7 @@ fn keys_and_sliders_choose() {
          key escape",
     );
     // The slider of the first tolerance, in the panel at the right, which is high enough for all of them.
-    stage.plays(
+    harness.plays(
         "builtin:minray --size 1280x1700",
         "set governor off
          set scale 0.125
@@ -131,7 +131,7 @@ fn keys_and_sliders_choose() {
 
 #[test]
 fn the_divider_of_a_split_view_is_dragged() {
-    let stage = Stage::with_window();
+    let harness = ScriptHarness::with_window();
     let script = "set overlay brief
          set split 0.5
          settle
@@ -144,9 +144,9 @@ fn the_divider_of_a_split_view_is_dragged() {
          expect split > 0.75
          expect split < 0.85
          expect moved = 0";
-    stage.plays("builtin:cornell --size 640x360", script);
+    harness.plays("builtin:cornell --size 640x360", script);
     let equal = "set split 0.5\nset method full\nsettle\nexpect psnr = inf";
-    stage.plays("builtin:cornell --size 64x36", equal);
+    harness.plays("builtin:cornell --size 64x36", equal);
     let grids = "set sampling 2\nset split 0.5\nsettle\nexpect psnr > 20\nset scale 0.5\nset governor off\nsettle\nexpect width = 80";
-    stage.plays("builtin:cornell --size 160x90", grids);
+    harness.plays("builtin:cornell --size 160x90", grids);
 }

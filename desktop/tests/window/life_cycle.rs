@@ -1,13 +1,13 @@
 //! What befalls a window and a phone: the picture comes back.
 
-use crate::stage::Stage;
+use crate::harness::ScriptHarness;
 
 /// Plays what happens between two pictures of a window of 160x90, which must be equal.
 fn comes_back(script: &str) {
-    let stage = Stage::with_window();
+    let harness = ScriptHarness::with_window();
     let all = format!("set overlay hidden\nsettle\nwindow before.png\n{script}\nwindow after.png");
-    stage.plays("builtin:cornell --size 160x90", &all);
-    assert!(stage.picture("before.png") == stage.picture("after.png"), "{script}");
+    harness.plays("builtin:cornell --size 160x90", &all);
+    assert!(harness.picture("before.png") == harness.picture("after.png"), "{script}");
 }
 
 #[test]
@@ -51,8 +51,8 @@ fn after_a_lost_device() {
 /// Fonts are on the device too.
 #[test]
 fn with_its_overlay() {
-    let stage = Stage::with_window();
-    stage.plays(
+    let harness = ScriptHarness::with_window();
+    harness.plays(
         "builtin:cornell --size 640x360",
         "set overlay full
          settle
@@ -67,7 +67,7 @@ fn with_its_overlay() {
          window without.png",
     );
     let [before, after, without] =
-        ["before", "after", "without"].map(|name| stage.picture(&format!("{name}.png")));
+        ["before", "after", "without"].map(|name| harness.picture(&format!("{name}.png")));
     assert!(before == after && before != without);
 }
 
@@ -79,9 +79,9 @@ fn from_an_icon_and_from_the_full_screen() {
 
 #[test]
 fn a_device_that_is_lost_again_and_again_is_given_up() {
-    let stage = Stage::with_window();
+    let harness = ScriptHarness::with_window();
     let lost = "lose-device\nwait 0.05\n".repeat(4);
-    stage.plays(
+    harness.plays(
         "builtin:cornell --size 64x36",
         &format!("settle\n{lost}settle\nexpect scene = builtin:cornell\nexpect width = 64"),
     );
@@ -89,8 +89,8 @@ fn a_device_that_is_lost_again_and_again_is_given_up() {
 
 #[test]
 fn scarce_memory_halves_the_picture() {
-    let stage = Stage::with_window();
-    stage.plays(
+    let harness = ScriptHarness::with_window();
+    harness.plays(
         "builtin:cornell --size 160x90",
         "set split 0.5
          settle

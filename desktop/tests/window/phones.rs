@@ -1,21 +1,21 @@
 //! Every phone that the window can be.
 
-use crate::stage::Stage;
+use crate::harness::ScriptHarness;
 
 /// The names, as the program lists them.
-fn names(stage: &Stage) -> Vec<String> {
-    let line = stage.fails("builtin:cornell --phone nothing", "settle", 2);
+fn names(harness: &ScriptHarness) -> Vec<String> {
+    let line = harness.fails("builtin:cornell --phone nothing", "settle", 2);
     let names = line.split("expected one of ").nth(1).unwrap().split(", found nothing").next().unwrap();
     names.split(", ").map(str::to_owned).collect()
 }
 
 #[test]
 fn each_starts_and_is_turned() {
-    let stage = Stage::headless();
-    let names = names(&stage);
+    let harness = ScriptHarness::headless();
+    let names = names(&harness);
     assert!(names.len() >= 5, "{names:?}");
     for name in names {
-        let ended = stage.plays(
+        let ended = harness.plays(
             &format!("builtin:minray --phone {name}"),
             "set governor off
              set scale 0.125
@@ -41,9 +41,9 @@ fn each_starts_and_is_turned() {
 
 #[test]
 fn one_is_a_window_that_fits_the_screen() {
-    let stage = Stage::with_window();
-    let phone = names(&stage).remove(0);
-    stage.plays(
+    let harness = ScriptHarness::with_window();
+    let phone = names(&harness).remove(0);
+    harness.plays(
         &format!("builtin:minray --phone {phone}"),
         "set governor off
          set scale 0.125
@@ -58,7 +58,7 @@ fn one_is_a_window_that_fits_the_screen() {
          settle
          expect moved = 1",
     );
-    let [upright, turned] = ["upright.png", "turned.png"].map(|name| stage.picture(name).dimensions());
+    let [upright, turned] = ["upright.png", "turned.png"].map(|name| harness.picture(name).dimensions());
     assert_eq!(upright, (turned.1, turned.0));
     assert!(upright.0 < upright.1 && upright.1 <= 1600, "{upright:?}");
 }

@@ -1,20 +1,20 @@
 //! Scripts themselves: how they fail, and that they give the same every time and everywhere.
 
-use crate::stage::Stage;
+use crate::harness::ScriptHarness;
 
 #[test]
 fn what_is_not_met_fails_with_its_line() {
-    for stage in [Stage::with_window(), Stage::headless()] {
+    for harness in [ScriptHarness::with_window(), ScriptHarness::headless()] {
         let view = "builtin:cornell --size 64x36";
-        let line = stage.fails(view, "settle\n\nexpect width = 65", 1);
+        let line = harness.fails(view, "settle\n\nexpect width = 65", 1);
         assert_eq!(line, "a.script:3: expected width = 65, found 64");
-        let line = stage.fails(view, "settle\nset method checkerboard\nset sampling 2", 1);
+        let line = harness.fails(view, "settle\nset method checkerboard\nset sampling 2", 1);
         assert!(line.starts_with("a.script:3: "), "{line}");
-        let line = stage.fails(view, "settle\nprint cats", 1);
+        let line = harness.fails(view, "settle\nprint cats", 1);
         assert_eq!(line, "a.script:2: expected something known, found `cats`");
-        let line = stage.fails(view, "settle\nscreenshot gone/a.png\nwait 1", 1);
+        let line = harness.fails(view, "settle\nscreenshot gone/a.png\nwait 1", 1);
         assert!(line.contains("gone/a.png"), "{line}");
-        let line = stage.fails(view, "settle\npause\nwindow a.png\nwait 0.1", 1);
+        let line = harness.fails(view, "settle\npause\nwindow a.png\nwait 0.1", 1);
         assert_eq!(line, "a.png: expected a window to save, found none");
     }
 }
@@ -22,8 +22,8 @@ fn what_is_not_met_fails_with_its_line() {
 /// Without a display the window could not even begin.
 #[test]
 fn a_malformed_line_is_refused_before_there_is_a_window() {
-    let stage = Stage::with_window();
-    let line = stage.fails("builtin:cornell", "settle\ndance", 1);
+    let harness = ScriptHarness::with_window();
+    let line = harness.fails("builtin:cornell", "settle\ndance", 1);
     assert_eq!(line, "a.script:2: expected a step, found `dance`");
 }
 
@@ -54,9 +54,9 @@ const MUCH: &str = "set overlay hidden
 
 #[test]
 fn pictures_are_the_same_every_time_and_without_a_window() {
-    let stages = [Stage::with_window(), Stage::with_window(), Stage::headless()];
-    for stage in &stages {
-        stage.plays("builtin:cornell --size 160x90", MUCH);
+    let stages = [ScriptHarness::with_window(), ScriptHarness::with_window(), ScriptHarness::headless()];
+    for harness in &stages {
+        harness.plays("builtin:cornell --size 160x90", MUCH);
     }
     for picture in 1..=7 {
         let name = format!("{picture}.png");

@@ -37,7 +37,7 @@ fn judge(options: &FrameOptions, method: Method) {
         Ok(settings) => {
             settings.validate().expect("checked settings are valid");
             let t = settings.tolerances;
-            for number in [t.pos, t.norm, t.tex, t.gcol, settings.min_weight, settings.share] {
+            for number in [t.pos, t.norm, t.tex, t.gcol, settings.min_weight, settings.refresh_fraction] {
                 assert!(number.is_finite(), "{settings:?}");
             }
             assert!((1..=MAX_DEPTH).contains(&settings.depth));

@@ -1,10 +1,10 @@
 //! Adaptive undersampling against full tracing, and its bookkeeping.
 
 use glimpse::{
-    Gpu, Inspection, LinearImage, Linking, Method, Origin, Postcorrect, Renderer, Scene, Settings,
+    Gpu, Inspection, LinearImage, Method, Origin, Postcorrect, Renderer, Scene, Settings, Specialize,
     Tolerances, encode_display, scene::builtin,
 };
-use glimpse_tests::{Stage, assert_same, gallery, gpu, shared_scene};
+use glimpse_tests::{TestScene, assert_same, gallery, gpu, shared_scene};
 
 const SCENES: [&str; 4] = ["room", "cornell", "minray", "furnace"];
 const ODD_SIZES: [[u32; 2]; 9] =
@@ -24,21 +24,25 @@ fn full() -> Settings {
 #[test]
 fn strictest_tolerances_give_the_full_frame_bit_for_bit() {
     for scene in SCENES {
-        let stage = Stage::builtin(scene);
+        let test_scene = TestScene::builtin(scene);
         let size = [127, 65];
-        let full = stage.frame(size, &full());
+        let full = test_scene.frame(size, &full());
         for block in BLOCKS {
             let strict = Settings { block, ..strict() };
-            assert_same(&stage.frame(size, &strict), &full, &format!("{scene}, blocks of {block}"));
-            assert_eq!(stage.inspect(size, &strict).counts.samples.interpolated, 0, "{scene}");
+            assert_same(&test_scene.frame(size, &strict), &full, &format!("{scene}, blocks of {block}"));
+            assert_eq!(test_scene.inspect(size, &strict).counts.samples.interpolated, 0, "{scene}");
         }
     }
 }
 
-fn assert_leaving_out_changes_nothing(name: &str, stage: &Stage, size: [u32; 2], method: Method) {
+fn assert_leaving_out_changes_nothing(name: &str, test_scene: &TestScene, size: [u32; 2], method: Method) {
     let auto = Settings { method, postcorrect: Postcorrect::On, ..Settings::default() };
-    let all = Settings { features: Linking::All, ..auto };
-    assert_same(&stage.frame(size, &all), &stage.frame(size, &auto), &format!("{name}, {method:?}"));
+    let all = Settings { specialize: Specialize::All, ..auto };
+    assert_same(
+        &test_scene.frame(size, &all),
+        &test_scene.frame(size, &auto),
+        &format!("{name}, {method:?}"),
+    );
 }
 
 /// All methods trace by the same pieces; what else is made of them differs in scenes that have everything and nothing.
@@ -53,11 +57,11 @@ fn leaving_out_changes_nothing() {
         ("orthographic", gallery::orthographic()),
     ];
     for (name, scene) in scenes {
-        let stage = Stage::new(scene);
-        assert_leaving_out_changes_nothing(name, &stage, [128, 96], Method::Full);
+        let test_scene = TestScene::new(scene);
+        assert_leaving_out_changes_nothing(name, &test_scene, [128, 96], Method::Full);
         if ["room", "wires"].contains(&name) {
-            assert_leaving_out_changes_nothing(name, &stage, [128, 96], Method::Adaptive);
-            assert_leaving_out_changes_nothing(name, &stage, [128, 96], Method::Checkerboard);
+            assert_leaving_out_changes_nothing(name, &test_scene, [128, 96], Method::Adaptive);
+            assert_leaving_out_changes_nothing(name, &test_scene, [128, 96], Method::Checkerboard);
         }
     }
 }
@@ -71,15 +75,15 @@ fn built_in(name: &str) -> Scene {
 fn leaving_out_changes_nothing_in_shared_scenes() {
     for file in ["vr_bunny.glb", "coffee_maker.glb", "wooden_staircase.glb", "contemporary_bathroom.glb"] {
         let Some(scene) = shared_scene(file) else { continue };
-        assert_leaving_out_changes_nothing(file, &Stage::new(scene), [96, 54], Method::Full);
+        assert_leaving_out_changes_nothing(file, &TestScene::new(scene), [96, 54], Method::Full);
     }
 }
 
 #[test]
 fn a_frame_comes_out_the_same_twice() {
     for scene in SCENES {
-        let stage = Stage::builtin(scene);
-        let frame = || stage.frame([128, 96], &Settings::default());
+        let test_scene = TestScene::builtin(scene);
+        let frame = || test_scene.frame([128, 96], &Settings::default());
         assert_same(&frame(), &frame(), scene);
     }
 }
@@ -87,14 +91,14 @@ fn a_frame_comes_out_the_same_twice() {
 /// What is shown is the frame encoded, whatever makes it: one step of a byte is granted, for drivers' powers.
 #[test]
 fn a_frame_is_shown_as_it_is_computed() {
-    let stage = Stage::builtin("cornell");
+    let test_scene = TestScene::builtin("cornell");
     let methods =
         [Method::Full, Method::Adaptive, Method::Checkerboard, Method::Supersample, Method::Quincunx];
     for method in methods {
         let settings = Settings { method, ..Settings::default() };
         for size in ODD_SIZES {
-            let shown = stage.shown(size, &settings);
-            let expected = encode_display(&stage.frame(size, &settings));
+            let shown = test_scene.shown(size, &settings);
+            let expected = encode_display(&test_scene.frame(size, &settings));
             let apart = shown.as_raw().iter().zip(expected.as_raw()).map(|(a, b)| a.abs_diff(*b)).max();
             assert!(apart <= Some(1), "{method:?}, {size:?}: {apart:?}");
             assert!(shown.pixels().all(|p| p[3] == 255), "{method:?}, {size:?}: opaque");
@@ -105,15 +109,15 @@ fn a_frame_is_shown_as_it_is_computed() {
 /// Counting kernels, timed kernels and those that write radiance make the same picture, in any order.
 #[test]
 fn looking_at_a_frame_does_not_change_it() {
-    let stage = Stage::builtin("room");
+    let test_scene = TestScene::builtin("room");
     let settings = Settings::default();
-    let mut renderer = Renderer::new(gpu(), &stage.scene, [96, 64], &settings).unwrap();
-    renderer.render(&stage.camera).unwrap();
+    let mut renderer = Renderer::new(gpu(), &test_scene.scene, [96, 64], &settings).unwrap();
+    renderer.render(&test_scene.camera).unwrap();
     let before = renderer.display_image().unwrap();
-    renderer.inspect(&stage.camera).unwrap();
+    renderer.inspect(&test_scene.camera).unwrap();
     assert_eq!(renderer.display_image().unwrap(), before, "after inspect");
-    renderer.linear_image(&stage.camera).unwrap();
-    renderer.render(&stage.camera).unwrap();
+    renderer.linear_image(&test_scene.camera).unwrap();
+    renderer.render(&test_scene.camera).unwrap();
     assert_eq!(renderer.display_image().unwrap(), before, "after linear_image and render");
 }
 
@@ -160,7 +164,7 @@ fn check_books(inspection: &Inspection, [width, height]: [u32; 2], block: u32, w
 
 #[test]
 fn every_size_is_covered_and_the_counts_add_up() {
-    let (room, furnace) = (Stage::builtin("room"), Stage::builtin("furnace"));
+    let (room, furnace) = (TestScene::builtin("room"), TestScene::builtin("furnace"));
     for size in ODD_SIZES {
         let what = format!("{size:?}");
         for block in BLOCKS {
@@ -210,7 +214,7 @@ fn summed(sampling: u32) -> Vec<Vec<[u32; 2]>> {
 
 #[test]
 fn a_sampling_grid_is_a_larger_frame_averaged() {
-    let room = Stage::builtin("room");
+    let room = TestScene::builtin("room");
     let adaptive = |block, postcorrect| Settings { block, postcorrect, ..Settings::default() };
     for (settings, sampling) in [
         (full(), 2),
@@ -231,16 +235,16 @@ fn a_sampling_grid_is_a_larger_frame_averaged() {
 #[test]
 fn frames_in_bands_have_no_seams() {
     let (size, sampling) = ([160, 144], 16);
-    let stage = Stage::builtin("minray");
-    let full = stage.frame(size, &Settings { sampling, ..full() });
+    let test_scene = TestScene::builtin("minray");
+    let full = test_scene.frame(size, &Settings { sampling, ..full() });
     for block in BLOCKS {
-        let strict = stage.frame(size, &Settings { sampling, block, ..strict() });
+        let strict = test_scene.frame(size, &Settings { sampling, block, ..strict() });
         assert_same(&strict, &full, &format!("blocks of {block}"));
     }
-    let known = Stage::builtin("furnace").frame(size, &Settings { sampling, ..Settings::default() });
+    let known = TestScene::builtin("furnace").frame(size, &Settings { sampling, ..Settings::default() });
     assert!(known.as_raw().iter().all(|v| (v - 1.0).abs() <= 1e-5));
     let counts =
-        |settings: &Settings| stage.inspect(size, &Settings { sampling, ..*settings }).counts.samples;
+        |settings: &Settings| test_scene.inspect(size, &Settings { sampling, ..*settings }).counts.samples;
     let samples = counts(&Settings::default());
     assert_eq!(samples.total, u64::from(size[0] * size[1] * sampling * sampling));
     assert_eq!(samples.base + samples.traced_a1 + samples.traced_a2 + samples.interpolated, samples.total);
@@ -251,7 +255,7 @@ fn frames_in_bands_have_no_seams() {
 fn full_tracing_traces_every_sample() {
     let size = [33, 17];
     let settings = full();
-    let counts = Stage::builtin("room").inspect(size, &settings).counts;
+    let counts = TestScene::builtin("room").inspect(size, &settings).counts;
     assert_eq!((counts.rays.primary, counts.samples.interpolated), (33 * 17, 0));
     assert_eq!(counts.rt_ratio(), 1.0);
     assert!(counts.cost.node_visits > 0 && counts.cost.primitive_tests > 0);
@@ -259,7 +263,7 @@ fn full_tracing_traces_every_sample() {
 
 #[test]
 fn most_of_a_room_is_interpolated() {
-    let counts = Stage::builtin("room").inspect([512, 288], &Settings::default()).counts;
+    let counts = TestScene::builtin("room").inspect([512, 288], &Settings::default()).counts;
     let ratio = counts.rt_ratio();
     assert!((0.25..0.75).contains(&ratio), "RT ratio {ratio}");
 }
@@ -267,10 +271,10 @@ fn most_of_a_room_is_interpolated() {
 /// The picture of a frame that holds nothing, or too much.
 #[test]
 fn impossible_sizes_are_refused() {
-    let stage = Stage::builtin("furnace");
+    let test_scene = TestScene::builtin("furnace");
     let gpu: &Gpu = gpu();
     for size in [[0, 0], [0, 4], [4, 0], [u32::MAX, u32::MAX], [1_000_000, 1_000_000]] {
-        let error = Renderer::new(gpu, &stage.scene, size, &Settings::default()).err();
+        let error = Renderer::new(gpu, &test_scene.scene, size, &Settings::default()).err();
         let line = error.unwrap_or_else(|| panic!("{size:?} is accepted")).to_string();
         assert!(!line.contains('\n') && !line.is_empty(), "{line}");
     }

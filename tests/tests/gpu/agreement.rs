@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 use glimpse::{
     Method, Mip, Preset, Refine, Scene, Settings, probe::ProbeRay, reference::Reference, scene::builtin,
 };
-use glimpse_tests::{Stage, gallery, note};
+use glimpse_tests::{TestScene, gallery, note};
 
 /// Of pixels and rays these shares may be sensitive to rounding, and ties.
 const SHARES: [f64; 2] = [0.05, 0.005];
@@ -23,7 +23,7 @@ const EPSILON: f64 = 1.0 / 4_194_304.0;
 
 /// A scene on the device together with its f64 reference.
 struct Pair {
-    stage: Stage,
+    test_scene: TestScene,
     reference: Reference,
     size: [u32; 2],
     settings: Settings,
@@ -32,7 +32,7 @@ struct Pair {
 impl Pair {
     fn new(scene: Scene, size: [u32; 2], settings: Settings) -> Self {
         let reference = Reference::new(&scene).with_srgb(*srgb());
-        Self { stage: Stage::new(scene), reference, size, settings }
+        Self { test_scene: TestScene::new(scene), reference, size, settings }
     }
 }
 
@@ -40,7 +40,7 @@ impl Pair {
 pub(super) fn srgb() -> &'static [f64; 256] {
     static TABLE: OnceLock<[f64; 256]> = OnceLock::new();
     TABLE.get_or_init(|| {
-        let stage = Stage::new(gallery::greys());
+        let test_scene = TestScene::new(gallery::greys());
         let rays: Vec<_> = (0..256)
             .map(|i| ProbeRay {
                 origin: [i as f32 + 0.5, 0.5, 1.0],
@@ -49,7 +49,7 @@ pub(super) fn srgb() -> &'static [f64; 256] {
                 ..ProbeRay::default()
             })
             .collect();
-        let seen = rays::shade(&stage, &rays, &Settings::default());
+        let seen = rays::shade(&test_scene, &rays, &Settings::default());
         std::array::from_fn(|i| f64::from(seen[i].color[0]))
     })
 }
@@ -123,7 +123,7 @@ fn counting_changes_no_bit() {
         [Method::Full, Method::Adaptive, Method::Checkerboard, Method::Supersample, Method::Quincunx];
     let wishes = methods.map(|method| Settings { method, ..pair.settings });
     for settings in wishes.into_iter().chain([refined(&pair)]) {
-        pair.frames_with(settings).assert_same_uncounted(&pair.stage);
+        pair.frames_with(settings).assert_same_uncounted(&pair.test_scene);
     }
 }
 

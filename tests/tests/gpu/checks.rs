@@ -2,9 +2,9 @@
 //! tolerances; and where it has nothing to catch, or its tolerance is wide, every pixel passes.
 
 use glam::{Vec2, Vec3, vec2, vec3};
-use glimpse::{CHECK_NAMES, Camera, Inspection, Origin, Scene, Settings, Tolerances};
+use glimpse::{Camera, Check, Inspection, Origin, Scene, Settings, Tolerances};
 use glimpse_tests::{
-    Stage,
+    TestScene,
     builder::{Builder, front_camera, matte, mirror, unlit},
 };
 
@@ -14,11 +14,12 @@ const SIZE: [u32; 2] = [96, 64];
 const BORDER: f32 = 0.013;
 
 fn inspect(scene: Scene, tolerances: Tolerances) -> Inspection {
-    let inspection = Stage::new(scene).inspect(SIZE, &Settings { tolerances, ..Settings::default() });
-    let sums: Vec<u64> =
-        (0..7).map(|i| inspection.pixels.iter().filter(|p| p.failed >> i & 1 == 1).count() as u64).collect();
-    let f = inspection.counts.failed_checks;
-    assert_eq!(sums, [f.oid, f.pos, f.norm, f.convex, f.tex, f.shadow, f.gcol], "counters and pixels agree");
+    let inspection = TestScene::new(scene).inspect(SIZE, &Settings { tolerances, ..Settings::default() });
+    let sums = Check::ALL.map(|check| {
+        let pixels = inspection.pixels.iter().filter(|p| p.failed & check.bit() != 0);
+        (check.name(), pixels.count() as u64)
+    });
+    assert_eq!(sums, inspection.counts.failed_checks.labelled(), "counters and pixels agree");
     for pixel in &inspection.pixels {
         assert!(
             pixel.failed == 0 || matches!(pixel.origin, Origin::TracedA1 | Origin::TracedA2),
@@ -28,14 +29,26 @@ fn inspect(scene: Scene, tolerances: Tolerances) -> Inspection {
     inspection
 }
 
-fn only(check: &str, scene: Scene) {
-    let bit = CHECK_NAMES.iter().position(|name| *name == check).expect("a check's name");
-    let inspection = inspect(scene, Tolerances::default());
-    let caught = inspection.pixels.iter().filter(|p| p.failed == 1 << bit).count();
-    let other = inspection.pixels.iter().filter(|p| p.failed & !(1 << bit) != 0).count();
-    assert!(caught > 10, "{check} fails on {caught} pixels: {:?}", inspection.counts.failed_checks);
+/// A scene in which this check fails and no other does.
+fn scene_failing(check: Check) -> Scene {
+    match check {
+        Check::Oid => halves(2),
+        Check::Pos => floor(),
+        Check::Norm => ridge(),
+        Check::Convex => step(0.04),
+        Check::Tex => tiled(true),
+        Check::Shadow => shadow_edge(true),
+        Check::Gcol => mirrored_edge(),
+    }
+}
+
+fn only(check: Check) {
+    let inspection = inspect(scene_failing(check), Tolerances::default());
+    let caught = inspection.pixels.iter().filter(|p| p.failed == check.bit()).count();
+    let other = inspection.pixels.iter().filter(|p| p.failed & !check.bit() != 0).count();
+    assert!(caught > 10, "{check:?} fails on {caught} pixels: {:?}", inspection.counts.failed_checks);
     assert_eq!(other, 0, "other checks fail too: {:?}", inspection.counts.failed_checks);
-    assert!(caught < inspection.pixels.len() / 2, "{check} fails on {caught} pixels");
+    assert!(caught < inspection.pixels.len() / 2, "{check:?} fails on {caught} pixels");
 }
 
 fn none(scene: Scene, tolerances: Tolerances) {
@@ -56,7 +69,7 @@ fn halves(objects: u32) -> Scene {
 
 #[test]
 fn oid() {
-    only("oid", halves(2));
+    only(Check::Oid);
     none(halves(1), Tolerances::default());
 }
 
@@ -74,7 +87,7 @@ fn floor() -> Scene {
 
 #[test]
 fn pos() {
-    only("pos", floor());
+    only(Check::Pos);
     none(floor(), Tolerances { pos: f32::MAX, ..Tolerances::default() });
 }
 
@@ -90,7 +103,7 @@ fn ridge() -> Scene {
 
 #[test]
 fn norm() {
-    only("norm", ridge());
+    only(Check::Norm);
     none(ridge(), Tolerances { norm: -1.0, ..Tolerances::default() });
 }
 
@@ -105,7 +118,7 @@ fn step(height: f32) -> Scene {
 
 #[test]
 fn convex() {
-    only("convex", step(0.04));
+    only(Check::Convex);
     none(halves(1), Tolerances::default());
 }
 
@@ -126,7 +139,7 @@ fn tiled(repeats: bool) -> Scene {
 
 #[test]
 fn tex() {
-    only("tex", tiled(true));
+    only(Check::Tex);
     none(tiled(false), Tolerances::default());
     none(tiled(true), Tolerances { tex: 0.0, ..Tolerances::default() });
 }
@@ -144,7 +157,7 @@ fn shadow_edge(casts: bool) -> Scene {
 
 #[test]
 fn shadow() {
-    only("shadow", shadow_edge(true));
+    only(Check::Shadow);
     none(shadow_edge(false), Tolerances::default());
 }
 
@@ -161,6 +174,6 @@ fn mirrored_edge() -> Scene {
 
 #[test]
 fn gcol() {
-    only("gcol", mirrored_edge());
+    only(Check::Gcol);
     none(mirrored_edge(), Tolerances { gcol: f32::MAX, ..Tolerances::default() });
 }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use glam::{DVec3, Vec3, dvec3, vec3};
 use glimpse::{Camera, LinearImage, Method, Scene, Settings};
 use glimpse_tests::{
-    Stage,
+    TestScene,
     builder::{Builder, front_camera, glass, matte, mirror, unlit},
     full, pixel_ray,
 };
@@ -33,9 +33,9 @@ fn compare(image: &LinearImage, tolerance: f64, expected: impl Fn(u32, u32) -> O
 /// nobody treats stays black, however workgroups are dealt out.
 #[test]
 fn a_furnace_is_one_everywhere() {
-    let stage = Stage::builtin("furnace");
+    let test_scene = TestScene::builtin("furnace");
     for method in [Method::Full, Method::Adaptive, Method::Checkerboard] {
-        let image = stage.frame([621, 523], &Settings { method, ..Settings::default() });
+        let image = test_scene.frame([621, 523], &Settings { method, ..Settings::default() });
         for (x, y, pixel) in image.enumerate_pixels() {
             for channel in pixel.0 {
                 assert!((channel - 1.0).abs() <= 1e-5, "{method:?} ({x}, {y}): {:?}", pixel.0);
@@ -53,9 +53,9 @@ fn a_lit_sphere() {
     builder.sphere(object, Vec3::ZERO, 0.75);
     builder.point_light(light, intensity);
     let camera = front_camera();
-    let stage = Stage::new(builder.seen_by(camera));
+    let test_scene = TestScene::new(builder.seen_by(camera));
     let size = [64, 64];
-    compare(&stage.full(size), 1e-4, |x, y| {
+    compare(&test_scene.full(size), 1e-4, |x, y| {
         let (origin, direction) = pixel_ray(&camera, size, x, y);
         let b = -direction.dot(origin);
         let u = b * b - origin.length_squared() + 0.75 * 0.75;
@@ -94,7 +94,7 @@ fn dark_wall(ambient: Vec3, blocked: bool) -> Scene {
 #[test]
 fn shadow_is_exactly_black() {
     for blocked in [false, true] {
-        let image = Stage::new(dark_wall(Vec3::ZERO, blocked)).full([33, 25]);
+        let image = TestScene::new(dark_wall(Vec3::ZERO, blocked)).full([33, 25]);
         assert!(image.pixels().all(|p| p.0 == [0.0; 3]), "blocked: {blocked}");
     }
 }
@@ -103,7 +103,7 @@ fn shadow_is_exactly_black() {
 fn shadow_leaves_the_ambient_light() {
     let expected = dvec3(0.5, 0.25, 0.125) * 0.4;
     for blocked in [false, true] {
-        let image = Stage::new(dark_wall(Vec3::splat(0.4), blocked)).full([33, 25]);
+        let image = TestScene::new(dark_wall(Vec3::splat(0.4), blocked)).full([33, 25]);
         compare(&image, 1e-6, |_, _| Some(expected));
     }
 }
@@ -119,7 +119,7 @@ fn light_from_the_front_arrives() {
         falloff: true,
     };
     let size = [33, 25];
-    compare(&Stage::new(scene).full(size), 1e-4, |x, y| {
+    compare(&TestScene::new(scene).full(size), 1e-4, |x, y| {
         let (origin, direction) = pixel_ray(&camera, size, x, y);
         let point = origin - origin.z / direction.z * direction;
         let to_light = vec3(0.1, 0.2, 1.0).as_dvec3() - point;
@@ -144,7 +144,7 @@ fn a_mirror_shows_what_is_there() {
     builder.quad(screen, vec3(-0.7, 0.5, -3.0), 1.4 * Vec3::X, Vec3::Y);
     builder.environment(background, Vec3::ZERO);
     let camera = Camera::look_at(vec3(0.0, 1.0, 2.0), vec3(0.0, 0.0, -0.6), 0.7).unwrap();
-    let stage = Stage::new(builder.seen_by(camera));
+    let test_scene = TestScene::new(builder.seen_by(camera));
     let size = [64, 48];
     let at_panel = |origin: DVec3, direction: DVec3| {
         let t = (-3.0 - origin.z) / direction.z;
@@ -152,7 +152,7 @@ fn a_mirror_shows_what_is_there() {
         let inside = (0.7 - point.x.abs()).min(0.5 - (point.y - 1.0).abs());
         (t <= 0.0 || inside.abs() > 1e-4).then_some(t > 0.0 && inside > 0.0)
     };
-    compare(&stage.full(size), 1e-4, |x, y| {
+    compare(&test_scene.full(size), 1e-4, |x, y| {
         let (origin, direction) = pixel_ray(&camera, size, x, y);
         if at_panel(origin, direction)? {
             return Some(panel.as_dvec3());
@@ -195,7 +195,7 @@ fn glass_face(sign: f32) {
     let this_side = builder.object(unlit(Vec3::Z));
     builder.quad(this_side, vec3(-5e3, -5e3, 1.0), 1e4 * Vec3::Y, 1e4 * Vec3::X);
     let camera = Camera::look_at(vec3(0.0, 0.0, 0.5), vec3(0.35, 0.0, 0.0), 1.2).expect("a valid camera");
-    let stage = Stage::new(builder.seen_by(camera));
+    let test_scene = TestScene::new(builder.seen_by(camera));
     let size = [64, 48];
     let (from, to) = if sign < 0.0 { (INDEX, 1.0) } else { (1.0, INDEX) };
     let (mut partial, mut total) = (0, 0);
@@ -217,7 +217,7 @@ fn glass_face(sign: f32) {
     let expected: Vec<_> =
         (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (x, y))).map(|(x, y)| known(x, y)).collect();
     assert!(partial > 500 && (total > 500) == (sign < 0.0), "{partial} partial, {total} total reflections");
-    compare(&stage.full(size), 2e-4, |x, y| expected[(y * size[0] + x) as usize]);
+    compare(&test_scene.full(size), 2e-4, |x, y| expected[(y * size[0] + x) as usize]);
 }
 
 #[test]
@@ -241,10 +241,10 @@ fn recursion_ends_where_it_is_told_to() {
     builder.environment(Vec3::ZERO, Vec3::ONE);
     // Straight at the wall, so that the reflectance is 0.5 to many digits.
     let camera = Camera::look_at(vec3(0.0, 0.0, 2.0), Vec3::ZERO, 0.01).unwrap();
-    let stage = Stage::new(builder.seen_by(camera));
+    let test_scene = TestScene::new(builder.seen_by(camera));
     for depth in [1, 2, 3, 5, 12] {
         let settings = Settings { depth, ..full() };
-        let image = stage.frame([5, 5], &settings);
+        let image = test_scene.frame([5, 5], &settings);
         compare(&image, 1e-4, |_, _| Some(DVec3::splat(0.5_f64.powi(depth as i32))));
     }
 }

@@ -8,7 +8,7 @@ use glimpse::{
     probe::{Probe, ProbeRay, peak_gflops},
     scene::builtin,
 };
-use glimpse_tests::{Stage, assert_same};
+use glimpse_tests::{TestScene, assert_same};
 
 const SIZE: [u32; 2] = [160, 120];
 
@@ -119,7 +119,7 @@ fn threads_that_share_a_device_draw_the_same() {
 
 #[test]
 fn a_device_that_is_not_done_in_time_is_an_error() {
-    let gpu = device().with_patience(Duration::ZERO);
+    let gpu = device().with_timeout(Duration::ZERO);
     let (scene, camera) = upload(&gpu, "room");
     let settings = Settings { method: Method::Full, ..Settings::default() };
     let mut renderer = Renderer::new(&gpu, &scene, [1024, 1024], &settings).unwrap();
@@ -136,7 +136,7 @@ fn frames_in_several_submissions_are_whole() {
     let full = Settings { method: Method::Full, ..Settings::default() };
     let strict =
         Settings { tolerances: Tolerances { pos: 0.0, ..Tolerances::default() }, ..Settings::default() };
-    let cornell = Stage::builtin("cornell");
+    let cornell = TestScene::builtin("cornell");
     assert!(cornell.frame(size, &strict) == cornell.frame(size, &full), "bands and chunks differ");
     let counts = cornell.inspect(size, &strict).counts;
     assert_eq!(counts.rays.primary, u64::from(size[0] * size[1]), "each pixel once");
@@ -145,11 +145,11 @@ fn frames_in_several_submissions_are_whole() {
 /// The time of a pass spans its parts: those of a frame add up to it, but for the gaps between passes.
 #[test]
 fn times_of_passes_in_several_submissions_are_in_order() {
-    let stage = Stage::builtin("cornell");
+    let test_scene = TestScene::builtin("cornell");
     let gpu = glimpse_tests::gpu();
-    let mut renderer = Renderer::new(gpu, &stage.scene, [1051, 1003], &Settings::default()).unwrap();
-    renderer.render(&stage.camera).unwrap();
-    let time = renderer.render(&stage.camera).unwrap();
+    let mut renderer = Renderer::new(gpu, &test_scene.scene, [1051, 1003], &Settings::default()).unwrap();
+    renderer.render(&test_scene.camera).unwrap();
+    let time = renderer.render(&test_scene.camera).unwrap();
     if gpu.facts().timestamps {
         let names: Vec<_> = time.passes.iter().map(|pass| pass.name).collect();
         assert_eq!(names.len(), 7, "{names:?}");

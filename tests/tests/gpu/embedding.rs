@@ -7,7 +7,7 @@ use glimpse::{
     scene::builtin,
     wgpu::{self, TextureUsages},
 };
-use glimpse_tests::{Stage, gpu};
+use glimpse_tests::{TestScene, gpu};
 
 const SIZE: [u32; 2] = [96, 64];
 
@@ -30,10 +30,10 @@ fn settings(method: Method) -> Settings {
 
 /// What a renderer shows that has a device of its own and renders as many frames.
 fn rendered(method: Method, size: [u32; 2], frames: u32) -> DisplayImage {
-    let stage = Stage::builtin("cornell");
-    let mut renderer = Renderer::new(gpu(), &stage.scene, size, &settings(method)).expect("it compiles");
+    let test_scene = TestScene::builtin("cornell");
+    let mut renderer = Renderer::new(gpu(), &test_scene.scene, size, &settings(method)).expect("it compiles");
     for _ in 0..frames {
-        renderer.render(&stage.camera).expect("a frame");
+        renderer.render(&test_scene.camera).expect("a frame");
     }
     renderer.display_image().expect("a picture")
 }
@@ -55,16 +55,16 @@ fn frames_that_the_caller_submits_are_those_that_render_makes() {
 
 #[test]
 fn a_frame_of_paths_that_is_dropped_half_way_leaves_no_trace() {
-    let stage = Stage::builtin("cornell");
+    let test_scene = TestScene::builtin("cornell");
     let size = [1024, 768];
     let mut renderer =
-        Renderer::new(gpu(), &stage.scene, size, &settings(Method::Path)).expect("it compiles");
-    renderer.render(&stage.camera).expect("a frame");
-    let mut frame = renderer.frame(&stage.camera).expect("a frame");
+        Renderer::new(gpu(), &test_scene.scene, size, &settings(Method::Path)).expect("it compiles");
+    renderer.render(&test_scene.camera).expect("a frame");
+    let mut frame = renderer.frame(&test_scene.camera).expect("a frame");
     assert!(frame.len() > 1, "a frame of one submission cannot be given up");
     gpu().queue().submit(frame.next());
     drop(frame);
-    renderer.render(&stage.camera).expect("a frame");
+    renderer.render(&test_scene.camera).expect("a frame");
     assert_eq!(renderer.samples(), 1);
     assert!(renderer.display_image().expect("a picture") == rendered(Method::Path, size, 1));
 }

@@ -2,12 +2,12 @@
 
 use glam::{DVec3, Vec3};
 use glimpse::{
-    Crossing, Linking, Method, Renderer, Settings, Stopping,
-    reference::{Frame, Reference, Rounding},
+    Foveation, Method, Renderer, Settings, Specialize, StereoReuse,
+    reference::{Reference, ReferenceFrame, Rounding},
     scene::builtin,
 };
 use glimpse_tests::{
-    Stage,
+    TestScene,
     gallery::{orthographic, stereo},
     gpu, note, shared_scene,
 };
@@ -17,36 +17,36 @@ use super::agreement::srgb;
 /// An odd width: the right eye has one column less.
 const SIZE: [u32; 2] = [121, 40];
 
-fn settings(crossing: Crossing) -> Settings {
+fn settings(stereo_reuse: StereoReuse) -> Settings {
     let mut settings = Settings { method: Method::Vr, depth: 6, ..Settings::default() };
-    settings.paths.crossing = crossing;
+    settings.paths.stereo_reuse = stereo_reuse;
     (settings.paths.eye_distance, settings.paths.convergence) = (0.3, Some(2.5));
     settings
 }
 
 /// A frame of one sample, in linear radiance.
-fn frame(stage: &Stage, settings: &Settings, size: [u32; 2]) -> Vec<DVec3> {
-    let mut renderer = Renderer::new(gpu(), &stage.scene, size, settings).expect("a renderer");
-    let image = renderer.linear_image(&stage.camera).expect("a picture");
+fn frame(test_scene: &TestScene, settings: &Settings, size: [u32; 2]) -> Vec<DVec3> {
+    let mut renderer = Renderer::new(gpu(), &test_scene.scene, size, settings).expect("a renderer");
+    let image = renderer.linear_image(&test_scene.camera).expect("a picture");
     image.pixels().map(|pixel| DVec3::from(pixel.0.map(f64::from))).collect()
 }
 
 /// The same frame by the f64 reference.
-fn expected(frame: &Frame<'_>) -> Vec<DVec3> {
+fn expected(frame: &ReferenceFrame<'_>) -> Vec<DVec3> {
     let [width, height] = frame.size;
     let index = |[x, y]: [u32; 2]| (y * width + x) as usize;
     let (mut sums, mut counts) = (vec![DVec3::ZERO; index([0, height])], vec![1.0; index([0, height])]);
     for pixel in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
         let path = frame.path(pixel, 0, &mut Rounding::none());
         sums[index(pixel)] += path.own * path.radiance;
-        if let Some(landing) = path.landing {
-            sums[index(landing.pixel)] += landing.share * path.radiance;
-            counts[index(landing.pixel)] += 1.0;
+        if let Some(splat) = path.splat {
+            sums[index(splat.pixel)] += splat.share * path.radiance;
+            counts[index(splat.pixel)] += 1.0;
         }
     }
-    match frame.settings.paths.crossing {
-        Crossing::Paper => sums.into_iter().zip(counts).map(|(sum, count)| sum / count).collect(),
-        Crossing::Off | Crossing::Weighted => sums,
+    match frame.settings.paths.stereo_reuse {
+        StereoReuse::Paper => sums.into_iter().zip(counts).map(|(sum, count)| sum / count).collect(),
+        StereoReuse::Off | StereoReuse::Weighted => sums,
     }
 }
 
@@ -55,42 +55,48 @@ fn expected(frame: &Frame<'_>) -> Vec<DVec3> {
 fn a_sample_is_that_of_the_reference() {
     let scenes = [("stereo", stereo()), ("cornell", builtin("cornell").expect("built in"))];
     for (name, scene) in scenes {
-        let (reference, stage) = (Reference::new(&scene), Stage::new(scene));
-        for (crossing, stopping) in [
-            (Crossing::Weighted, Stopping::Off),
-            (Crossing::Weighted, Stopping::Compensated),
-            (Crossing::Paper, Stopping::Off),
+        let (reference, test_scene) = (Reference::new(&scene), TestScene::new(scene));
+        for (stereo_reuse, foveation) in [
+            (StereoReuse::Weighted, Foveation::Off),
+            (StereoReuse::Weighted, Foveation::Compensated),
+            (StereoReuse::Paper, Foveation::Off),
         ] {
-            let mut settings = settings(crossing);
-            settings.paths.stopping = stopping;
-            let found = frame(&stage, &settings, SIZE);
-            let right =
-                expected(&Frame { reference: &reference, camera: stage.camera, size: SIZE, settings });
+            let mut settings = settings(stereo_reuse);
+            settings.paths.foveation = foveation;
+            let found = frame(&test_scene, &settings, SIZE);
+            let right = expected(&ReferenceFrame {
+                reference: &reference,
+                camera: test_scene.camera,
+                size: SIZE,
+                settings,
+            });
             let differs = |(found, right): &(&DVec3, &DVec3)| {
                 (**found - **right).length() > 1e-3 * (right.length() + 0.01)
             };
             let wrong = found.iter().zip(&right).filter(differs).count() as f64 / found.len() as f64;
-            note(&format!("{name} {crossing:?}, stopping {stopping:?}: {wrong:.4} of the pixels differ"));
-            assert!(wrong < 0.03, "{name} {crossing:?}, stopping {stopping:?}: {wrong}");
+            note(&format!(
+                "{name} {stereo_reuse:?}, stopping {foveation:?}: {wrong:.4} of the pixels differ"
+            ));
+            assert!(wrong < 0.03, "{name} {stereo_reuse:?}, stopping {foveation:?}: {wrong}");
         }
     }
 }
 
 #[test]
 fn leaving_out_and_counting_change_nothing() {
-    let stage = Stage::new(stereo());
-    let auto = settings(Crossing::Weighted);
-    let all = Settings { features: Linking::All, ..auto };
-    assert!(frame(&stage, &auto, SIZE) == frame(&stage, &all, SIZE));
-    let make = || Renderer::new(gpu(), &stage.scene, SIZE, &auto).expect("a renderer");
+    let test_scene = TestScene::new(stereo());
+    let auto = settings(StereoReuse::Weighted);
+    let all = Settings { specialize: Specialize::All, ..auto };
+    assert!(frame(&test_scene, &auto, SIZE) == frame(&test_scene, &all, SIZE));
+    let make = || Renderer::new(gpu(), &test_scene.scene, SIZE, &auto).expect("a renderer");
     let (mut counting, mut plain) = (make(), make());
     for renderer in [&mut counting, &mut plain] {
-        renderer.render(&stage.camera).expect("a frame");
+        renderer.render(&test_scene.camera).expect("a frame");
     }
-    let rays = counting.inspect(&stage.camera).expect("counts").counts.rays;
+    let rays = counting.inspect(&test_scene.camera).expect("counts").counts.rays;
     assert_eq!(rays.primary, u64::from(SIZE[0] * SIZE[1]));
     for renderer in [&mut counting, &mut plain] {
-        renderer.render(&stage.camera).expect("a frame");
+        renderer.render(&test_scene.camera).expect("a frame");
     }
     let shown = |renderer: &Renderer| renderer.display_image().expect("a picture");
     assert!(shown(&counting) == shown(&plain));
@@ -99,8 +105,8 @@ fn leaving_out_and_counting_change_nothing() {
 /// One column, one pixel, eyes in one place, inside of what they look at, farther apart than the scene is wide.
 #[test]
 fn unusual_eyes_see_something_defined() {
-    let stage = Stage::new(stereo());
-    let usual = settings(Crossing::Weighted);
+    let test_scene = TestScene::new(stereo());
+    let usual = settings(StereoReuse::Weighted);
     let eyes = |distance, convergence| {
         let mut settings = usual;
         (settings.paths.eye_distance, settings.paths.convergence) = (distance, convergence);
@@ -114,26 +120,26 @@ fn unusual_eyes_see_something_defined() {
         (SIZE, eyes(1e4, None)),
         (SIZE, eyes(1e-30, Some(1e-20))),
     ] {
-        let found = frame(&stage, &settings, size);
+        let found = frame(&test_scene, &settings, size);
         assert!(
             found.iter().all(|c| c.is_finite() && c.min_element() >= 0.0),
             "{size:?} {:?}",
             settings.paths
         );
     }
-    let inside = stage.camera;
+    let inside = test_scene.camera;
     let inside = glimpse::Camera { origin: Vec3::new(0.0, -0.32, 0.2), ..inside };
-    let stage = Stage { camera: inside, ..stage };
-    let found = frame(&stage, &usual, SIZE);
+    let test_scene = TestScene { camera: inside, ..test_scene };
+    let found = frame(&test_scene, &usual, SIZE);
     assert!(found.iter().all(|c| c.is_finite() && c.min_element() >= 0.0));
 }
 
 #[test]
 fn an_orthographic_camera_has_no_eyes() {
-    let stage = Stage::new(orthographic());
+    let test_scene = TestScene::new(orthographic());
     let mut renderer =
-        Renderer::new(gpu(), &stage.scene, SIZE, &settings(Crossing::Weighted)).expect("a renderer");
-    let error = renderer.render(&stage.camera).expect_err("no eyes").to_string();
+        Renderer::new(gpu(), &test_scene.scene, SIZE, &settings(StereoReuse::Weighted)).expect("a renderer");
+    let error = renderer.render(&test_scene.camera).expect_err("no eyes").to_string();
     assert!(error.contains("method vr") && error.contains("orthographic"), "{error}");
 }
 
@@ -180,23 +186,24 @@ fn means_of_the_paper_s_scenes_are_the_reference_s() {
         let mut settings = Settings { method: Method::Vr, depth: 6, ..Settings::default() };
         settings.paths.samples = SAMPLES;
         let reference = Reference::new(&scene).with_wide_tree().with_srgb(*srgb());
-        let stage = Stage::new(scene);
+        let test_scene = TestScene::new(scene);
         let pixels: Vec<_> = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| [x, y])).collect();
         let expected = Batches::of(BATCHES, |batch| {
             let settings = Settings { seed: BATCHES + batch, ..settings };
-            let frame = Frame { reference: &reference, camera: stage.camera, size: SIZE, settings };
+            let frame =
+                ReferenceFrame { reference: &reference, camera: test_scene.camera, size: SIZE, settings };
             let path = |pixel, sample| frame.path(pixel, sample, &mut Rounding::none()).radiance;
             let mean = |pixel: &[u32; 2]| (0..SAMPLES).map(|sample| path(*pixel, sample)).sum::<DVec3>();
             pixels.iter().map(|pixel| mean(pixel) / f64::from(SAMPLES)).collect()
         });
 
-        settings.paths.crossing = Crossing::Weighted;
-        (settings.paths.stopping, settings.paths.gaze) = (Stopping::Compensated, [0.3, 0.6]);
-        let mut renderer = Renderer::new(gpu(), &stage.scene, SIZE, &settings).expect("a renderer");
+        settings.paths.stereo_reuse = StereoReuse::Weighted;
+        (settings.paths.foveation, settings.paths.gaze) = (Foveation::Compensated, [0.3, 0.6]);
+        let mut renderer = Renderer::new(gpu(), &test_scene.scene, SIZE, &settings).expect("a renderer");
         let found = Batches::of(BATCHES, |seed| {
             renderer.change(SIZE, &Settings { seed, ..settings }).expect("the same kernels");
-            (0..SAMPLES).for_each(|_| drop(renderer.render(&stage.camera).expect("a frame")));
-            let image = renderer.linear_image(&stage.camera).expect("a picture");
+            (0..SAMPLES).for_each(|_| drop(renderer.render(&test_scene.camera).expect("a frame")));
+            let image = renderer.linear_image(&test_scene.camera).expect("a picture");
             image.pixels().map(|pixel| DVec3::from(pixel.0.map(f64::from))).collect()
         });
         let pairs = found.means().zip(expected.means());

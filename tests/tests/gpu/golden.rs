@@ -1,13 +1,13 @@
 //! Golden frames of the built-in scenes (see `glimpse_tests::golden`).
 
 use glimpse::{Method, Settings};
-use glimpse_tests::{Stage, golden::Goldens, gpu};
+use glimpse_tests::{TestScene, golden::Goldens, gpu};
 
 const SIZE: [u32; 2] = [128, 96];
 
 fn check(scene: &str, method: Method) {
     let settings = Settings { method, ..Settings::default() };
-    let shown = Stage::builtin(scene).shown(SIZE, &settings);
+    let shown = TestScene::builtin(scene).shown(SIZE, &settings);
     let name = format!("{scene}-{}", if method == Method::Full { "full" } else { "adaptive" });
     if let Err(error) = Goldens::of_project(&gpu().facts().info).check(&name, &shown) {
         panic!("{error}");

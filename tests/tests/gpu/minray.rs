@@ -2,7 +2,7 @@
 
 use glimpse::{Method, Settings};
 use glimpse_tests::{
-    Stage,
+    TestScene,
     minray::{LEVELS, SIZE, at_edge, picture},
     note,
 };
@@ -16,7 +16,7 @@ const MAX_EDGE_PIXELS: usize = 3;
 #[test]
 fn the_picture_is_heckberts() {
     let settings = Settings { method: Method::Full, depth: LEVELS, min_weight: 0.0, ..Settings::default() };
-    let frame = Stage::builtin("minray").frame([SIZE, SIZE], &settings);
+    let frame = TestScene::builtin("minray").frame([SIZE, SIZE], &settings);
     let expected = picture();
     let (mut off, mut worst, mut wrong) = (Vec::new(), 0.0_f64, Vec::new());
     for (x, y, pixel) in frame.enumerate_pixels() {

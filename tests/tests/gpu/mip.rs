@@ -7,7 +7,7 @@ use glimpse::{
     scene::{Image8, Material, Texture, Wrap},
 };
 use glimpse_tests::{
-    Stage, assert_same,
+    TestScene, assert_same,
     builder::{Builder, front_camera, matte, mirror, unlit},
     gallery, note,
 };
@@ -31,10 +31,10 @@ fn checkered(b: &mut Builder, quad: [Vec3; 3], repeats: f32) {
 
 /// How far frames are from 256 samples a pixel of the texture itself, without averages and with them.
 fn errors(what: &str, scene: Scene) -> [f64; 2] {
-    let stage = Stage::new(scene);
-    let truth = stage.shown(SIZE, &Settings { sampling: 16, ..settings(Mip::Off) });
+    let test_scene = TestScene::new(scene);
+    let truth = test_scene.shown(SIZE, &Settings { sampling: 16, ..settings(Mip::Off) });
     let errors = Mip::ALL.map(|mip| {
-        let shown = stage.shown(SIZE, &settings(mip));
+        let shown = test_scene.shown(SIZE, &settings(mip));
         rmse(&shown, &truth).expect("the same size")
     });
     note(&format!("{what}: RMSE {:.2} without averages, {:.2} with them", errors[0], errors[1]));
@@ -59,7 +59,7 @@ fn a_floor_that_reaches_far_does_not_alias() {
 fn far_away_a_checkerboard_is_grey() {
     let mut b = Builder::new();
     checkered(&mut b, [vec3(-4.0, -4.0, 0.0), 8.0 * Vec3::X, 8.0 * Vec3::Y], 1501.0);
-    let frame = Stage::new(b.seen_by(front_camera())).frame(SIZE, &settings(Mip::On));
+    let frame = TestScene::new(b.seen_by(front_camera())).frame(SIZE, &settings(Mip::On));
     // sRGB has no closer byte.
     assert!(frame.as_raw().iter().all(|c| (c - 0.5).abs() < 0.004), "{:?}", &frame.as_raw()[..9]);
 }
@@ -93,9 +93,9 @@ fn what_a_ball_shows_small_does_not_alias() {
 }
 
 fn assert_unchanged(what: &str, scene: Scene) {
-    let stage = Stage::new(scene);
+    let test_scene = TestScene::new(scene);
     for method in [Method::Full, Method::Adaptive] {
-        let [off, on] = Mip::ALL.map(|mip| stage.frame(SIZE, &Settings { method, ..settings(mip) }));
+        let [off, on] = Mip::ALL.map(|mip| test_scene.frame(SIZE, &Settings { method, ..settings(mip) }));
         assert_same(&off, &on, &format!("{what}, {method:?}"));
     }
 }
@@ -125,7 +125,7 @@ fn without_textures_nothing_changes() {
 #[test]
 fn every_average_is_a_number() {
     for scene in [gallery::textures(), gallery::lenses(), floor()] {
-        let frame = Stage::new(scene).frame([33, 21], &settings(Mip::On));
+        let frame = TestScene::new(scene).frame([33, 21], &settings(Mip::On));
         assert!(frame.as_raw().iter().all(|c| c.is_finite() && *c >= 0.0));
     }
 }

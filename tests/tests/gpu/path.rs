@@ -2,12 +2,13 @@
 
 use glam::{DVec3, Vec3, vec3};
 use glimpse::{
-    Direct, LinearImage, Linking, Method, Renderer, Roulette, Sampler, Settings, Shining, Stopping,
-    reference::{Frame, Reference, Rounding},
+    DirectLight, Foveation, LightSelection, LinearImage, Method, Renderer, Roulette, Sampler, Settings,
+    Specialize,
+    reference::{Reference, ReferenceFrame, Rounding},
     scene::builtin,
 };
 use glimpse_tests::{
-    Stage,
+    TestScene,
     builder::{Builder, flattened, front_camera, matte},
     gpu, note,
 };
@@ -28,14 +29,14 @@ fn with(change: impl FnOnce(&mut glimpse::Paths)) -> Settings {
 }
 
 /// The mean of this many samples of each pixel.
-fn mean(stage: &Stage, settings: &Settings, samples: u32) -> LinearImage {
-    let mut renderer = Renderer::new(gpu(), &stage.scene, SIZE, settings).expect("a renderer");
+fn mean(test_scene: &TestScene, settings: &Settings, samples: u32) -> LinearImage {
+    let mut renderer = Renderer::new(gpu(), &test_scene.scene, SIZE, settings).expect("a renderer");
     // A picture of nothing yet has one.
     for _ in 0..if samples > 1 { samples } else { 0 } {
-        renderer.render(&stage.camera).expect("a frame");
+        renderer.render(&test_scene.camera).expect("a frame");
     }
     assert_eq!(renderer.samples(), samples);
-    renderer.linear_image(&stage.camera).expect("a picture")
+    renderer.linear_image(&test_scene.camera).expect("a picture")
 }
 
 fn color(image: &LinearImage, [x, y]: [u32; 2]) -> DVec3 {
@@ -52,22 +53,23 @@ fn pixels() -> impl Iterator<Item = [u32; 2]> {
 fn a_sample_is_that_of_the_reference() {
     let ways = [
         with(|_| {}),
-        with(|paths| (paths.direct, paths.sampler) = (Direct::Walk, Sampler::Random)),
-        with(|paths| (paths.direct, paths.light_samples) = (Direct::Light, 3)),
-        Settings { depth: 6, ..with(|p| (p.shining, p.roulette) = (Shining::Emitters, Roulette::Off)) },
-        with(|paths| paths.shining = Shining::Punctual),
-        with(|paths| (paths.stopping, paths.gaze) = (Stopping::Compensated, [0.2, 0.9])),
-        with(|paths| (paths.stopping, paths.gaze) = (Stopping::Paper, [2.0, -1.0])),
+        with(|paths| (paths.direct_light, paths.sampler) = (DirectLight::Bsdf, Sampler::Random)),
+        with(|paths| (paths.direct_light, paths.light_samples) = (DirectLight::Nee, 3)),
+        Settings { depth: 6, ..with(|p| (p.lights, p.roulette) = (LightSelection::Emitters, Roulette::Off)) },
+        with(|paths| paths.lights = LightSelection::Punctual),
+        with(|paths| (paths.foveation, paths.gaze) = (Foveation::Compensated, [0.2, 0.9])),
+        with(|paths| (paths.foveation, paths.gaze) = (Foveation::Paper, [2.0, -1.0])),
     ];
     // Texels' weights have few bits in f32, and a path meets several.
     for (name, tolerance, ways) in
         [("cornell", 1e-3, &ways[..]), ("room", 1e-2, &ways[..2]), ("minray", 1e-3, &ways[4..5])]
     {
         let scene = builtin(name).expect("built in");
-        let (reference, stage) = (Reference::new(&scene).with_srgb(*srgb()), Stage::new(scene));
+        let (reference, test_scene) = (Reference::new(&scene).with_srgb(*srgb()), TestScene::new(scene));
         for &settings in ways {
-            let found = mean(&stage, &settings, 1);
-            let frame = Frame { reference: &reference, camera: stage.camera, size: SIZE, settings };
+            let found = mean(&test_scene, &settings, 1);
+            let frame =
+                ReferenceFrame { reference: &reference, camera: test_scene.camera, size: SIZE, settings };
             let differs = |&pixel: &[u32; 2]| {
                 let right = frame.path(pixel, 0, &mut Rounding::none()).radiance;
                 let found = color(&found, pixel);
@@ -89,11 +91,12 @@ fn the_mean_is_that_of_the_reference() {
     const BLOCKS: [u32; 2] = [5, 3];
     for name in ["cornell", "room"] {
         let scene = builtin(name).expect("built in");
-        let (reference, stage) = (Reference::new(&scene).with_srgb(*srgb()), Stage::new(scene));
+        let (reference, test_scene) = (Reference::new(&scene).with_srgb(*srgb()), TestScene::new(scene));
         let random = with(|paths| paths.sampler = Sampler::Random);
-        let found = mean(&stage, &random, SAMPLES);
+        let found = mean(&test_scene, &random, SAMPLES);
         let other = Settings { seed: 1, ..random };
-        let frame = Frame { reference: &reference, camera: stage.camera, size: SIZE, settings: other };
+        let frame =
+            ReferenceFrame { reference: &reference, camera: test_scene.camera, size: SIZE, settings: other };
         let mut blocks = [[0.0_f64; 2]; (BLOCKS[0] * BLOCKS[1]) as usize];
         for pixel in pixels() {
             let samples: Vec<f64> = (0..SAMPLES)
@@ -117,9 +120,10 @@ fn the_mean_is_that_of_the_reference() {
 /// Bent normals lose what comes from below the face, and rays to emitters bring as much in the mean alone.
 #[test]
 fn in_a_furnace_every_path_brings_the_same() {
-    let stage = Stage::new(flattened(builtin("furnace").expect("built in")));
+    let test_scene = TestScene::new(flattened(builtin("furnace").expect("built in")));
     for roulette in Roulette::ALL {
-        let image = mean(&stage, &with(|p| (p.direct, p.roulette) = (Direct::Walk, roulette)), 3);
+        let image =
+            mean(&test_scene, &with(|p| (p.direct_light, p.roulette) = (DirectLight::Bsdf, roulette)), 3);
         let off = image.as_raw().iter().map(|v| (v - 1.0).abs()).fold(0.0, f32::max);
         assert!(off <= 1e-5, "{roulette:?}: {off}");
     }
@@ -127,40 +131,41 @@ fn in_a_furnace_every_path_brings_the_same() {
 
 #[test]
 fn samples_add_up_while_the_camera_rests() {
-    let stage = Stage::builtin("cornell");
-    let make = || Renderer::new(gpu(), &stage.scene, SIZE, &with(|p| p.samples = 3)).expect("a renderer");
+    let test_scene = TestScene::builtin("cornell");
+    let make =
+        || Renderer::new(gpu(), &test_scene.scene, SIZE, &with(|p| p.samples = 3)).expect("a renderer");
     let shown = |renderer: &Renderer| renderer.display_image().expect("a picture");
     let mut renderer = make();
     let mut first = Vec::new();
     for samples in 1..=3 {
         assert!(!renderer.is_settled());
-        renderer.render(&stage.camera).expect("a frame");
+        renderer.render(&test_scene.camera).expect("a frame");
         assert_eq!(renderer.samples(), samples);
         first.push(shown(&renderer));
         // Counting changes nothing.
-        let counts = renderer.inspect(&stage.camera).expect("counts").counts;
+        let counts = renderer.inspect(&test_scene.camera).expect("counts").counts;
         assert_eq!(counts.rays.primary, u64::from(SIZE[0] * SIZE[1]));
         assert!(counts.rays.diffuse > 0 && counts.rays.total > counts.rays.primary + counts.rays.diffuse);
     }
     assert!(renderer.is_settled());
     assert!(first[0] != first[1] && first[1] != first[2]);
-    let elsewhere = stage.camera.panned(3.0);
+    let elsewhere = test_scene.camera.panned(3.0);
     renderer.render(&elsewhere).expect("a frame");
     assert_eq!((renderer.samples(), renderer.is_settled()), (1, false));
     let mut fresh = make();
     fresh.render(&elsewhere).expect("a frame");
     assert!(shown(&renderer) == shown(&fresh), "nothing of the other view is left");
-    renderer.render(&stage.camera).expect("a frame");
+    renderer.render(&test_scene.camera).expect("a frame");
     assert!(shown(&renderer) == first[0], "the same numbers again");
 }
 
 #[test]
 fn leaving_out_changes_nothing() {
-    let stopping = with(|paths| paths.stopping = Stopping::Compensated);
-    for (name, settings) in [("cornell", stopping), ("room", settings()), ("minray", settings())] {
-        let stage = Stage::builtin(name);
-        let auto = mean(&stage, &settings, 1);
-        let all = mean(&stage, &Settings { features: Linking::All, ..settings }, 1);
+    let foveation = with(|paths| paths.foveation = Foveation::Compensated);
+    for (name, settings) in [("cornell", foveation), ("room", settings()), ("minray", settings())] {
+        let test_scene = TestScene::builtin(name);
+        let auto = mean(&test_scene, &settings, 1);
+        let all = mean(&test_scene, &Settings { specialize: Specialize::All, ..settings }, 1);
         assert!(auto.as_raw() == all.as_raw(), "{name}");
     }
 }
@@ -171,11 +176,15 @@ fn without_light_it_is_dark() {
     let mut builder = Builder::new();
     let wall = builder.object(matte(Vec3::splat(0.8)));
     builder.quad(wall, vec3(-6.0, -4.0, -4.0), 12.0 * Vec3::X, 8.0 * Vec3::Y);
-    let stage = Stage::new(builder.seen_by(front_camera()));
-    for direct in Direct::ALL {
-        for shining in Shining::ALL {
-            let image = mean(&stage, &with(|paths| (paths.direct, paths.shining) = (direct, shining)), 1);
-            assert!(image.as_raw().iter().all(|v| *v == 0.0), "{direct:?} {shining:?}");
+    let test_scene = TestScene::new(builder.seen_by(front_camera()));
+    for direct_light in DirectLight::ALL {
+        for lights in LightSelection::ALL {
+            let image = mean(
+                &test_scene,
+                &with(|paths| (paths.direct_light, paths.lights) = (direct_light, lights)),
+                1,
+            );
+            assert!(image.as_raw().iter().all(|v| *v == 0.0), "{direct_light:?} {lights:?}");
         }
     }
 }

@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 use glam::{Vec3, vec3};
 use glimpse::{
     DisplayImage, Inspection, Method, Origin, Postcorrect, Scene, Settings, Tolerances,
-    reference::{Frame, Reference},
+    reference::{Reference, ReferenceFrame},
 };
 use glimpse_tests::{
-    Stage,
+    TestScene,
     builder::{Builder, front_camera, matte, unlit},
 };
 
@@ -87,11 +87,11 @@ fn connected(all: &Pixels, from: &Pixels) -> Pixels {
 
 #[test]
 fn a_wire_that_is_lost_in_parts_comes_back() {
-    let stage = Stage::new(wire());
+    let test_scene = TestScene::new(wire());
     let full =
-        with_object(&stage.inspect(SIZE, &Settings { method: Method::Full, ..Settings::default() }), 1);
+        with_object(&test_scene.inspect(SIZE, &Settings { method: Method::Full, ..Settings::default() }), 1);
     for block in [2, 4] {
-        let seen = |postcorrect| stage.inspect(SIZE, &Settings { block, ..settings(postcorrect) });
+        let seen = |postcorrect| test_scene.inspect(SIZE, &Settings { block, ..settings(postcorrect) });
         let without = with_object(&seen(Postcorrect::Off), 1);
         assert!(10 * without.len() < 9 * full.len(), "block {block}: {} of {}", without.len(), full.len());
         let reachable = connected(&full, &without);
@@ -119,9 +119,9 @@ fn confetti() -> Scene {
 }
 
 #[test]
-fn what_lies_between_the_samples_as_a_whole_is_found_by_its_landmarks() {
-    let stage = Stage::new(confetti());
-    let seen = |settings: &Settings| with_object(&stage.inspect(SIZE, settings), 1);
+fn what_lies_between_the_samples_as_a_whole_is_found_by_its_probe_points() {
+    let test_scene = TestScene::new(confetti());
+    let seen = |settings: &Settings| with_object(&test_scene.inspect(SIZE, settings), 1);
     let full = seen(&Settings { method: Method::Full, ..Settings::default() });
     assert_eq!(full.len(), 20, "each is one pixel");
     for block in [2, 8] {
@@ -133,10 +133,10 @@ fn what_lies_between_the_samples_as_a_whole_is_found_by_its_landmarks() {
 
 #[test]
 fn a_missing_shadow_is_found_by_its_bits_alone() {
-    let stage = Stage::new(thin_shadow());
-    let full = stage.full(SIZE);
+    let test_scene = TestScene::new(thin_shadow());
+    let full = test_scene.full(SIZE);
     let full = glimpse::encode_display(&full);
-    let picture = |postcorrect| stage.shown(SIZE, &settings(postcorrect));
+    let picture = |postcorrect| test_scene.shown(SIZE, &settings(postcorrect));
     let [off, objects, on] = [Postcorrect::Off, Postcorrect::Objects, Postcorrect::On].map(picture);
     let lost = differing(&off, &full);
     assert!(lost > 20, "{lost} pixels of the shadow are lost");
@@ -149,10 +149,10 @@ fn a_missing_shadow_is_found_by_its_bits_alone() {
 fn where_everything_is_traced_nothing_is_corrected() {
     let strict = Tolerances { pos: 0.0, ..Tolerances::default() };
     for scene in [wire(), thin_shadow()] {
-        let stage = Stage::new(scene);
+        let test_scene = TestScene::new(scene);
         let frame =
-            |postcorrect| stage.frame(SIZE, &Settings { tolerances: strict, ..settings(postcorrect) });
-        let full = stage.frame(SIZE, &Settings { method: Method::Full, ..Settings::default() });
+            |postcorrect| test_scene.frame(SIZE, &Settings { tolerances: strict, ..settings(postcorrect) });
+        let full = test_scene.frame(SIZE, &Settings { method: Method::Full, ..Settings::default() });
         for postcorrect in [Postcorrect::On, Postcorrect::Scans] {
             assert!(frame(postcorrect).as_raw() == full.as_raw(), "{postcorrect:?}");
         }
@@ -164,15 +164,15 @@ fn where_everything_is_traced_nothing_is_corrected() {
 fn it_is_the_least_set_that_is_closed() {
     for scene in [wire(), thin_shadow()] {
         let reference = Reference::new(&scene);
-        let stage = Stage::new(scene);
+        let test_scene = TestScene::new(scene);
         for block in [2, 4, 8] {
             let settings = |postcorrect| Settings { block, ..settings(postcorrect) };
-            let before = stage.inspect(SIZE, &settings(Postcorrect::Off));
-            let again = |postcorrect| corrected(&stage.inspect(SIZE, &settings(postcorrect)));
+            let before = test_scene.inspect(SIZE, &settings(Postcorrect::Off));
+            let again = |postcorrect| corrected(&test_scene.inspect(SIZE, &settings(postcorrect)));
             let found = again(Postcorrect::On);
-            let frame = Frame {
+            let frame = ReferenceFrame {
                 reference: &reference,
-                camera: stage.camera,
+                camera: test_scene.camera,
                 size: SIZE,
                 settings: settings(Postcorrect::On),
             };
@@ -190,9 +190,9 @@ fn it_is_the_least_set_that_is_closed() {
 #[test]
 fn nothing_is_left_behind() {
     for name in ["room", "cornell", "minray", "wires"] {
-        let stage = Stage::builtin(name);
+        let test_scene = TestScene::builtin(name);
         for block in [2, 8] {
-            let inspection = stage.inspect([256, 160], &Settings { block, ..settings(Postcorrect::On) });
+            let inspection = test_scene.inspect([256, 160], &Settings { block, ..settings(Postcorrect::On) });
             assert_eq!(inspection.uncorrected, 0, "{name}, block {block}");
             assert!(inspection.counts.samples.postcorrected > 0, "{name}, block {block}");
         }
@@ -216,9 +216,9 @@ fn a_long_way_is_followed_to_its_end() {
         vec3(4.0 * PIXEL, 0.0, 0.0),
         1.9 * PIXEL * Vec3::Y,
     );
-    let stage = Stage::new(builder.seen_by(front_camera()));
+    let test_scene = TestScene::new(builder.seen_by(front_camera()));
     let count = |settings: Settings| {
-        let inspection = stage.inspect(size, &settings);
+        let inspection = test_scene.inspect(size, &settings);
         assert_eq!(inspection.uncorrected, 0);
         inspection.pixels.iter().filter(|p| p.object == Some(wire)).count()
     };

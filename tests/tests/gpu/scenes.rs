@@ -1,7 +1,7 @@
 //! The shared scenes, where they are: each loads, and a small adaptive frame of it shows something.
 
 use glimpse::Settings;
-use glimpse_tests::{Stage, note, shared_scene};
+use glimpse_tests::{TestScene, note, shared_scene};
 
 const FILES: [&str; 4] =
     ["japanese_classroom.glb", "coffee_maker.glb", "vr_bunny.glb", "contemporary_bathroom.glb"];
@@ -10,13 +10,13 @@ const FILES: [&str; 4] =
 fn small_frames_of_shared_scenes() {
     for file in FILES {
         let Some(scene) = shared_scene(file) else { continue };
-        let stage = Stage::new(scene);
+        let test_scene = TestScene::new(scene);
         let size = [96, 54];
-        let frame = stage.frame(size, &Settings::default());
+        let frame = test_scene.frame(size, &Settings::default());
         let lit = frame.pixels().filter(|p| p.0.iter().any(|v| *v > 0.0)).count();
         assert!(frame.as_raw().iter().all(|v| v.is_finite() && *v >= 0.0), "{file}");
         assert!(lit * 4 > frame.pixels().count(), "{file}: {lit} pixels are not black");
-        let ratio = stage.inspect(size, &Settings::default()).counts.rt_ratio();
+        let ratio = test_scene.inspect(size, &Settings::default()).counts.rt_ratio();
         note(&format!("{file}: RT ratio {ratio:.3} at {size:?}"));
         assert!((0.25..=1.0).contains(&ratio), "{file}: RT ratio {ratio}");
     }

@@ -6,7 +6,7 @@ use glimpse::{
     metrics::{psnr_db, rmse},
 };
 use glimpse_tests::{
-    Stage,
+    TestScene,
     builder::{Builder, front_camera, mirror, unlit},
     gpu, note,
 };
@@ -15,7 +15,7 @@ use glimpse_tests::{
 const SIZE: [u32; 2] = [150, 90];
 
 fn settings(method: Method, share: f32) -> Settings {
-    Settings { method, share, ..Settings::default() }
+    Settings { method, refresh_fraction: share, ..Settings::default() }
 }
 
 /// A sequence, and the frames of `full` beside it.
@@ -25,8 +25,8 @@ struct Pair {
 }
 
 impl Pair {
-    fn new(stage: &Stage, method: Method, share: f32) -> Self {
-        let make = |settings| Renderer::new(gpu(), &stage.scene, SIZE, &settings).expect("a renderer");
+    fn new(test_scene: &TestScene, method: Method, share: f32) -> Self {
+        let make = |settings| Renderer::new(gpu(), &test_scene.scene, SIZE, &settings).expect("a renderer");
         Self { renderer: make(settings(method, share)), full: make(settings(Method::Full, share)) }
     }
 
@@ -78,14 +78,14 @@ fn moved(camera: &Camera, by: Vec3) -> Camera {
 #[test]
 fn the_first_frame_is_full() {
     for scene in ["room", "cornell"] {
-        let stage = Stage::builtin(scene);
+        let test_scene = TestScene::builtin(scene);
         for method in [Method::Frameless, Method::Reproject] {
-            let mut pair = Pair::new(&stage, method, 0.1);
-            let [found, right] = pair.frame(&stage.camera);
+            let mut pair = Pair::new(&test_scene, method, 0.1);
+            let [found, right] = pair.frame(&test_scene.camera);
             assert!(found == right, "{scene} {method:?}");
-            let counts = pair.counted(&stage.camera).counts;
+            let counts = pair.counted(&test_scene.camera).counts;
             assert_eq!(counts.rt_ratio(), 1.0, "{scene} {method:?}");
-            assert_eq!(counts.rays, pair.full.inspect(&stage.camera).expect("counts").counts.rays);
+            assert_eq!(counts.rays, pair.full.inspect(&test_scene.camera).expect("counts").counts.rays);
         }
     }
 }
@@ -93,13 +93,13 @@ fn the_first_frame_is_full() {
 /// The promise: the camera jumps, and after so many frames nothing that is shown is older than that.
 #[test]
 fn no_pixel_is_older_than_the_share_promises() {
-    let stage = Stage::builtin("room");
-    let other = moved(&stage.camera, vec3(0.5, 0.3, -0.4)).panned(20.0);
+    let test_scene = TestScene::builtin("room");
+    let other = moved(&test_scene.camera, vec3(0.5, 0.3, -0.4)).panned(20.0);
     for share in [0.1_f32, 0.3] {
-        let mut pair = Pair::new(&stage, Method::Frameless, share);
-        let [before, _] = pair.frame(&stage.camera);
+        let mut pair = Pair::new(&test_scene, Method::Frameless, share);
+        let [before, _] = pair.frame(&test_scene.camera);
         let promised = (1.0 / share).ceil() as usize;
-        let mut renewed = vec![false; before.pixels().len()];
+        let mut refreshed = vec![false; before.pixels().len()];
         for frame in 1..=promised {
             let [found, right] = pair.frame(&other);
             let inspection = pair.counted(&other);
@@ -107,10 +107,10 @@ fn no_pixel_is_older_than_the_share_promises() {
             let [new, old] = [equal_pixels(&found, &right), equal_pixels(&found, &before)];
             let mut again = 0;
             for (index, traced) in traced.iter().enumerate() {
-                again += u32::from(renewed[index] && *traced);
-                renewed[index] |= traced;
+                again += u32::from(refreshed[index] && *traced);
+                refreshed[index] |= traced;
                 // Either view may happen to show the same.
-                assert!(if renewed[index] { new[index] } else { old[index] }, "{share} {frame} {index}");
+                assert!(if refreshed[index] { new[index] } else { old[index] }, "{share} {frame} {index}");
             }
             assert!(frame == promised || again == 0, "{share} {frame}: {again} pixels twice");
             let samples = inspection.counts.samples;
@@ -127,12 +127,12 @@ fn no_pixel_is_older_than_the_share_promises() {
 /// Counting repeats the last frame: what follows is as if it had not been.
 #[test]
 fn counting_changes_nothing() {
-    let stage = Stage::builtin("cornell");
+    let test_scene = TestScene::builtin("cornell");
     for method in [Method::Frameless, Method::Reproject] {
-        let mut counted = Pair::new(&stage, method, 0.2);
-        let mut plain = Pair::new(&stage, method, 0.2);
+        let mut counted = Pair::new(&test_scene, method, 0.2);
+        let mut plain = Pair::new(&test_scene, method, 0.2);
         for frame in 0..4 {
-            let camera = stage.camera.panned(0.4 * f64::from(frame));
+            let camera = test_scene.camera.panned(0.4 * f64::from(frame));
             let [found, _] = counted.frame(&camera);
             let once = counted.counted(&camera);
             assert_eq!(once.counts, counted.counted(&camera).counts, "{method:?} {frame}");
@@ -145,13 +145,13 @@ fn counting_changes_nothing() {
 #[test]
 fn at_rest_reprojection_shows_the_same_and_traces_its_share() {
     for scene in ["room", "cornell"] {
-        let stage = Stage::builtin(scene);
-        let mut pair = Pair::new(&stage, Method::Reproject, 0.1);
+        let test_scene = TestScene::builtin(scene);
+        let mut pair = Pair::new(&test_scene, Method::Reproject, 0.1);
         for frame in 0..14 {
-            let [found, right] = pair.frame(&stage.camera);
+            let [found, right] = pair.frame(&test_scene.camera);
             assert!(found == right, "{scene} {frame}");
             if frame > 0 {
-                let share = pair.counted(&stage.camera).counts.rt_ratio();
+                let share = pair.counted(&test_scene.camera).counts.rt_ratio();
                 assert!((0.09..0.12).contains(&share), "{scene} {frame}: {share}");
             }
         }
@@ -161,12 +161,12 @@ fn at_rest_reprojection_shows_the_same_and_traces_its_share() {
 /// What was moved rests beside the centres of its pixels; the frames of a resting camera put that right.
 #[test]
 fn after_a_pan_reprojection_becomes_full() {
-    let stage = Stage::builtin("room");
-    let mut pair = Pair::new(&stage, Method::Reproject, 0.25);
+    let test_scene = TestScene::builtin("room");
+    let mut pair = Pair::new(&test_scene, Method::Reproject, 0.25);
     for frame in 0..5 {
-        pair.frame(&stage.camera.panned(0.3 * f64::from(frame)));
+        pair.frame(&test_scene.camera.panned(0.3 * f64::from(frame)));
     }
-    let resting = stage.camera.panned(1.2);
+    let resting = test_scene.camera.panned(1.2);
     assert!(db(&pair.frame(&resting)).is_finite(), "the pan leaves no trace");
     assert!(!pair.renderer.is_settled());
     for _ in 0..3 {
@@ -183,12 +183,12 @@ const SLOW_PAN_DB: f64 = 27.0;
 #[test]
 fn a_slow_pan_stays_below_the_bound() {
     for scene in ["room", "cornell"] {
-        let stage = Stage::builtin(scene);
-        let mut pair = Pair::new(&stage, Method::Reproject, 0.1);
+        let test_scene = TestScene::builtin(scene);
+        let mut pair = Pair::new(&test_scene, Method::Reproject, 0.1);
         let mut worst = f64::INFINITY;
         let mut shares = Vec::new();
         for frame in 0..24 {
-            let camera = stage.camera.panned(0.25 * f64::from(frame));
+            let camera = test_scene.camera.panned(0.25 * f64::from(frame));
             worst = worst.min(db(&pair.frame(&camera)));
             if frame > 0 {
                 shares.push(pair.counted(&camera).counts.rt_ratio());
@@ -205,11 +205,11 @@ fn a_slow_pan_stays_below_the_bound() {
 /// wall, which nothing of the frame before shows, is traced.
 #[test]
 fn the_nearest_wins_and_what_it_hid_is_traced() {
-    let stage = Stage::new(wall_and_post(Some([-0.2, 0.4])));
-    let mut pair = Pair::new(&stage, Method::Reproject, 1.0 / 256.0);
-    let mut right = pair.frame(&stage.camera)[1].clone();
+    let test_scene = TestScene::new(wall_and_post(Some([-0.2, 0.4])));
+    let mut pair = Pair::new(&test_scene, Method::Reproject, 1.0 / 256.0);
+    let mut right = pair.frame(&test_scene.camera)[1].clone();
     for frame in 1..8 {
-        let camera = moved(&stage.camera, 0.04 * frame as f32 * Vec3::X);
+        let camera = moved(&test_scene.camera, 0.04 * frame as f32 * Vec3::X);
         let before = right.clone();
         let [found, full] = pair.frame(&camera);
         let traced = traced(&pair.counted(&camera));
@@ -229,15 +229,15 @@ fn the_nearest_wins_and_what_it_hid_is_traced() {
 /// gaps: they are not seen through it.
 #[test]
 fn nothing_shows_through_gaps() {
-    let stage = Stage::new(wall_and_post(Some([-0.4, 0.8])));
-    let mut pair = Pair::new(&stage, Method::Reproject, 1.0 / 256.0);
+    let test_scene = TestScene::new(wall_and_post(Some([-0.4, 0.8])));
+    let mut pair = Pair::new(&test_scene, Method::Reproject, 1.0 / 256.0);
     for trial in 0..24_u16 {
         // Another share: the next frame is a first one.
         let share = f32::from(1 + trial % 2) / 256.0;
         pair.renderer.change(SIZE, &settings(Method::Reproject, share)).expect("a change");
-        pair.frame(&stage.camera);
+        pair.frame(&test_scene.camera);
         let step = f32::from(trial);
-        let camera = moved(&stage.camera, vec3(0.35 - 0.011 * step, 0.0, -0.2 - 0.013 * step));
+        let camera = moved(&test_scene.camera, vec3(0.35 - 0.011 * step, 0.0, -0.2 - 0.013 * step));
         let [found, full] = pair.frame(&camera);
         let objects = pair.full.inspect(&camera).expect("counts").pixels;
         let [width, height] = SIZE;
@@ -253,10 +253,10 @@ fn nothing_shows_through_gaps() {
 /// Nothing is moved to where another camera looks: all of it is traced.
 #[test]
 fn after_a_cut_everything_is_traced() {
-    let stage = Stage::builtin("room");
-    let mut pair = Pair::new(&stage, Method::Reproject, 0.1);
-    pair.frame(&stage.camera);
-    let away = stage.camera.panned(180.0);
+    let test_scene = TestScene::builtin("room");
+    let mut pair = Pair::new(&test_scene, Method::Reproject, 0.1);
+    pair.frame(&test_scene.camera);
+    let away = test_scene.camera.panned(180.0);
     let [found, right] = pair.frame(&away);
     assert!(found == right);
     assert_eq!(pair.counted(&away).counts.rt_ratio(), 1.0);
@@ -269,10 +269,10 @@ fn the_background_is_moved_like_what_is_infinitely_far_away() {
     let object = builder.object(unlit(Vec3::ONE));
     builder.quad(object, vec3(-0.1, -0.1, 0.0), 0.2 * Vec3::X, 0.2 * Vec3::Y);
     builder.environment(vec3(0.2, 0.4, 0.6), Vec3::ZERO);
-    let stage = Stage::new(builder.seen_by(front_camera()));
-    let mut pair = Pair::new(&stage, Method::Reproject, 1.0 / 256.0);
-    pair.frame(&stage.camera);
-    let aside = moved(&stage.camera, 0.1 * Vec3::X);
+    let test_scene = TestScene::new(builder.seen_by(front_camera()));
+    let mut pair = Pair::new(&test_scene, Method::Reproject, 1.0 / 256.0);
+    pair.frame(&test_scene.camera);
+    let aside = moved(&test_scene.camera, 0.1 * Vec3::X);
     let [found, right] = pair.frame(&aside);
     assert!(share_of(&traced(&pair.counted(&aside))) < 0.06);
     assert!(db(&[found, right]) > 30.0);
@@ -296,10 +296,10 @@ fn mirrors_are_traced() {
     let wall = builder.object(unlit(vec3(0.8, 0.1, 0.1)));
     builder.quad(glass, vec3(-0.6, -0.6, 0.0), 0.6 * Vec3::X, 1.2 * Vec3::Y);
     builder.quad(wall, vec3(0.0, -0.6, 0.0), 0.6 * Vec3::X, 1.2 * Vec3::Y);
-    let stage = Stage::new(builder.seen_by(front_camera()));
-    let mut pair = Pair::new(&stage, Method::Reproject, 1.0 / 256.0);
-    pair.frame(&stage.camera);
-    let turned = stage.camera.panned(0.3);
+    let test_scene = TestScene::new(builder.seen_by(front_camera()));
+    let mut pair = Pair::new(&test_scene, Method::Reproject, 1.0 / 256.0);
+    pair.frame(&test_scene.camera);
+    let turned = test_scene.camera.panned(0.3);
     pair.frame(&turned);
     let inspection = pair.counted(&turned);
     let mirrors: Vec<_> = pair
@@ -319,19 +319,19 @@ fn mirrors_are_traced() {
 /// Another size, other settings, the frame before in linear radiance: nothing is kept.
 #[test]
 fn what_begins_anew_keeps_nothing() {
-    let stage = Stage::builtin("cornell");
-    let other = stage.camera.panned(5.0);
+    let test_scene = TestScene::builtin("cornell");
+    let other = test_scene.camera.panned(5.0);
     for method in [Method::Frameless, Method::Reproject] {
-        let mut pair = Pair::new(&stage, method, 0.1);
+        let mut pair = Pair::new(&test_scene, method, 0.1);
         let whole = |pair: &mut Pair, what: &str| {
             let [found, right] = pair.frame(&other);
             assert!(found == right, "{method:?}: {what}");
-            pair.frame(&stage.camera);
+            pair.frame(&test_scene.camera);
         };
-        pair.frame(&stage.camera);
-        pair.renderer.linear_image(&stage.camera).expect("an image");
+        pair.frame(&test_scene.camera);
+        pair.renderer.linear_image(&test_scene.camera).expect("an image");
         whole(&mut pair, "linear");
-        let changed = Settings { share: 0.2, ..*pair.renderer.settings() };
+        let changed = Settings { refresh_fraction: 0.2, ..*pair.renderer.settings() };
         pair.renderer.change(SIZE, &changed).expect("a change");
         whole(&mut pair, "share");
         let changed = Settings { min_weight: 0.01, ..changed };
@@ -339,7 +339,7 @@ fn what_begins_anew_keeps_nothing() {
         pair.full.change(SIZE, &Settings { method: Method::Full, ..changed }).expect("a change");
         whole(&mut pair, "least weight");
         pair.renderer.change([64, 48], &changed).expect("a change");
-        pair.renderer.render(&stage.camera).expect("a frame");
+        pair.renderer.render(&test_scene.camera).expect("a frame");
         pair.renderer.change(SIZE, &changed).expect("a change");
         whole(&mut pair, "size");
     }
@@ -352,10 +352,10 @@ fn parallel_rays_are_reprojected_too() {
     for (_, camera) in &mut scene.cameras {
         *camera = Camera { orthographic: true, ..*camera };
     }
-    let stage = Stage::new(scene);
-    let mut pair = Pair::new(&stage, Method::Reproject, 1.0 / 256.0);
-    pair.frame(&stage.camera);
-    let aside = moved(&stage.camera, 0.031 * Vec3::X);
+    let test_scene = TestScene::new(scene);
+    let mut pair = Pair::new(&test_scene, Method::Reproject, 1.0 / 256.0);
+    pair.frame(&test_scene.camera);
+    let aside = moved(&test_scene.camera, 0.031 * Vec3::X);
     let pictures = pair.frame(&aside);
     assert!(share_of(&traced(&pair.counted(&aside))) < 0.1);
     assert!(db(&pictures) > 25.0, "{}", db(&pictures));

@@ -2,11 +2,11 @@
 
 use glam::{Vec3, vec3};
 use glimpse::{
-    Filter, Focus, Inactive, Inspection, Jitter, LinearImage, Method, Preset, Refine, Scene, Settings,
-    THRESHOLD_NAMES, Thresholds, Tolerances,
+    Filter, Focus, Inspection, Jitter, LinearImage, Method, Preset, Refine, Scene, Settings, THRESHOLD_NAMES,
+    Thresholds, Tolerances, Unsampled,
 };
 use glimpse_tests::{
-    Stage, assert_same,
+    TestScene, assert_same,
     builder::{Builder, front_camera, matte, mirror},
 };
 
@@ -19,13 +19,17 @@ fn supersample(thresholds: Thresholds) -> Settings {
 #[test]
 fn all_quarters_active_is_sixteen_samples_a_pixel() {
     for (name, jitters) in [("room", &[Jitter::On][..]), ("cornell", &[Jitter::On, Jitter::Off])] {
-        let stage = Stage::builtin(name);
+        let test_scene = TestScene::builtin(name);
         for &jitter in jitters {
             let fixed = Settings { method: Method::Full, sampling: 4, jitter, ..Settings::default() };
-            let fixed = stage.frame(SIZE, &fixed);
+            let fixed = test_scene.frame(SIZE, &fixed);
             for refine in [Refine::Off, Refine::On] {
                 let ours = Settings { jitter, refine, ..supersample(Thresholds::uniform(0.0)) };
-                assert_same(&stage.frame(SIZE, &ours), &fixed, &format!("{name}, {jitter:?}, {refine:?}"));
+                assert_same(
+                    &test_scene.frame(SIZE, &ours),
+                    &fixed,
+                    &format!("{name}, {jitter:?}, {refine:?}"),
+                );
             }
         }
     }
@@ -33,19 +37,19 @@ fn all_quarters_active_is_sixteen_samples_a_pixel() {
 
 #[test]
 fn no_quarter_active_is_one_sample_a_pixel() {
-    let stage = Stage::builtin("cornell");
+    let test_scene = TestScene::builtin("cornell");
     let full = Settings { method: Method::Full, ..Settings::default() };
     let adaptive = Settings::default();
     for refine in [Refine::Off, Refine::On] {
         let never = Settings { refine, ..supersample(Thresholds::uniform(1.0)) };
         assert_same(
-            &stage.frame(SIZE, &never),
-            &stage.frame(SIZE, &full),
+            &test_scene.frame(SIZE, &never),
+            &test_scene.frame(SIZE, &full),
             &format!("supersample, {refine:?}"),
         );
-        assert_eq!(stage.inspect(SIZE, &never).counts.samples.extra, 0);
+        assert_eq!(test_scene.inspect(SIZE, &never).counts.samples.extra, 0);
         let never = Settings { supersample: true, refine, thresholds: Thresholds::uniform(1.0), ..adaptive };
-        let (found, expected) = (stage.frame(SIZE, &never), stage.frame(SIZE, &adaptive));
+        let (found, expected) = (test_scene.frame(SIZE, &never), test_scene.frame(SIZE, &adaptive));
         assert_same(&found, &expected, &format!("adaptive with supersampling, {refine:?}"));
     }
 }
@@ -53,14 +57,14 @@ fn no_quarter_active_is_one_sample_a_pixel() {
 /// A tolerance of 0 traces every sample: what is left is the test and the extra samples.
 #[test]
 fn supersampling_of_a_traced_adaptive_frame_is_supersampling() {
-    let stage = Stage::builtin("room");
+    let test_scene = TestScene::builtin("room");
     let tolerances = Tolerances { pos: 0.0, ..Tolerances::default() };
     for refine in [Refine::Off, Refine::On] {
         let combined = Settings { supersample: true, refine, tolerances, ..Settings::default() };
         let alone = Settings { refine, ..supersample(Thresholds::default()) };
-        let (found, expected) = (stage.frame(SIZE, &combined), stage.frame(SIZE, &alone));
+        let (found, expected) = (test_scene.frame(SIZE, &combined), test_scene.frame(SIZE, &alone));
         assert_same(&found, &expected, &format!("combined, {refine:?}"));
-        let [combined, alone] = [combined, alone].map(|settings| stage.inspect(SIZE, &settings));
+        let [combined, alone] = [combined, alone].map(|settings| test_scene.inspect(SIZE, &settings));
         let edges = |i: &Inspection| i.pixels.iter().map(|p| (p.active, p.differing)).collect::<Vec<_>>();
         assert_eq!(edges(&combined), edges(&alone));
         assert!(alone.counts.samples.extra > 1000, "{:?}", alone.counts.samples);
@@ -70,19 +74,19 @@ fn supersampling_of_a_traced_adaptive_frame_is_supersampling() {
 /// Weights sum to one: where all samples are 1, no pixel is anything else.
 #[test]
 fn the_furnace_stays_what_it_is() {
-    let stage = Stage::builtin("furnace");
-    let inactive = Inactive::Bilinear;
+    let test_scene = TestScene::builtin("furnace");
+    let unsampled = Unsampled::Bilinear;
     for settings in [
         supersample(Thresholds::default()),
         supersample(Thresholds::uniform(0.0)),
-        Settings { inactive, ..supersample(Thresholds { poid: 0.0, ..Thresholds::uniform(1.0) }) },
+        Settings { unsampled, ..supersample(Thresholds { poid: 0.0, ..Thresholds::uniform(1.0) }) },
         Settings { supersample: true, refine: Refine::Off, ..Settings::default() },
         Settings { supersample: true, refine: Refine::On, ..Settings::default() },
         Settings { refine: Refine::On, ..supersample(Thresholds { poid: 0.0, ..Thresholds::uniform(1.0) }) },
         Settings { method: Method::Quincunx, ..Settings::default() },
-        Settings { method: Method::Quincunx, similar: 0.0, ..Settings::default() },
+        Settings { method: Method::Quincunx, quincunx_threshold: 0.0, ..Settings::default() },
     ] {
-        let image = stage.frame([101, 63], &settings);
+        let image = test_scene.frame([101, 63], &settings);
         let worst = image.as_raw().iter().map(|c| (c - 1.0).abs()).fold(0.0, f32::max);
         assert!(worst <= 1e-5, "{settings:?}: off by {worst:e}");
     }
@@ -91,8 +95,8 @@ fn the_furnace_stays_what_it_is() {
 /// Counted samples are those of the active quarters, and half of them where half are.
 #[test]
 fn four_samples_for_each_active_quarter() {
-    let stage = Stage::builtin("room");
-    let inspection = stage.inspect(SIZE, &supersample(Thresholds::default()));
+    let test_scene = TestScene::builtin("room");
+    let inspection = test_scene.inspect(SIZE, &supersample(Thresholds::default()));
     let active: u32 = inspection.pixels.iter().map(|p| p.active.count_ones()).sum();
     let samples = inspection.counts.samples;
     assert_eq!(samples.extra, 4 * u64::from(active));
@@ -105,10 +109,10 @@ fn four_samples_for_each_active_quarter() {
 /// Counted samples are those of the pixels, and pixels stop after each number of them.
 #[test]
 fn refined_pixels_get_as_many_samples_as_they_differ() {
-    let stage = Stage::builtin("room");
+    let test_scene = TestScene::builtin("room");
     let thresholds = Preset::Refined.thresholds();
     let settings = Settings { refine: Refine::On, ..supersample(thresholds) };
-    let inspection = stage.inspect(SIZE, &settings);
+    let inspection = test_scene.inspect(SIZE, &settings);
     let samples: u32 = inspection.pixels.iter().map(|p| p.refined()).sum();
     assert_eq!(inspection.counts.samples.extra, u64::from(samples));
     for number in [0, 4, 8, 16] {
@@ -117,7 +121,7 @@ fn refined_pixels_get_as_many_samples_as_they_differ() {
     }
 }
 
-/// A wire that is a quarter of a pixel wide and rises by a pixel in 30 is hit by few centres. From these on it is followed
+/// A wire that is a subpixel wide and rises by a pixel in 30 is hit by few centres. From these on it is followed
 /// along the row, as far as there are rounds.
 #[test]
 fn a_wire_is_followed_where_no_centre_hits_it() {
@@ -128,22 +132,22 @@ fn a_wire_is_followed_where_no_centre_hits_it() {
     let pixel = 2.0 / SIZE[1] as f32;
     let rise = vec3(SIZE[0] as f32, SIZE[0] as f32 / 30.0, 0.0) * pixel;
     builder.quad(object, -rise / 2.0, rise, vec3(0.0, pixel / 4.0, 0.0));
-    let stage = Stage::new(builder.seen_by(front_camera()));
+    let test_scene = TestScene::new(builder.seen_by(front_camera()));
     let thresholds = Preset::Refined.thresholds();
-    let refined = stage.inspect(SIZE, &Settings { refine: Refine::On, ..supersample(thresholds) });
+    let refined = test_scene.inspect(SIZE, &Settings { refine: Refine::On, ..supersample(thresholds) });
     let seen = |round: std::ops::Range<u32>| {
         refined.pixels.iter().filter(|p| p.round().is_some_and(|r| round.contains(&r))).count()
     };
     let (found, followed) = (seen(0..1), seen(1..16));
     assert!(found > 50 && followed > 50, "{found} found, {followed} followed");
-    let show = |settings: &Settings| stage.shown(SIZE, settings);
+    let show = |settings: &Settings| test_scene.shown(SIZE, settings);
     let many = show(&Settings { method: Method::Full, sampling: 12, ..Settings::default() });
     let error = |refine| {
         let picture = show(&Settings { refine, ..supersample(thresholds) });
         glimpse::metrics::compare(&picture, &many).expect("of one size").rmse
     };
-    let (quarters, pixels) = (error(Refine::Off), error(Refine::On));
-    assert!(pixels < 0.5 * quarters, "{pixels} with it, {quarters} without");
+    let (subpixels, pixels) = (error(Refine::Off), error(Refine::On));
+    assert!(pixels < 0.5 * subpixels, "{pixels} with it, {subpixels} without");
 }
 
 /// Along a clean edge, cells that the edge does not come near are spared, and what is left is about as good as all sixteen.
@@ -153,9 +157,9 @@ fn cells_follow_an_edge() {
     builder.environment(Vec3::ZERO, Vec3::ONE);
     let object = builder.object(matte(Vec3::ONE));
     builder.quad(object, vec3(-0.9, -0.7, 0.0), vec3(1.5, 0.2, 0.0), vec3(-0.3, 1.3, 0.0));
-    let stage = Stage::new(builder.seen_by(front_camera()));
+    let test_scene = TestScene::new(builder.seen_by(front_camera()));
     let refined = Settings { refine: Refine::On, ..supersample(Preset::Refined.thresholds()) };
-    let numbers: Vec<_> = stage
+    let numbers: Vec<_> = test_scene
         .inspect(SIZE, &refined)
         .pixels
         .iter()
@@ -163,7 +167,7 @@ fn cells_follow_an_edge() {
         .filter(|number| *number > 0)
         .collect();
     let mean = f64::from(numbers.iter().sum::<u32>()) / numbers.len() as f64;
-    let show = |settings: &Settings| stage.shown(SIZE, settings);
+    let show = |settings: &Settings| test_scene.shown(SIZE, settings);
     let full = Settings { method: Method::Full, ..Settings::default() };
     let many = show(&Settings { sampling: 12, ..full });
     let error = |settings| glimpse::metrics::compare(&show(&settings), &many).expect("of one size").rmse;
@@ -177,8 +181,8 @@ fn cells_follow_an_edge() {
 
 #[test]
 fn the_seed_moves_extra_samples_and_nothing_else_does() {
-    let stage = Stage::builtin("room");
-    let frame = |seed| stage.frame(SIZE, &Settings { seed, ..supersample(Thresholds::default()) });
+    let test_scene = TestScene::builtin("room");
+    let frame = |seed| test_scene.frame(SIZE, &Settings { seed, ..supersample(Thresholds::default()) });
     let first = frame(1);
     assert_same(&frame(1), &first, "the same seed");
     assert_ne!(frame(2).as_raw(), first.as_raw(), "another seed");
@@ -248,7 +252,7 @@ fn union(inspection: &Inspection) -> u32 {
 #[test]
 fn each_attribute_sees_what_no_other_does() {
     for (index, attribute) in THRESHOLD_NAMES.into_iter().enumerate().skip(1) {
-        let stage = Stage::new(scene(attribute));
+        let test_scene = TestScene::new(scene(attribute));
         let only = |value| {
             let mut thresholds = Thresholds::uniform(1.0);
             let slots = [
@@ -263,7 +267,7 @@ fn each_attribute_sees_what_no_other_does() {
                 &mut thresholds.ste,
             ];
             *slots.into_iter().nth(index).expect("nine") = value;
-            stage.inspect(SIZE, &supersample(thresholds))
+            test_scene.inspect(SIZE, &supersample(thresholds))
         };
         let strict = only(0.0);
         assert_eq!(union(&strict), 1 << index, "{attribute}: {:#b}", union(&strict));
@@ -276,11 +280,11 @@ fn each_attribute_sees_what_no_other_does() {
 
 #[test]
 fn what_is_out_of_focus_does_not_differ() {
-    let stage = Stage::new(scene("poid"));
+    let test_scene = TestScene::new(scene("poid"));
     let edges = Thresholds { poid: 0.0, ..Thresholds::uniform(1.0) };
     let extra = |focus| {
         let settings = Settings { focus, ..supersample(edges) };
-        stage.inspect(SIZE, &settings).counts.samples.extra
+        test_scene.inspect(SIZE, &settings).counts.samples.extra
     };
     let everything = extra(None);
     assert!(everything > 0);
@@ -291,11 +295,12 @@ fn what_is_out_of_focus_does_not_differ() {
 /// Bilinear centres soften what nearest ones leave as it is, and leave active quarters alone.
 #[test]
 fn inactive_quarters_are_bilinear_where_it_is_asked_for() {
-    let stage = Stage::builtin("room");
-    let frame =
-        |inactive, tau| stage.frame(SIZE, &Settings { inactive, ..supersample(Thresholds::uniform(tau)) });
-    assert_same(&frame(Inactive::Bilinear, 0.0), &frame(Inactive::Nearest, 0.0), "all active");
-    let (soft, sharp) = (frame(Inactive::Bilinear, 1.0), frame(Inactive::Nearest, 1.0));
+    let test_scene = TestScene::builtin("room");
+    let frame = |unsampled, tau| {
+        test_scene.frame(SIZE, &Settings { unsampled, ..supersample(Thresholds::uniform(tau)) })
+    };
+    assert_same(&frame(Unsampled::Bilinear, 0.0), &frame(Unsampled::Nearest, 0.0), "all active");
+    let (soft, sharp) = (frame(Unsampled::Bilinear, 1.0), frame(Unsampled::Nearest, 1.0));
     let roughness = |image: &LinearImage| -> f64 {
         let steps = image.as_raw().windows(4).map(|w| f64::from(w[3].min(1.0) - w[0].min(1.0)).abs());
         steps.sum()
@@ -306,41 +311,41 @@ fn inactive_quarters_are_bilinear_where_it_is_asked_for() {
 /// The end of the recursion: every quad of both levels is divided, and every sample is traced once.
 #[test]
 fn a_quincunx_that_is_divided_everywhere_traces_each_sample_once() {
-    let stage = Stage::builtin("room");
+    let test_scene = TestScene::builtin("room");
     let [width, height] = SIZE.map(u64::from);
-    let settings = Settings { method: Method::Quincunx, similar: 0.0, ..Settings::default() };
-    let samples = stage.inspect(SIZE, &settings).counts.samples;
+    let settings = Settings { method: Method::Quincunx, quincunx_threshold: 0.0, ..Settings::default() };
+    let samples = test_scene.inspect(SIZE, &settings).counts.samples;
     let lattice = (4 * width + 1) * (4 * height + 1);
     assert_eq!(samples.base + samples.extra, lattice + 16 * width * height);
-    let never = Settings { similar: 1.0, ..settings };
-    let samples = stage.inspect(SIZE, &never).counts.samples;
+    let never = Settings { quincunx_threshold: 1.0, ..settings };
+    let samples = test_scene.inspect(SIZE, &never).counts.samples;
     assert_eq!(samples.base + samples.extra, width * height + (width + 1) * (height + 1));
 }
 
 /// More of what is shown is nearer to what many samples show.
 #[test]
 fn a_quincunx_comes_nearer_to_many_samples_the_more_it_divides() {
-    let stage = Stage::builtin("room");
-    let frame = |settings: Settings| stage.shown(SIZE, &settings);
+    let test_scene = TestScene::builtin("room");
+    let frame = |settings: Settings| test_scene.shown(SIZE, &settings);
     let many = frame(Settings { method: Method::Full, sampling: 12, ..Settings::default() });
-    let error = |similar| {
-        let picture = frame(Settings { method: Method::Quincunx, similar, ..Settings::default() });
+    let error = |quincunx_threshold| {
+        let picture = frame(Settings { method: Method::Quincunx, quincunx_threshold, ..Settings::default() });
         glimpse::metrics::compare(&picture, &many).expect("of one size").rmse
     };
-    let [never, default, often] = [1.0, Settings::default().similar, 0.02].map(error);
+    let [never, default, often] = [1.0, Settings::default().quincunx_threshold, 0.02].map(error);
     assert!(never > 1.5 * default && default > often, "{never} {default} {often}");
 }
 
 /// The tent by its formula, over a frame that has a pixel for each sample, in bands of rows and in one.
 #[test]
 fn a_tent_is_the_weighted_mean_of_the_samples_around() {
-    let stage = Stage::builtin("room");
+    let test_scene = TestScene::builtin("room");
     let [width, height] = [41, 37];
     for sampling in [2, 3] {
         let full = Settings { method: Method::Full, ..Settings::default() };
-        let samples = stage.frame([width * sampling, height * sampling], &full);
+        let samples = test_scene.frame([width * sampling, height * sampling], &full);
         let tent = Settings { sampling, filter: Filter::Tent, ..full };
-        let found = stage.frame([width, height], &tent);
+        let found = test_scene.frame([width, height], &tent);
         let n = f64::from(sampling);
         for (x, y, pixel) in found.enumerate_pixels() {
             let (mut sum, mut weights) = ([0.0; 3], 0.0);

@@ -7,8 +7,8 @@ use std::f64::consts::PI;
 
 use glam::{DVec3, Vec3, vec3};
 use glimpse::{
-    Direct, Roulette, Sampler, Scene, Settings, Shining, Stopping,
-    reference::{Frame, PathSample, Reference, Rounding},
+    DirectLight, Foveation, LightSelection, Roulette, Sampler, Scene, Settings,
+    reference::{PathSample, Reference, ReferenceFrame, Rounding},
     scene::{Light, LightKind, Material, Weights, builtin},
 };
 use glimpse_tests::{
@@ -16,12 +16,12 @@ use glimpse_tests::{
     gallery,
 };
 
-const WAYS: [Direct; 3] = [Direct::Walk, Direct::Light, Direct::Mis];
+const WAYS: [DirectLight; 3] = [DirectLight::Bsdf, DirectLight::Nee, DirectLight::Mis];
 
 /// Independent numbers, for the standard errors that are estimated from them; no roulette.
-fn settings(direct: Direct, depth: u32) -> Settings {
+fn settings(direct_light: DirectLight, depth: u32) -> Settings {
     let mut settings = Settings { depth, ..Settings::default() };
-    (settings.paths.direct, settings.paths.sampler) = (direct, Sampler::Random);
+    (settings.paths.direct_light, settings.paths.sampler) = (direct_light, Sampler::Random);
     settings.paths.roulette = Roulette::Off;
     settings
 }
@@ -36,7 +36,7 @@ fn for_each(
 ) {
     let reference = Reference::new(scene);
     let camera = *scene.camera(None).expect("a camera");
-    let frame = Frame { reference: &reference, camera, size, settings: *settings };
+    let frame = ReferenceFrame { reference: &reference, camera, size, settings: *settings };
     for pixel in (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| [x, y])) {
         for sample in 0..samples {
             see(pixel, frame.path(pixel, sample, &mut Rounding::none()));
@@ -99,7 +99,7 @@ fn a_furnace_is_one_in_every_sample() {
     // Bent normals lose what comes from below the face.
     let scene = flattened(builtin("furnace").unwrap());
     for roulette in [Roulette::On, Roulette::Off] {
-        let mut settings = settings(Direct::Walk, 64);
+        let mut settings = settings(DirectLight::Bsdf, 64);
         settings.paths.roulette = roulette;
         for_each(&scene, &settings, [48, 32], 2, |pixel, path| {
             // The scene's numbers are f32.
@@ -116,12 +116,12 @@ fn energy_is_conserved_in_a_closed_box() {
         let scene = emitting_box(shares, emission);
         let albedo: f64 = shares.iter().sum();
         let expected = DVec3::splat(emission * (1.0 - albedo.powi(depth)) / (1.0 - albedo));
-        let walk = settings(Direct::Walk, depth as u32);
+        let walk = settings(DirectLight::Bsdf, depth as u32);
         for_each(&scene, &walk, [5, 5], 4, |pixel, path| {
             assert!((path.radiance - expected).abs().max_element() < 1e-6, "{pixel:?}: {path:?}");
             assert!(!path.stopped);
         });
-        let both = settings(Direct::Mis, depth as u32);
+        let both = settings(DirectLight::Mis, depth as u32);
         let (mut roulette, mut four) = (walk, both);
         roulette.paths.roulette = Roulette::On;
         four.paths.light_samples = 4;
@@ -135,18 +135,18 @@ fn energy_is_conserved_in_a_closed_box() {
 }
 
 /// What the paper's stopping leaves of a closed box: of the light that comes from beyond k vertices where paths stop,
-/// (1 - P)^k, where P grows with the distance from the gaze to `p_max` in the farthest corner.
+/// (1 - P)^k, where P grows with the distance from the gaze to `foveation_max` in the farthest corner.
 #[test]
 fn stopped_paths_are_as_dark_as_equation_7_says() {
     let (albedo, emission, depth) = (0.75_f64, 2.0, 12);
     let scene = emitting_box([albedo, 0.0], emission);
-    for (stopping, gaze) in
-        [(Stopping::Paper, [0.5; 2]), (Stopping::Paper, [-1.0, 0.25]), (Stopping::Compensated, [0.5; 2])]
+    for (foveation, gaze) in
+        [(Foveation::Paper, [0.5; 2]), (Foveation::Paper, [-1.0, 0.25]), (Foveation::Compensated, [0.5; 2])]
     {
-        let mut settings = settings(Direct::Walk, depth);
-        (settings.paths.stopping, settings.paths.gaze) = (stopping, gaze);
+        let mut settings = settings(DirectLight::Bsdf, depth);
+        (settings.paths.foveation, settings.paths.gaze) = (foveation, gaze);
         // A compensated sample's variance is finite where albedo^2 < 1 - p, and is itself known from few samples far below.
-        settings.paths.p_max = if stopping == Stopping::Paper { 0.9 } else { 0.3 };
+        settings.paths.foveation_max = if foveation == Foveation::Paper { 0.9 } else { 0.3 };
         let size = [5, 3];
         let mut pixels = [[Mean::default(); 5]; 3];
         let mut stopped = [[0; 5]; 3];
@@ -158,14 +158,14 @@ fn stopped_paths_are_as_dark_as_equation_7_says() {
         let farthest = (5.0 - gx).max(gx).hypot((3.0 - gy).max(gy));
         for (x, y) in (0..5).flat_map(|x| (0..3).map(move |y| (x, y))) {
             let away = (x as f64 + 0.5 - gx).hypot(y as f64 + 0.5 - gy);
-            let stop = if stopping == Stopping::Paper { 0.9 * away / farthest } else { 0.0 };
+            let stop = if foveation == Foveation::Paper { 0.9 * away / farthest } else { 0.0 };
             let left = |level: i32| (1.0 - stop).powi((level - 2 - 1).max(0));
             let levels = (1..=depth as i32).map(|level| albedo.powi(level - 1) * left(level));
             let expected = DVec3::splat(emission * levels.sum::<f64>());
             let found = &pixels[y][x];
             let deviation = found.deviation(expected, DVec3::ZERO);
-            assert!(deviation < 4.0, "{stopping:?} {x},{y}: {} not {expected}", found.value());
-            assert_eq!(stopped[y][x] > 0, away > 0.0, "{stopping:?} {x},{y}");
+            assert!(deviation < 4.0, "{foveation:?} {x},{y}: {} not {expected}", found.value());
+            assert_eq!(stopped[y][x] > 0, away > 0.0, "{foveation:?} {x},{y}");
         }
     }
 }
@@ -188,18 +188,18 @@ fn punctual_lights_shine_where_they_are_wished_and_nothing_is_between() {
     };
     let (glow, lit) = (glow.as_dvec3(), DVec3::splat(0.5 / PI * 4.0 * 0.8));
     let ways = [
-        (false, Shining::All, 1, glow),
-        (false, Shining::All, 2, glow + lit),
-        (false, Shining::Punctual, 2, glow + lit),
-        (false, Shining::Emitters, 2, glow),
-        (true, Shining::All, 2, glow),
+        (false, LightSelection::All, 1, glow),
+        (false, LightSelection::All, 2, glow + lit),
+        (false, LightSelection::Punctual, 2, glow + lit),
+        (false, LightSelection::Emitters, 2, glow),
+        (true, LightSelection::All, 2, glow),
     ];
-    for (shaded, shining, depth, expected) in ways {
-        let mut settings = settings(Direct::Mis, depth);
-        settings.paths.shining = shining;
+    for (shaded, lights, depth, expected) in ways {
+        let mut settings = settings(DirectLight::Mis, depth);
+        settings.paths.lights = lights;
         for_each(&scene(shaded), &settings, [3, 3], 2, |pixel, path| {
             let wrong = (path.radiance - expected).abs().max_element();
-            assert!(wrong < 1e-6, "{shining:?} {pixel:?}: {path:?} instead of {expected}");
+            assert!(wrong < 1e-6, "{lights:?} {pixel:?}: {path:?} instead of {expected}");
         });
     }
 }
@@ -213,7 +213,7 @@ fn paths_say_whether_they_met_mirrors_or_glass() {
         let wall = b.object(material);
         b.quad(wall, vec3(-9.0, -9.0, 0.0), 18.0 * Vec3::X, 18.0 * Vec3::Y);
         b.environment(Vec3::ONE, Vec3::ZERO);
-        for_each(&b.seen_by(front_camera()), &settings(Direct::Mis, 4), [3, 3], 4, |_, path| {
+        for_each(&b.seen_by(front_camera()), &settings(DirectLight::Mis, 4), [3, 3], 4, |_, path| {
             assert_eq!(path.diffuse_only, diffuse_only);
             assert!((path.radiance - 1.0).abs().max_element() < 1e-6, "{path:?}");
         });
@@ -224,12 +224,12 @@ fn paths_say_whether_they_met_mirrors_or_glass() {
 #[test]
 fn every_sample_is_a_number() {
     for scene in [gallery::textures(), gallery::glasshouse(), builtin("room").unwrap()] {
-        for direct in WAYS {
-            let mut settings = settings(direct, 16);
-            (settings.paths.roulette, settings.paths.stopping) = (Roulette::On, Stopping::Compensated);
+        for direct_light in WAYS {
+            let mut settings = settings(direct_light, 16);
+            (settings.paths.roulette, settings.paths.foveation) = (Roulette::On, Foveation::Compensated);
             for_each(&scene, &settings, [24, 16], 2, |pixel, path| {
                 let fine = path.radiance.is_finite() && path.radiance.min_element() >= 0.0;
-                assert!(fine, "{direct:?} {pixel:?}: {path:?}");
+                assert!(fine, "{direct_light:?} {pixel:?}: {path:?}");
             });
         }
     }

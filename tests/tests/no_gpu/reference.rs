@@ -4,9 +4,10 @@ use std::f64::consts::PI;
 
 use glam::{DVec3, Vec3, dvec3, vec3};
 use glimpse::{
-    CHECK_NAMES, Camera, Features, Method, Origin, Scene, Settings, Tolerances,
+    Camera, Check, Features, Method, Origin, Scene, Settings, Tolerances,
     reference::{
-        Attributes, Cause, Crossing, Frame, Limits, Ray, Reference, Rounding, Tracer, fresnel_dielectric,
+        Attributes, Cause, Intersection, Limits, Ray, Reference, ReferenceFrame, Rounding, Tracer,
+        fresnel_dielectric,
     },
     scene::{Material, Weights, builtin},
     stress::Random,
@@ -27,8 +28,13 @@ fn seen(scene: &Scene, origin: DVec3, direction: DVec3) -> DVec3 {
     Reference::new(scene).sample(&ray(origin, direction), &ALL, &mut Rounding::none()).color
 }
 
-fn frame<'a>(reference: &'a Reference, camera: Camera, size: [u32; 2], settings: Settings) -> Frame<'a> {
-    Frame { reference, camera, size, settings }
+fn frame<'a>(
+    reference: &'a Reference,
+    camera: Camera,
+    size: [u32; 2],
+    settings: Settings,
+) -> ReferenceFrame<'a> {
+    ReferenceFrame { reference, camera, size, settings }
 }
 
 #[test]
@@ -150,24 +156,24 @@ fn the_tree_finds_the_first_of_all_crossings() {
     for i in 0..5_000 {
         let origin = random.inside(dvec3(-2.0, 0.0, -2.0), dvec3(2.0, 2.5, 2.0));
         let ray = ray(origin, random.direction());
-        let all = tracer.crossings(&ray, None);
+        let all = tracer.intersections(&ray, None);
         assert!(all.is_sorted_by_key(|c| c.t), "{all:?}");
         assert_eq!(tracer.first(&ray, None, |_| true), all.first().copied());
-        let odd = |c: &Crossing| c.primitive % 2 == 1;
+        let odd = |c: &Intersection| c.primitive % 2 == 1;
         assert_eq!(tracer.first(&ray, None, odd), all.iter().copied().find(odd), "{i}");
         // From the surface on, the rest is left; a sphere is left through its other side.
         let Some(first) = all.first() else { continue };
         let on = Ray { origin: ray.origin + first.t * ray.direction, ..ray };
-        let rest = tracer.crossings(&on, Some(first.primitive));
+        let rest = tracer.intersections(&on, Some(first.primitive));
         let triangle = first.primitive < scene.positions.len();
         let again = rest.iter().any(|c| c.primitive == first.primitive);
         assert!(!(triangle && again), "a flat triangle is met once: {rest:?}");
         let expected = all.iter().skip(1).filter(|c| c.primitive < scene.positions.len());
-        for crossing in expected {
-            let found = rest.iter().find(|c| c.primitive == crossing.primitive);
+        for intersection in expected {
+            let found = rest.iter().find(|c| c.primitive == intersection.primitive);
             assert!(
-                found.is_some_and(|c| (c.t + first.t - crossing.t).abs() < 1e-9),
-                "{crossing:?} {rest:?}"
+                found.is_some_and(|c| (c.t + first.t - intersection.t).abs() < 1e-9),
+                "{intersection:?} {rest:?}"
             );
         }
     }
@@ -196,7 +202,7 @@ fn interpolation_is_exact_on_planes() {
     }
 }
 
-/// Storing keeps to the errors that the README states.
+/// Storing keeps to the errors that core/NUMERICS.md states.
 #[test]
 fn attributes_are_stored_as_stated() {
     let scene = gallery::textures();
@@ -235,7 +241,7 @@ fn the_strictest_tolerance_traces_everything() {
         let adaptive = frame.adaptive(pixel, None, &mut Rounding::none());
         assert_ne!(adaptive.origin, Origin::Interpolated);
         assert_eq!(adaptive.color, frame.traced(pixel, &mut Rounding::none()).color);
-        let pos = 1 << CHECK_NAMES.iter().position(|n| *n == "pos").unwrap();
+        let pos = Check::Pos.bit();
         assert!(adaptive.failed == 0 || adaptive.failed & (pos | 1) != 0, "{adaptive:?}");
     }
 }

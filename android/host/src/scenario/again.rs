@@ -3,89 +3,89 @@
 use std::time::Duration;
 
 use super::Outcome;
-use super::stage::{Stage, destroy};
+use super::harness::{Harness, destroy};
 use crate::{java, process, vulkan, window};
 
 /// Plays it.
-pub fn play(stage: &mut Stage) -> Outcome {
-    let expected = stage.expected()?;
+pub fn play(harness: &mut Harness) -> Outcome {
+    let expected = harness.expected()?;
     let mut descriptors = Vec::new();
     for round in 0..3 {
-        stage.step("created, the expected picture, destroyed, no thread left", |stage| {
-            let intent = stage.intent();
-            stage.launch(intent);
-            stage.shows(&expected)?;
-            stage.destroy()?;
-            stage.no_threads()
+        harness.step("created, the expected picture, destroyed, no thread left", |harness| {
+            let intent = harness.intent();
+            harness.launch(intent);
+            harness.shows(&expected)?;
+            harness.destroy()?;
+            harness.no_threads()
         })?;
         if round == 0 {
             descriptors = process::descriptors();
         }
     }
-    stage.step("destroyed without ever having a window", |stage| {
-        let intent = stage.intent();
-        stage.create(intent, &[]);
-        stage.with(|activity| {
+    harness.step("destroyed without ever having a window", |harness| {
+        let intent = harness.intent();
+        harness.create(intent, &[]);
+        harness.with(|activity| {
             activity.start();
             activity.resume();
         });
-        stage.wait(Duration::from_millis(200));
-        stage.destroy()?;
-        stage.no_threads()
+        harness.wait(Duration::from_millis(200));
+        harness.destroy()?;
+        harness.no_threads()
     })?;
     for delay in [0, 50, 500] {
-        stage.step("destroyed while it loads", |stage| {
-            let intent = stage.intent();
-            stage.launch(intent);
-            stage.wait(Duration::from_millis(delay));
-            stage.destroy()?;
-            stage.no_threads()
+        harness.step("destroyed while it loads", |harness| {
+            let intent = harness.intent();
+            harness.launch(intent);
+            harness.wait(Duration::from_millis(delay));
+            harness.destroy()?;
+            harness.no_threads()
         })?;
     }
-    stage.step("a second activity is created while the first is stopped", |stage| {
-        let intent = stage.intent();
-        stage.launch(intent);
-        stage.shows(&expected)?;
-        stage.with(|first| {
+    harness.step("a second activity is created while the first is stopped", |harness| {
+        let intent = harness.intent();
+        harness.launch(intent);
+        harness.shows(&expected)?;
+        harness.with(|first| {
             first.focus(false);
             first.pause();
             first.destroy_window();
             first.stop();
         });
-        let first = stage.activity.take();
-        let intent = stage.intent();
-        stage.launch(intent);
-        stage.shows(&expected)?;
+        let first = harness.activity.take();
+        let intent = harness.intent();
+        harness.launch(intent);
+        harness.shows(&expected)?;
         if let Some(first) = first {
             destroy(first)?;
         }
         let presents = vulkan::presents();
-        stage.with(|second| second.redraw());
-        stage.shows_within_two(presents, &expected)?;
-        stage.destroy()?;
-        stage.no_threads()
+        harness.with(|second| second.redraw());
+        harness.shows_within_two(presents, &expected)?;
+        harness.destroy()?;
+        harness.no_threads()
     })?;
-    stage.step("what was saved comes back", |stage| {
-        let intent = stage.intent();
-        stage.launch(intent);
-        stage.shows(&expected)?;
+    harness.step("what was saved comes back", |harness| {
+        let intent = harness.intent();
+        harness.launch(intent);
+        harness.shows(&expected)?;
         let mut saved = Vec::new();
-        stage.with(|activity| saved = activity.save());
-        stage.destroy()?;
-        let intent = stage.intent();
-        stage.create(intent, &saved);
-        let size = stage.size;
-        stage.with(|activity| {
+        harness.with(|activity| saved = activity.save());
+        harness.destroy()?;
+        let intent = harness.intent();
+        harness.create(intent, &saved);
+        let size = harness.size;
+        harness.with(|activity| {
             activity.start();
             activity.resume();
             activity.create_window(size);
             activity.focus(true);
         });
-        stage.shows(&expected)?;
-        stage.destroy()?;
-        stage.no_threads()
+        harness.shows(&expected)?;
+        harness.destroy()?;
+        harness.no_threads()
     })?;
-    stage.step("nothing is held: descriptors, windows, devices, local references", |_| {
+    harness.step("nothing is held: descriptors, windows, devices, local references", |_| {
         let found = process::descriptors();
         let [devices, surfaces] = vulkan::alive();
         let [local, _, _] = java::references();

@@ -1,11 +1,11 @@
 //! The back key ends the app.
 
 use super::Outcome;
-use super::stage::Stage;
+use super::harness::Harness;
 
 /// Plays it.
-pub fn play(stage: &mut Stage) -> Outcome {
-    stage.opens()?;
-    stage.step("the back key finishes the activity, and destroying it returns", Stage::back)?;
-    stage.step("no thread of the app is left", |stage| stage.no_threads())
+pub fn play(harness: &mut Harness) -> Outcome {
+    harness.opens()?;
+    harness.step("the back key finishes the activity, and destroying it returns", Harness::back)?;
+    harness.step("no thread of the app is left", |harness| harness.no_threads())
 }

@@ -3,57 +3,57 @@
 use std::time::{Duration, Instant};
 
 use super::Outcome;
-use super::stage::Stage;
+use super::harness::Harness;
 use super::view::problem;
 use crate::life::pump;
 use crate::vulkan::{self, faults};
 use crate::{log, report, window};
 
 /// The loader's library is missing.
-pub fn no_vulkan(stage: &mut Stage) -> Outcome {
-    refusal(stage, |faults| faults.no_loader = true)
+pub fn no_vulkan(harness: &mut Harness) -> Outcome {
+    refusal(harness, |faults| faults.no_loader = true)
 }
 
 /// The loader finds no device.
-pub fn no_device(stage: &mut Stage) -> Outcome {
-    refusal(stage, |faults| faults.no_device = true)
+pub fn no_device(harness: &mut Harness) -> Outcome {
+    refusal(harness, |faults| faults.no_device = true)
 }
 
 /// The device's limits are too small.
-pub fn small_limits(stage: &mut Stage) -> Outcome {
-    refusal(stage, |faults| faults.small_limits = true)
+pub fn small_limits(harness: &mut Harness) -> Outcome {
+    refusal(harness, |faults| faults.small_limits = true)
 }
 
-fn refusal(stage: &mut Stage, fault: impl FnOnce(&mut faults::Faults)) -> Outcome {
+fn refusal(harness: &mut Harness, fault: impl FnOnce(&mut faults::Faults)) -> Outcome {
     faults::with(fault);
     let mark = log::mark();
-    stage.step("created, started, resumed, with a window", |stage| {
-        let intent = stage.intent();
-        stage.launch(intent);
+    harness.step("created, started, resumed, with a window", |harness| {
+        let intent = harness.intent();
+        harness.launch(intent);
         Ok(())
     })?;
-    let line = stage.step("the log says what was expected and found", |stage| problem(stage, mark))?;
+    let line = harness.step("the log says what was expected and found", |harness| problem(harness, mark))?;
     report::say(&format!("      {line}"));
-    stage.step("the message is on the screen, drawn without Vulkan", |stage| posted_after(stage, 0))?;
-    stage.step("a new window, a turned one: the message is there again", |stage| {
-        let (posts, size) = (window::posts(), stage.size);
-        stage.with(|activity| {
+    harness.step("the message is on the screen, drawn without Vulkan", |harness| posted_after(harness, 0))?;
+    harness.step("a new window, a turned one: the message is there again", |harness| {
+        let (posts, size) = (window::posts(), harness.size);
+        harness.with(|activity| {
             activity.pause();
             activity.destroy_window();
             activity.resume();
             activity.create_window(size);
         });
-        posted_after(stage, posts)?;
+        posted_after(harness, posts)?;
         let posts = window::posts();
-        stage.resize([size[1], size[0]]);
-        posted_after(stage, posts)
+        harness.resize([size[1], size[0]]);
+        posted_after(harness, posts)
     })?;
-    stage.step("the back key closes the message, then the app; destroying it returns", back_twice)
+    harness.step("the back key closes the message, then the app; destroying it returns", back_twice)
 }
 
 /// A picture of the display's size and of more than one colour is drawn without Vulkan, and comes to rest.
-fn posted_after(stage: &mut Stage, posts: u64) -> Outcome {
-    let size = stage.size;
+fn posted_after(harness: &mut Harness, posts: u64) -> Outcome {
+    let size = harness.size;
     let fits = || {
         let posted = window::posted().filter(|_| window::posts() > posts);
         posted.filter(|picture| [picture.width, picture.height] == size && !picture.is_of_one_colour())
@@ -67,7 +67,7 @@ fn posted_after(stage: &mut Stage, posts: u64) -> Outcome {
         last.0.is_some() && last.1.elapsed() > Duration::from_secs(2)
     });
     match fits().filter(|_| at_rest) {
-        Some(picture) => stage.keep(&picture),
+        Some(picture) => harness.keep(&picture),
         None => Err(format!(
             "expected a picture of {size:?} pixels by ANativeWindow_lock, at rest; found {} of them, the last {:?}",
             window::posts() - posts,
@@ -77,48 +77,48 @@ fn posted_after(stage: &mut Stage, posts: u64) -> Outcome {
 }
 
 /// The first back key closes the message, the second the app.
-fn back_twice(stage: &mut Stage) -> Outcome {
-    super::hand::back(stage);
-    stage.wait(Duration::from_secs(1));
-    stage.back()
+fn back_twice(harness: &mut Harness) -> Outcome {
+    super::hand::back(harness);
+    harness.wait(Duration::from_secs(1));
+    harness.back()
 }
 
 /// The device is lost once, and then three times in a row.
-pub fn lost_device(stage: &mut Stage) -> Outcome {
-    let expected = stage.opens()?;
-    stage.step("what it counts is counted", |stage| {
-        stage.rest()?;
+pub fn lost_device(harness: &mut Harness) -> Outcome {
+    let expected = harness.opens()?;
+    harness.step("what it counts is counted", |harness| {
+        harness.rest()?;
         // Until what it counts is counted: what is lost while the overlay is painted makes egui-wgpu panic, which the app
         // catches and the log shows.
-        stage.wait(Duration::from_secs(3));
+        harness.wait(Duration::from_secs(3));
         Ok(())
     })?;
-    stage.step("lost once: the same picture comes back, on a new device", |stage| {
+    harness.step("lost once: the same picture comes back, on a new device", |harness| {
         let (first, devices) = (vulkan::presents(), vulkan::devices_created());
         faults::with(|faults| faults.lost_devices = 1);
-        stage.with(|activity| activity.redraw());
+        harness.with(|activity| activity.redraw());
         let is_back = || vulkan::presents() > first && vulkan::devices_created() > devices;
         if !pump(Duration::from_secs(90), is_back) {
             return Err("no picture from a new device".to_owned());
         }
-        stage.shows(&expected)
+        harness.shows(&expected)
     })?;
     let mark = log::mark();
-    stage.step("lost three times in a row: a message", |stage| {
+    harness.step("lost three times in a row: a message", |harness| {
         faults::with(|faults| faults.lost_devices = 3);
-        stage.with(|activity| activity.redraw());
-        let line = problem(stage, mark)?;
+        harness.with(|activity| activity.redraw());
+        let line = problem(harness, mark)?;
         report::say(&format!("      {line}"));
         let all = faults::with(|faults| faults.lost_devices) == 0;
         if !all {
             return Err("the app gave up before the device was lost three times".to_owned());
         }
         // A device that is made after the third loss shows the message, and nothing else.
-        let shown = stage.rest()?;
+        let shown = harness.rest()?;
         match shown == expected || shown.is_of_one_colour() {
             true => Err("expected the message on the screen, found none".to_owned()),
             false => Ok(()),
         }
     })?;
-    stage.step("the back key closes the message, then the app; destroying it returns", back_twice)
+    harness.step("the back key closes the message, then the app; destroying it returns", back_twice)
 }

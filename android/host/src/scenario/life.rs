@@ -1,7 +1,7 @@
 //! To the background and back, in the ways that Android has.
 
 use super::Outcome;
-use super::stage::Stage;
+use super::harness::Harness;
 use crate::picture::Picture;
 use crate::vulkan;
 
@@ -9,19 +9,19 @@ use crate::vulkan;
 const ROUNDS: usize = 3;
 
 /// Plays it.
-pub fn play(stage: &mut Stage) -> Outcome {
-    let expected = stage.opens()?;
+pub fn play(harness: &mut Harness) -> Outcome {
+    let expected = harness.opens()?;
     for _ in 0..ROUNDS {
-        stage.step("the window goes and comes: a correct picture within two presents", |stage| {
-            stage.rest()?;
-            stage.with(|activity| {
+        harness.step("the window goes and comes: a correct picture within two presents", |harness| {
+            harness.rest()?;
+            harness.with(|activity| {
                 activity.pause();
                 activity.destroy_window();
             });
-            comes_back(stage, &expected)
+            comes_back(harness, &expected)
         })?;
-        stage.step("stopped with its state saved, low memory, started again", |stage| {
-            stage.with(|activity| {
+        harness.step("stopped with its state saved, low memory, started again", |harness| {
+            harness.with(|activity| {
                 activity.focus(false);
                 activity.pause();
                 activity.save();
@@ -29,39 +29,39 @@ pub fn play(stage: &mut Stage) -> Outcome {
                 activity.destroy_window();
                 activity.low_memory();
             });
-            stage.wait(std::time::Duration::from_millis(300));
-            stage.with(|activity| activity.start());
-            comes_back(stage, &expected)
+            harness.wait(std::time::Duration::from_millis(300));
+            harness.with(|activity| activity.start());
+            comes_back(harness, &expected)
         })?;
-        stage.step("paused behind a dialogue, the window stays", |stage| {
+        harness.step("paused behind a dialogue, the window stays", |harness| {
             let first = vulkan::presents();
-            stage.with(|activity| {
+            harness.with(|activity| {
                 activity.focus(false);
                 activity.pause();
                 activity.resume();
                 activity.focus(true);
                 activity.redraw();
             });
-            stage.shows_within_two(first, &expected)
+            harness.shows_within_two(first, &expected)
         })?;
-        stage.step("low memory in the foreground", |stage| {
-            stage.with(|activity| activity.low_memory());
-            stage.rest()?.difference(&expected).map_or(Ok(()), Err)
+        harness.step("low memory in the foreground", |harness| {
+            harness.with(|activity| activity.low_memory());
+            harness.rest()?.difference(&expected).map_or(Ok(()), Err)
         })?;
     }
-    stage.step("one device served all windows", |_| match vulkan::devices_created() {
+    harness.step("one device served all windows", |_| match vulkan::devices_created() {
         1 => Ok(()),
         other => Err(format!("expected 1 device, found {other}")),
     })
 }
 
 /// Resumes with a new window, in the order that Android has.
-fn comes_back(stage: &mut Stage, expected: &Picture) -> Outcome {
-    let (first, size) = (vulkan::presents(), stage.size);
-    stage.with(|activity| {
+fn comes_back(harness: &mut Harness, expected: &Picture) -> Outcome {
+    let (first, size) = (vulkan::presents(), harness.size);
+    harness.with(|activity| {
         activity.resume();
         activity.create_window(size);
         activity.focus(true);
     });
-    stage.shows_within_two(first, expected)
+    harness.shows_within_two(first, expected)
 }

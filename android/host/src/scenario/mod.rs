@@ -1,12 +1,12 @@
-//! The scenarios: each is a function of readable steps on a [`Stage`].
+//! The scenarios: each is a function of readable steps on a [`Harness`].
 
 mod again;
 mod back;
 mod errors;
 mod hand;
+mod harness;
 mod life;
 mod rotate;
-mod stage;
 mod start;
 mod storm;
 mod thermal;
@@ -18,12 +18,12 @@ use std::time::{Duration, Instant};
 use crate::bionic::API_LEVEL;
 use crate::options::Options;
 use crate::{assets, looper, report};
-use stage::Stage;
+use harness::Harness;
 
 /// What a step answers: what it found, or what was expected and found instead.
 type Outcome<T = ()> = Result<T, String>;
 
-type Scenario = fn(&mut Stage) -> Outcome;
+type Scenario = fn(&mut Harness) -> Outcome;
 
 const SCENARIOS: &[(&str, Scenario)] = &[
     ("start", start::play),
@@ -60,9 +60,9 @@ pub fn play(options: Options) -> i32 {
         report::say(&format!("expected a scenario of {}, found `{name}`", known.join(", ")));
         return 2;
     };
-    let outcome = Stage::new(options).and_then(|mut stage| {
-        scenario(&mut stage)?;
-        stage.finish()
+    let outcome = Harness::new(options).and_then(|mut harness| {
+        scenario(&mut harness)?;
+        harness.finish()
     });
     let seconds = start.elapsed().as_secs_f64();
     match outcome {

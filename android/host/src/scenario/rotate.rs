@@ -1,22 +1,22 @@
 //! The display turns; surfaces become out of date, suboptimal, lost.
 
 use super::Outcome;
-use super::stage::Stage;
+use super::harness::Harness;
 use crate::vulkan::{self, faults};
 
 const TURNS: usize = 3;
 
 /// Plays it.
-pub fn play(stage: &mut Stage) -> Outcome {
-    let landscape = stage.size;
+pub fn play(harness: &mut Harness) -> Outcome {
+    let landscape = harness.size;
     let portrait = [landscape[1], landscape[0]];
-    let expected = stage.opens()?;
-    stage.step("the picture comes to rest", |stage| stage.rest().map(drop))?;
+    let expected = harness.opens()?;
+    harness.step("the picture comes to rest", |harness| harness.rest().map(drop))?;
     for _ in 0..TURNS {
-        stage.step("turned: a picture of the new size, one new swapchain", |stage| {
+        harness.step("turned: a picture of the new size, one new swapchain", |harness| {
             let swapchains = vulkan::swapchains_created();
-            stage.resize(portrait);
-            let picture = stage.rest()?;
+            harness.resize(portrait);
+            let picture = harness.rest()?;
             if [picture.width, picture.height] != portrait {
                 return Err(format!(
                     "expected {portrait:?} pixels, found {}x{}",
@@ -28,52 +28,52 @@ pub fn play(stage: &mut Stage) -> Outcome {
             }
             no_more_than(swapchains, 1)
         })?;
-        stage.step("turned back: the same picture, one new swapchain", |stage| {
+        harness.step("turned back: the same picture, one new swapchain", |harness| {
             let swapchains = vulkan::swapchains_created();
-            stage.resize(landscape);
-            stage.shows(&expected)?;
-            stage.rest()?;
+            harness.resize(landscape);
+            harness.shows(&expected)?;
+            harness.rest()?;
             no_more_than(swapchains, 1)
         })?;
     }
-    stage.step("suboptimal at every present: no new swapchain", |stage| {
+    harness.step("suboptimal at every present: no new swapchain", |harness| {
         let swapchains = vulkan::swapchains_created();
         faults::with(|faults| faults.suboptimal = true);
         for _ in 0..20 {
             let first = vulkan::presents();
-            stage.with(|activity| activity.redraw());
-            stage.shows_within_two(first, &expected)?;
+            harness.with(|activity| activity.redraw());
+            harness.shows_within_two(first, &expected)?;
         }
         faults::with(|faults| faults.suboptimal = false);
         no_more_than(swapchains, 0)
     })?;
-    stage.step("three swapchains out of date: three new ones, the same picture", |stage| {
+    harness.step("three swapchains out of date: three new ones, the same picture", |harness| {
         let swapchains = vulkan::swapchains_created();
         faults::with(|faults| faults.outdated = 3);
-        survives(stage, |faults| faults.outdated, &expected)?;
+        survives(harness, |faults| faults.outdated, &expected)?;
         no_more_than(swapchains, 3)
     })?;
-    stage.step("the surface is lost: one new swapchain, the same picture", |stage| {
+    harness.step("the surface is lost: one new swapchain, the same picture", |harness| {
         let swapchains = vulkan::swapchains_created();
         faults::with(|faults| faults.lost_surfaces = 1);
-        survives(stage, |faults| faults.lost_surfaces, &expected)?;
+        survives(harness, |faults| faults.lost_surfaces, &expected)?;
         no_more_than(swapchains, 1)
     })
 }
 
 /// Asks for pictures until the faults have all happened and the expected one is shown after that.
 fn survives(
-    stage: &mut Stage,
+    harness: &mut Harness,
     left: fn(&faults::Faults) -> u32,
     expected: &crate::picture::Picture,
 ) -> Outcome {
     for _ in 0..100 {
-        stage.with(|activity| activity.redraw());
-        stage.wait(std::time::Duration::from_millis(100));
+        harness.with(|activity| activity.redraw());
+        harness.wait(std::time::Duration::from_millis(100));
         if faults::with(|faults| left(faults)) == 0 {
             let first = vulkan::presents();
-            stage.with(|activity| activity.redraw());
-            return stage.shows_within_two(first, expected);
+            harness.with(|activity| activity.redraw());
+            return harness.shows_within_two(first, expected);
         }
     }
     Err("the app does not present, although it was asked to draw again".to_owned())

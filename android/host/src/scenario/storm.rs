@@ -1,6 +1,6 @@
 //! A storm of random events: no panic, a correct picture after each resume, no growth.
 
-use super::stage::Stage;
+use super::harness::Harness;
 use super::{Outcome, hand};
 use crate::input::KEY_VOLUME_UP;
 use crate::life::{Activity, pump};
@@ -39,7 +39,7 @@ impl Random {
 }
 
 struct Storm<'a> {
-    stage: &'a mut Stage,
+    harness: &'a mut Harness,
     random: Random,
     /// Events that were sent.
     events: u64,
@@ -48,10 +48,10 @@ struct Storm<'a> {
 }
 
 /// Plays it.
-pub fn play(stage: &mut Stage) -> Outcome {
-    let (events, seed) = (stage.options.events, stage.options.seed);
-    stage.opens()?;
-    let mut storm = Storm { stage, random: Random(seed), events: 0, compared: 0 };
+pub fn play(harness: &mut Harness) -> Outcome {
+    let (events, seed) = (harness.options.events, harness.options.seed);
+    harness.opens()?;
+    let mut storm = Storm { harness, random: Random(seed), events: 0, compared: 0 };
     let mut early = None;
     let mut next = 0;
     while storm.events < events {
@@ -67,8 +67,8 @@ pub fn play(stage: &mut Stage) -> Outcome {
     }
     let last = storm.quiet()?;
     let (events, compared) = (storm.events, storm.compared);
-    stage.step(&format!("{events} events, {compared} resumes compared"), |_| Ok(()))?;
-    stage.step("memory does not grow", |_| grows(early.unwrap_or(last), last))
+    harness.step(&format!("{events} events, {compared} resumes compared"), |_| Ok(()))?;
+    harness.step("memory does not grow", |_| grows(early.unwrap_or(last), last))
 }
 
 fn grows(early: Memory, last: Memory) -> Outcome {
@@ -93,26 +93,26 @@ fn grows(early: Memory, last: Memory) -> Outcome {
 impl Storm<'_> {
     /// One thing happens, and what holds after it is checked.
     fn one(&mut self) -> Outcome {
-        let stage = &mut *self.stage;
+        let harness = &mut *self.harness;
         match self.random.below(100) {
             0..50 => self.gesture(),
             50..55 => {
-                hand::press(stage, KEY_VOLUME_UP);
+                hand::press(harness, KEY_VOLUME_UP);
                 self.events += 2;
             }
             55..60 => {
-                stage.with(Activity::low_memory);
+                harness.with(Activity::low_memory);
                 self.events += 1;
             }
             60..66 => {
-                stage.with(|activity| {
+                harness.with(|activity| {
                     activity.focus(false);
                     activity.focus(true);
                 });
                 self.events += 2;
             }
             66..70 => {
-                stage.with(Activity::configuration_changed);
+                harness.with(Activity::configuration_changed);
                 self.events += 1;
             }
             70..76 => {
@@ -120,24 +120,24 @@ impl Storm<'_> {
                 self.events += 1;
             }
             76..84 => {
-                stage.resize([stage.size[1], stage.size[0]]);
+                harness.resize([harness.size[1], harness.size[0]]);
                 self.events += 4;
             }
             84..99 => self.background()?,
             _ => self.recreate()?,
         }
         let pause = self.random.below(30);
-        self.stage.wait(Duration::from_millis(pause));
+        self.harness.wait(Duration::from_millis(pause));
         self.checked()
     }
 
-    /// What [`Stage::step`] checks, without a line on the output.
+    /// What [`Harness::step`] checks, without a line on the output.
     fn checked(&mut self) -> Outcome {
-        let answers = || self.stage.activity.as_ref().is_none_or(Activity::input_is_finished);
+        let answers = || self.harness.activity.as_ref().is_none_or(Activity::input_is_finished);
         if !pump(Duration::from_secs(5), answers) {
             return Err("input was not handled within 5 s".to_owned());
         }
-        self.stage.check()
+        self.harness.check()
     }
 
     fn gesture(&mut self) {
@@ -145,19 +145,19 @@ impl Storm<'_> {
         let moves = 1 + self.random.below(6) as u32;
         match self.random.below(8) {
             0 => {
-                hand::pinch(self.stage, 0.2 + from[0] / 2.0, 0.2 + to[0] / 2.0, moves);
+                hand::pinch(self.harness, 0.2 + from[0] / 2.0, 0.2 + to[0] / 2.0, moves);
                 self.events += u64::from(moves) + 4;
             }
             1 => {
-                hand::drag_in_a_batch(self.stage, from, to);
+                hand::drag_in_a_batch(self.harness, from, to);
                 self.events += 3;
             }
             2 => {
-                hand::cancelled_drag(self.stage);
+                hand::cancelled_drag(self.harness);
                 self.events += 2;
             }
             _ => {
-                hand::drag(self.stage, from, to, moves);
+                hand::drag(self.harness, from, to, moves);
                 self.events += u64::from(moves) + 2;
             }
         }
@@ -165,9 +165,9 @@ impl Storm<'_> {
 
     /// To the background and back; if the view was at rest before, the same picture comes within two presents.
     fn background(&mut self) -> Outcome {
-        let before = if self.random.chance(2) { Some(self.stage.rest()?) } else { None };
+        let before = if self.random.chance(2) { Some(self.harness.rest()?) } else { None };
         let (stops, idles) = (self.random.chance(2), self.random.below(100));
-        self.stage.with(|activity| {
+        self.harness.with(|activity| {
             activity.focus(false);
             activity.pause();
             if stops {
@@ -176,9 +176,9 @@ impl Storm<'_> {
             }
             activity.destroy_window();
         });
-        self.stage.wait(Duration::from_millis(idles));
-        let (first, size) = (vulkan::presents(), self.stage.size);
-        self.stage.with(|activity| {
+        self.harness.wait(Duration::from_millis(idles));
+        let (first, size) = (vulkan::presents(), self.harness.size);
+        self.harness.with(|activity| {
             if stops {
                 activity.start();
             }
@@ -190,31 +190,31 @@ impl Storm<'_> {
         match before {
             Some(before) => {
                 self.compared += 1;
-                self.stage.shows_within_two(first, &before)
+                self.harness.shows_within_two(first, &before)
             }
             None => Ok(()),
         }
     }
 
     fn recreate(&mut self) -> Outcome {
-        self.stage.destroy()?;
-        self.stage.no_threads()?;
-        self.stage.size = self.stage.options.size;
-        let (intent, expected) = (self.stage.intent(), self.stage.expected()?);
-        self.stage.launch(intent);
+        self.harness.destroy()?;
+        self.harness.no_threads()?;
+        self.harness.size = self.harness.options.size;
+        let (intent, expected) = (self.harness.intent(), self.harness.expected()?);
+        self.harness.launch(intent);
         self.events += 9;
-        self.stage.shows(&expected)
+        self.harness.shows(&expected)
     }
 
     /// The state in which memory is compared: as the app was started, and at rest.
     fn quiet(&mut self) -> Outcome<Memory> {
-        let size = self.stage.options.size;
-        if self.stage.size != size {
-            self.stage.resize(size);
+        let size = self.harness.options.size;
+        if self.harness.size != size {
+            self.harness.resize(size);
         }
         thermal::set_headroom(0.4);
-        self.stage.rest()?;
-        self.stage.wait(Duration::from_secs(2));
+        self.harness.rest()?;
+        self.harness.wait(Duration::from_secs(2));
         Ok(Memory::now())
     }
 }

@@ -1,6 +1,6 @@
 //! The device gets hot while the camera moves, and cools down.
 
-use super::stage::Stage;
+use super::harness::Harness;
 use super::{Outcome, hand};
 use crate::life::pump;
 use crate::{hint, log, thermal, vulkan};
@@ -12,22 +12,22 @@ const HEADROOM: i32 = 31;
 const HINTS: i32 = 33;
 
 /// Plays it.
-pub fn play(stage: &mut Stage) -> Outcome {
-    let (api, start) = (stage.options.api, log::mark());
-    stage.step("the governor steers: a picture is presented", |stage| {
-        let mut intent = stage.intent();
+pub fn play(harness: &mut Harness) -> Outcome {
+    let (api, start) = (harness.options.api, log::mark());
+    harness.step("the governor steers: a picture is presented", |harness| {
+        let mut intent = harness.intent();
         intent.extras.insert("set".to_owned(), "overlay hidden".to_owned());
-        stage.launch(intent);
+        harness.launch(intent);
         match pump(Duration::from_secs(60), || vulkan::presents() > 0) {
-            true => stage.rest().map(drop),
+            true => harness.rest().map(drop),
             false => Err("nothing was presented".to_owned()),
         }
     })?;
     if api < HEADROOM {
-        return stage.step(
+        return harness.step(
             "an Android without headroom and hints: nothing of it, and the camera moves",
-            |stage| {
-                moving(stage, || false);
+            |harness| {
+                moving(harness, || false);
                 let lines = log::since(start);
                 match lines.iter().find(|line| line.contains("thermal: headroom")) {
                     Some(line) => Err(format!("expected no headroom, found `{line}`")),
@@ -41,22 +41,22 @@ pub fn play(stage: &mut Stage) -> Outcome {
     }
     let mut shares = Vec::new();
     for headroom in [0.5, 0.95, 1.1, 0.5] {
-        shares.push(stage.step(&format!("headroom {headroom} is read"), |stage| {
+        shares.push(harness.step(&format!("headroom {headroom} is read"), |harness| {
             let mark = log::mark();
             thermal::set_headroom(headroom);
             let found = || log::since(mark).iter().find_map(|line| share(line, headroom));
-            moving(stage, || found().is_some());
+            moving(harness, || found().is_some());
             found().ok_or_else(|| format!("expected a line `thermal: headroom {headroom}, ...`, found none"))
         })?);
     }
-    stage.step("the hotter, the less time a frame may take", |_| {
+    harness.step("the hotter, the less time a frame may take", |_| {
         match shares[0] >= shares[1] && shares[1] > shares[2] && shares[3] == shares[0] {
             true => Ok(()),
             false => Err(format!("expected shares that fall and come back, found {shares:?}")),
         }
     })?;
     if api >= HINTS {
-        stage.step("a session of hints got the times of frames", |_| {
+        harness.step("a session of hints got the times of frames", |_| {
             let told = hint::told();
             match told.open == 1 && told.reports > 0 && !told.threads.is_empty() {
                 true => Ok(()),
@@ -64,8 +64,8 @@ pub fn play(stage: &mut Stage) -> Outcome {
             }
         })?;
     }
-    stage.step("destroyed: managers and sessions are given back", |stage| {
-        stage.destroy()?;
+    harness.step("destroyed: managers and sessions are given back", |harness| {
+        harness.destroy()?;
         match (thermal::managers(), hint::told().open) {
             (0, 0) => Ok(()),
             (managers, sessions) => Err(format!("found {managers} managers and {sessions} sessions")),
@@ -74,10 +74,10 @@ pub fn play(stage: &mut Stage) -> Outcome {
 }
 
 /// Drags to and fro until `done`, or for long enough that every reading was taken.
-fn moving(stage: &mut Stage, done: impl Fn() -> bool) {
+fn moving(harness: &mut Harness, done: impl Fn() -> bool) {
     for round in 0..40 {
         let (from, to) = if round % 2 == 0 { ([0.4, 0.5], [0.6, 0.5]) } else { ([0.6, 0.5], [0.4, 0.5]) };
-        hand::drag(stage, from, to, 20);
+        hand::drag(harness, from, to, 20);
         if done() {
             return;
         }

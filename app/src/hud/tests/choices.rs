@@ -18,14 +18,14 @@ impl Random {
     }
 }
 
-fn pointer(harness: &Harness<'_, Stage>, pos: Pos2, pressed: bool) {
+fn pointer(harness: &Harness<'_, HudFixture>, pos: Pos2, pressed: bool) {
     let modifiers = Modifiers::NONE;
     harness.event(egui::Event::PointerMoved(pos));
     harness.event(egui::Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers });
 }
 
 /// Presses somewhere on a control that can be pressed, and lets go there or at another.
-fn drag_something(harness: &mut Harness<'_, Stage>, random: &mut Random) {
+fn drag_something(harness: &mut Harness<'_, HudFixture>, random: &mut Random) {
     let rects = harness.ctx.interactive_rects_last_pass();
     let window = harness.ctx.content_rect();
     let somewhere = |random: &mut Random| {
@@ -40,7 +40,7 @@ fn drag_something(harness: &mut Harness<'_, Stage>, random: &mut Random) {
     harness.run_steps(1);
 }
 
-fn press_some_key(harness: &mut Harness<'_, Stage>, random: &mut Random) {
+fn press_some_key(harness: &mut Harness<'_, HudFixture>, random: &mut Random) {
     let keys: Vec<_> = SHORTCUTS.iter().flat_map(|shortcut| shortcut.keys).collect();
     let keys = keys[random.below(keys.len())];
     harness.key_press_modifiers(keys.modifiers, keys.logical_key);
@@ -52,11 +52,11 @@ fn nothing_that_is_pressed_makes_settings_that_no_frame_can_have() {
     let mut methods = Vec::new();
     for seed in 0..24 {
         let mut random = Random(seed);
-        let mut stage = stage(Overlay::Full);
+        let mut fixture = fixture(Overlay::Full);
         if seed % 2 == 1 {
-            stage.choices.settings.method = Method::Checkerboard;
+            fixture.choices.settings.method = Method::Checkerboard;
         }
-        let mut harness = shown(stage, [900.0, 3600.0]);
+        let mut harness = shown(fixture, [900.0, 3600.0]);
         for step in 0..400 {
             if random.below(4) == 0 {
                 press_some_key(&mut harness, &mut random);
@@ -86,16 +86,16 @@ fn nothing_that_is_pressed_makes_settings_that_no_frame_can_have() {
 
 #[test]
 fn what_is_excluded_cannot_be_pressed_until_nothing_excludes_it() {
-    let mut stage = stage(Overlay::Full);
-    stage.choices.settings.sampling = 2;
-    let mut harness = shown(stage, [900.0, 3600.0]);
+    let mut fixture = fixture(Overlay::Full);
+    fixture.choices.settings.sampling = 2;
+    let mut harness = shown(fixture, [900.0, 3600.0]);
     for name in ["method: checkerboard", "show: depth"] {
         let button = harness.get_by_label(name);
         assert!(button.accesskit_node().is_disabled(), "{name}");
         button.click();
         harness.run_steps(2);
     }
-    let chosen = |harness: &Harness<'_, Stage>| {
+    let chosen = |harness: &Harness<'_, HudFixture>| {
         (harness.state().choices.settings.method, harness.state().choices.show)
     };
     assert_eq!(chosen(&harness), (Method::Adaptive, Show::Final));
@@ -109,9 +109,9 @@ fn what_is_excluded_cannot_be_pressed_until_nothing_excludes_it() {
 
 #[test]
 fn keys_skip_what_is_excluded() {
-    let mut stage = stage(Overlay::Hidden);
-    stage.choices.settings.sampling = 4;
-    let mut harness = shown(stage, [400.0, 400.0]);
+    let mut fixture = fixture(Overlay::Hidden);
+    fixture.choices.settings.sampling = 4;
+    let mut harness = shown(fixture, [400.0, 400.0]);
     let mut methods = Vec::new();
     for _ in 0..3 {
         harness.key_press(Key::M);
@@ -126,7 +126,7 @@ fn keys_skip_what_is_excluded() {
 #[test]
 fn a_number_that_is_none_is_not_taken() {
     for text in ["nan", "inf", "-1e30", "", "x"] {
-        let mut harness = shown(stage(Overlay::Full), [900.0, 3600.0]);
+        let mut harness = shown(fixture(Overlay::Full), [900.0, 3600.0]);
         for name in ["position in digits", "normal in digits", "depth in digits", "least weight in digits"] {
             harness.get_by_label(name).focus();
             harness.run_steps(3);
@@ -141,14 +141,14 @@ fn a_number_that_is_none_is_not_taken() {
 
 #[test]
 fn a_number_is_taken_and_the_paper_has_its_own_back() {
-    let mut harness = shown(stage(Overlay::Full), [900.0, 3600.0]);
+    let mut harness = shown(fixture(Overlay::Full), [900.0, 3600.0]);
     harness.get_by_label("position in digits").focus();
     harness.run_steps(3);
     harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     harness.event(egui::Event::Text("0.07".to_owned()));
     harness.key_press(Key::Enter);
     harness.run_steps(3);
-    let pos = |harness: &Harness<'_, Stage>| harness.state().choices.settings.tolerances.pos;
+    let pos = |harness: &Harness<'_, HudFixture>| harness.state().choices.settings.tolerances.pos;
     assert_eq!(pos(&harness), 0.07);
     harness.get_by_label("position: paper value").click();
     harness.run_steps(2);
@@ -157,22 +157,22 @@ fn a_number_is_taken_and_the_paper_has_its_own_back() {
 
 #[test]
 fn settings_from_elsewhere_are_left_as_they_are() {
-    let mut stage = stage(Overlay::Full);
-    let settings = &mut stage.choices.settings;
+    let mut fixture = fixture(Overlay::Full);
+    let settings = &mut fixture.choices.settings;
     settings.depth = 40;
     settings.sampling = 3;
     settings.tolerances.norm = -0.5;
     settings.tolerances.pos = 4.0;
-    let before = stage.choices;
-    assert_eq!(shown(stage, [900.0, 3600.0]).state().choices, before);
+    let before = fixture.choices;
+    assert_eq!(shown(fixture, [900.0, 3600.0]).state().choices, before);
 }
 
 #[test]
 fn what_is_excluded_says_why() {
-    let mut stage = stage(Overlay::Full);
-    stage.choices.settings.sampling = 2;
-    stage.choices.settings.method = Method::Full;
-    let mut harness = shown(stage, [900.0, 3600.0]);
+    let mut fixture = fixture(Overlay::Full);
+    fixture.choices.settings.sampling = 2;
+    fixture.choices.settings.method = Method::Full;
+    let mut harness = shown(fixture, [900.0, 3600.0]);
     let reasons = [
         (Role::Button, "method: checkerboard", "sampling: expected 1 with method checkerboard, found 2"),
         (Role::Button, "show: depth", "is about pixels of one sample"),
@@ -190,11 +190,11 @@ fn what_is_excluded_says_why() {
 #[test]
 fn the_governor_rests_with_methods_that_it_does_not_govern() {
     for method in Method::ALL {
-        let mut stage = stage(Overlay::Full);
-        stage.choices.settings = stage.choices.settings.with_method(method);
-        let governed = stage.choices.governed().is_some();
-        let before = stage.choices.governor;
-        let mut harness = shown(stage, [900.0, 3600.0]);
+        let mut fixture = fixture(Overlay::Full);
+        fixture.choices.settings = fixture.choices.settings.with_method(method);
+        let governed = fixture.choices.governed().is_some();
+        let before = fixture.choices.governor;
+        let mut harness = shown(fixture, [900.0, 3600.0]);
         let button = harness.get_by_label("governor: 60 fps");
         assert_eq!(button.accesskit_node().is_disabled(), !governed, "{method:?}");
         harness.key_press(Key::G);
@@ -206,9 +206,9 @@ fn the_governor_rests_with_methods_that_it_does_not_govern() {
 #[test]
 fn a_value_as_text_is_taken_where_it_is_one() {
     for (text, expected) in [("0.25,0.75", [0.25, 0.75]), ("wide", [0.5, 0.5]), ("1e9,0", [0.5, 0.5])] {
-        let mut stage = stage(Overlay::Full);
-        stage.choices.settings = stage.choices.settings.with_method(Method::Vr);
-        let mut harness = shown(stage, [900.0, 6000.0]);
+        let mut fixture = fixture(Overlay::Full);
+        fixture.choices.settings = fixture.choices.settings.with_method(Method::Vr);
+        let mut harness = shown(fixture, [900.0, 6000.0]);
         harness.get_by_label("Path tracing").click();
         harness.run_steps(12);
         harness.get_by_role_and_label(Role::TextInput, "gaze").focus();

@@ -12,9 +12,9 @@ use crate::Navigation;
 #[test]
 fn the_picture_gets_what_the_overlay_does_not_cover() {
     for overlay in [Overlay::Hidden, Overlay::Brief, Overlay::Full] {
-        let mut stage = stage(overlay);
-        stage.choices.split = Some(0.5);
-        let mut harness = shown(stage, [1280.0, 720.0]);
+        let mut fixture = fixture(overlay);
+        fixture.choices.split = Some(0.5);
+        let mut harness = shown(fixture, [1280.0, 720.0]);
         // Beside the handle, on the line and away from it.
         for at in [pos2(640.0, 200.0), pos2(300.0, 500.0)] {
             harness.state_mut().picture = 0;
@@ -30,7 +30,7 @@ fn the_picture_gets_what_the_overlay_does_not_cover() {
 
 #[test]
 fn the_picture_does_not_get_what_the_overlay_takes() {
-    let mut harness = shown(stage(Overlay::Brief), [1280.0, 720.0]);
+    let mut harness = shown(fixture(Overlay::Brief), [1280.0, 720.0]);
     harness.get_by_label("menu").click();
     harness.run_steps(3);
     assert_eq!(harness.state().choices.overlay, Overlay::Full);
@@ -46,7 +46,7 @@ fn the_picture_does_not_get_what_the_overlay_takes() {
 
 #[test]
 fn a_finger_finds_the_way_back_from_the_hidden_overlay() {
-    let mut hidden = stage(Overlay::Hidden);
+    let mut hidden = fixture(Overlay::Hidden);
     hidden.touch = true;
     let mut harness = shown(hidden, [412.0, 915.0]);
     harness.get_by_label("menu").click();
@@ -56,9 +56,9 @@ fn a_finger_finds_the_way_back_from_the_hidden_overlay() {
 
 #[test]
 fn the_divider_follows_the_pointer_and_the_arrows() {
-    let mut stage = stage(Overlay::Brief);
-    stage.choices.split = Some(0.5);
-    let mut harness = shown(stage, [1000.0, 600.0]);
+    let mut fixture = fixture(Overlay::Brief);
+    fixture.choices.split = Some(0.5);
+    let mut harness = shown(fixture, [1000.0, 600.0]);
     let handle = harness.get_by_label("split").rect().center();
     harness.drag_at(handle);
     harness.run_steps(2);
@@ -66,7 +66,7 @@ fn the_divider_follows_the_pointer_and_the_arrows() {
     harness.run_steps(2);
     harness.drop_at(handle + vec2(100.0, 0.0));
     harness.run_steps(2);
-    let split = |harness: &Harness<'_, Stage>| harness.state().choices.split.unwrap();
+    let split = |harness: &Harness<'_, HudFixture>| harness.state().choices.split.unwrap();
     assert!((split(&harness) - 0.6).abs() < 1e-3, "{}", split(&harness));
     harness.get_by_label("split").focus();
     harness.run_steps(2);
@@ -82,11 +82,11 @@ fn the_divider_follows_the_pointer_and_the_arrows() {
 
 #[test]
 fn every_control_can_be_reached_by_the_keyboard() {
-    let mut stage = stage(Overlay::Full);
-    stage.choices.split = Some(0.5);
-    let mut harness = shown(stage, [900.0, 3600.0]);
+    let mut fixture = fixture(Overlay::Full);
+    fixture.choices.split = Some(0.5);
+    let mut harness = shown(fixture, [900.0, 3600.0]);
     let roles = [Role::Button, Role::Slider, Role::SpinButton, Role::CheckBox, Role::DisclosureTriangle];
-    let names = |harness: &Harness<'_, Stage>, wanted: fn(&Node<'_>) -> bool| {
+    let names = |harness: &Harness<'_, HudFixture>, wanted: fn(&Node<'_>) -> bool| {
         let nodes = roles.into_iter().flat_map(|role| harness.query_all_by_role(role));
         nodes.filter(wanted).filter_map(|node| node.accesskit_node().label()).collect::<BTreeSet<_>>()
     };
@@ -103,7 +103,7 @@ fn every_control_can_be_reached_by_the_keyboard() {
 
 #[test]
 fn keys_are_heard() {
-    let mut harness = shown(stage(Overlay::Hidden), [800.0, 600.0]);
+    let mut harness = shown(fixture(Overlay::Hidden), [800.0, 600.0]);
     for key in [Key::S, Key::R, Key::F, Key::Num6, Key::Num9, Key::C, Key::H] {
         harness.key_press(key);
         harness.run_steps(1);
@@ -112,34 +112,34 @@ fn keys_are_heard() {
     harness.event(Event::Copy);
     harness.run_steps(1);
     let wished = [
-        Wish::Screenshot,
-        Wish::ResetCamera,
-        Wish::FullScreen,
-        Wish::Open("/tmp/kitchen.glb".to_owned()),
-        Wish::Camera(1),
-        Wish::OpenDialog,
-        Wish::CopyCommand,
+        UserRequest::Screenshot,
+        UserRequest::ResetCamera,
+        UserRequest::FullScreen,
+        UserRequest::Open("/tmp/kitchen.glb".to_owned()),
+        UserRequest::Camera(1),
+        UserRequest::OpenDialog,
+        UserRequest::CopyCommand,
     ];
-    assert_eq!(harness.state().wishes, wished);
+    assert_eq!(harness.state().user_requests, wished);
     assert_eq!(harness.state().choices.overlay, Overlay::Brief);
 }
 
 #[test]
 fn the_camera_keeps_its_keys_while_flying() {
-    let mut flying = stage(Overlay::Brief);
+    let mut flying = fixture(Overlay::Brief);
     flying.choices.navigation = Navigation::Fly;
     let mut harness = shown(flying, [800.0, 600.0]);
     harness.key_press(Key::S);
     harness.run_steps(1);
-    assert_eq!(harness.state().wishes, []);
+    assert_eq!(harness.state().user_requests, []);
     harness.key_press(Key::F12);
     harness.run_steps(1);
-    assert_eq!(harness.state().wishes, [Wish::Screenshot]);
+    assert_eq!(harness.state().user_requests, [UserRequest::Screenshot]);
 }
 
 #[test]
 fn letters_that_are_typed_into_a_field_do_nothing_else() {
-    let mut harness = shown(stage(Overlay::Full), [1280.0, 3000.0]);
+    let mut harness = shown(fixture(Overlay::Full), [1280.0, 3000.0]);
     harness.get_by_label("position in digits").focus();
     harness.run_steps(3);
     harness.key_press(Key::H);
@@ -149,23 +149,23 @@ fn letters_that_are_typed_into_a_field_do_nothing_else() {
 
 #[test]
 fn a_problem_waits_until_it_is_closed() {
-    let mut troubled = stage(Overlay::Brief);
-    troubled.readings.problem = Some("scene.glb: expected a glTF header\nfound `PK`".to_owned());
+    let mut troubled = fixture(Overlay::Brief);
+    troubled.hud_state.problem = Some("scene.glb: expected a glTF header\nfound `PK`".to_owned());
     let mut harness = shown(troubled, [800.0, 600.0]);
     harness.get_by_label_contains("expected a glTF header");
     harness.key_press(Key::S);
     harness.run_steps(1);
-    assert_eq!(harness.state().wishes, []);
+    assert_eq!(harness.state().user_requests, []);
     harness.get_by_label("close problem").click();
     harness.run_steps(2);
     harness.key_press(Key::Escape);
     harness.run_steps(1);
-    assert_eq!(harness.state().wishes, [Wish::CloseProblem, Wish::CloseProblem]);
+    assert_eq!(harness.state().user_requests, [UserRequest::CloseProblem, UserRequest::CloseProblem]);
 }
 
 #[test]
 fn the_help_names_every_shortcut_and_closes() {
-    let mut harness = shown(stage(Overlay::Brief), [800.0, 1600.0]);
+    let mut harness = shown(fixture(Overlay::Brief), [800.0, 1600.0]);
     harness.key_press(Key::F1);
     harness.run_steps(3);
     for shortcut in &super::super::keys::SHORTCUTS {

@@ -6,57 +6,57 @@ mod sizes;
 
 use egui::{Rect, Response, Sense, Vec2};
 use egui_kittest::Harness;
-use glimpse::{Counts, Memory, PassTime, Rays, Samples};
+use glimpse::{Counts, Memory, PassTime, Rays, Samples, Tracing};
 
-use super::{Hud, Wish};
-use crate::{Busy, Choices, Overlay, Readings};
+use super::{Hud, UserRequest};
+use crate::{Busy, Choices, HudState, Overlay};
 
 /// What the overlay works on, and what came of it.
-struct Stage {
+struct HudFixture {
     choices: Choices,
-    readings: Readings,
+    hud_state: HudState,
     scenes: Vec<String>,
     touch: bool,
-    wishes: Vec<Wish>,
+    user_requests: Vec<UserRequest>,
     /// Clicks and drags that the picture got.
     picture: u32,
 }
 
-fn stage(overlay: Overlay) -> Stage {
-    Stage {
+fn fixture(overlay: Overlay) -> HudFixture {
+    HudFixture {
         choices: Choices { overlay, ..Choices::default() },
-        readings: readings(),
+        hud_state: hud_state(),
         scenes: crate::scenes().chain(["/tmp/kitchen.glb".to_owned()]).collect(),
         touch: false,
-        wishes: Vec::new(),
+        user_requests: Vec::new(),
         picture: 0,
     }
 }
 
-fn shown(stage: Stage, size: impl Into<Vec2>) -> Harness<'static, Stage> {
-    let mut harness = Harness::builder().with_size(size).with_max_steps(20).build_ui_state(frame, stage);
+fn shown(fixture: HudFixture, size: impl Into<Vec2>) -> Harness<'static, HudFixture> {
+    let mut harness = Harness::builder().with_size(size).with_max_steps(20).build_ui_state(frame, fixture);
     // Areas find their size in the first pass.
     harness.run_steps(3);
     harness
 }
 
-fn frame(ui: &mut egui::Ui, stage: &mut Stage) {
+fn frame(ui: &mut egui::Ui, fixture: &mut HudFixture) {
     let picture: Response =
         ui.interact(Rect::EVERYTHING, ui.scope_id().with("picture"), Sense::click_and_drag());
-    stage.picture += u32::from(picture.clicked() || picture.dragged());
+    fixture.picture += u32::from(picture.clicked() || picture.dragged());
     let hud = Hud {
-        choices: &mut stage.choices,
-        readings: &stage.readings,
-        scenes: &stage.scenes,
+        choices: &mut fixture.choices,
+        hud_state: &fixture.hud_state,
+        scenes: &fixture.scenes,
         picture: ui.ctx().viewport_rect(),
-        touch: stage.touch,
+        touch: fixture.touch,
     };
-    stage.wishes.extend(hud.show(ui.ctx()));
+    fixture.user_requests.extend(hud.show(ui.ctx()));
 }
 
 /// Readings with something in every place.
-fn readings() -> Readings {
-    let mut readings = Readings {
+fn hud_state() -> HudState {
+    let mut hud_state = HudState {
         scene: "builtin:room".to_owned(),
         primitives: 1_414_172,
         cameras: vec!["main".to_owned(), String::new()],
@@ -66,7 +66,9 @@ fn readings() -> Readings {
         features: vec!["textures", "reflection"],
         left_out: vec!["refraction"],
         adapter: "llvmpipe (LLVM 15.0.7, 256 bits), Mesa 25.0.7".to_owned(),
-        passes: ["base", "similarity_a1", "trace_a1"].map(|name| PassTime { name, ms: 3.25 }).to_vec(),
+        passes: ["base", "similarity_a1", "trace_a1"]
+            .map(|name| PassTime { name, tracing: Tracing::of_pass(name).unwrap(), ms: 3.25 })
+            .to_vec(),
         size: [960, 540],
         view: [1920, 1080],
         counts: Some(Counts {
@@ -85,10 +87,10 @@ fn readings() -> Readings {
         memory: Memory { scene: 1 << 24, bvh: 1 << 23, targets: 1 << 25, total: 57 << 20 },
         legend: "base white (3), interpolated dark blue (4)".to_owned(),
         governor: "holds 33.3 ms at a scale of 0.5".to_owned(),
-        ..Readings::default()
+        ..HudState::default()
     };
-    (0..300).for_each(|frame| readings.push_frame(20.0 + (frame % 30) as f32));
-    readings
+    (0..300).for_each(|frame| hud_state.push_frame(20.0 + (frame % 30) as f32));
+    hud_state
 }
 
 fn busy(step: [u32; 2]) -> Busy {

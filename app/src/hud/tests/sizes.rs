@@ -22,13 +22,13 @@ const SIZES: [[f32; 2]; 8] = [
 #[test]
 fn a_window_that_is_too_small_to_read_shows_the_picture_alone() {
     for (width, buttons) in [(43.0, 0), (44.0, 1)] {
-        let harness = shown(stage(Overlay::Brief), [width, 400.0]);
+        let harness = shown(fixture(Overlay::Brief), [width, 400.0]);
         assert_eq!(harness.query_all_by_role(Role::Button).count(), buttons, "{width}");
     }
 }
 
 /// Everything that is drawn is at a place.
-fn assert_finite(harness: &Harness<'_, Stage>) {
+fn assert_finite(harness: &Harness<'_, HudFixture>) {
     let output = harness.output();
     let primitives = harness.ctx.tessellate(output.shapes.clone(), output.pixels_per_point);
     for primitive in primitives {
@@ -37,15 +37,15 @@ fn assert_finite(harness: &Harness<'_, Stage>) {
     }
 }
 
-fn everything(overlay: Overlay, text_scale: f32) -> Stage {
-    let mut stage = stage(overlay);
-    stage.choices.text_scale = text_scale;
-    stage.choices.split = Some(0.3);
-    stage.choices.show = Show::Origin;
-    stage.touch = text_scale > 1.0;
-    stage.readings.busy = Some(busy([3, 7]));
-    stage.readings.notice = Some("wrote glimpse.png".to_owned());
-    stage
+fn everything(overlay: Overlay, text_scale: f32) -> HudFixture {
+    let mut fixture = fixture(overlay);
+    fixture.choices.text_scale = text_scale;
+    fixture.choices.split = Some(0.3);
+    fixture.choices.show = Show::Origin;
+    fixture.touch = text_scale > 1.0;
+    fixture.hud_state.busy = Some(busy([3, 7]));
+    fixture.hud_state.notice = Some("wrote glimpse.png".to_owned());
+    fixture
 }
 
 #[test]
@@ -62,28 +62,28 @@ fn every_overlay_fits_every_window() {
 #[test]
 fn every_page_fits_every_window() {
     for size in SIZES {
-        let mut stage = everything(Overlay::Full, 2.0);
-        stage.choices.help = true;
-        assert_finite(&shown(stage, size));
-        let mut stage = everything(Overlay::Brief, 0.75);
-        stage.readings.problem = Some("line\n".repeat(200));
-        assert_finite(&shown(stage, size));
+        let mut fixture = everything(Overlay::Full, 2.0);
+        fixture.choices.help = true;
+        assert_finite(&shown(fixture, size));
+        let mut fixture = everything(Overlay::Brief, 0.75);
+        fixture.hud_state.problem = Some("line\n".repeat(200));
+        assert_finite(&shown(fixture, size));
     }
 }
 
 #[test]
 fn nothing_is_drawn_wrong_before_the_first_frame_or_of_numbers_that_are_none() {
     for overlay in [Overlay::Brief, Overlay::Full] {
-        let mut empty = stage(overlay);
-        empty.readings = Readings { busy: Some(busy([0, 0])), ..Readings::default() };
+        let mut empty = fixture(overlay);
+        empty.hud_state = HudState { busy: Some(busy([0, 0])), ..HudState::default() };
         empty.scenes.clear();
         assert_finite(&shown(empty, [800.0, 3000.0]));
-        let mut strange = stage(overlay);
-        strange.readings.frame_ms = [f32::NAN, f32::INFINITY, -1.0, 0.0].into();
-        strange.readings.passes[0].ms = f64::NAN;
-        strange.readings.counts = Some(Counts::default());
-        strange.readings.psnr_db = Some(f64::INFINITY);
-        strange.readings.busy = Some(Busy { seconds: f64::NAN, ..busy([9, 3]) });
+        let mut strange = fixture(overlay);
+        strange.hud_state.frame_ms = [f32::NAN, f32::INFINITY, -1.0, 0.0].into();
+        strange.hud_state.passes[0].ms = f64::NAN;
+        strange.hud_state.counts = Some(Counts::default());
+        strange.hud_state.psnr_db = Some(f64::INFINITY);
+        strange.hud_state.busy = Some(Busy { seconds: f64::NAN, ..busy([9, 3]) });
         strange.choices.split = Some(7.0);
         assert_finite(&shown(strange, [800.0, 3000.0]));
     }
@@ -91,10 +91,10 @@ fn nothing_is_drawn_wrong_before_the_first_frame_or_of_numbers_that_are_none() {
 
 #[test]
 fn fingers_have_large_targets() {
-    let mut stage = stage(Overlay::Full);
-    stage.touch = true;
-    stage.choices.text_scale = TEXT_SCALES[0];
-    let harness = shown(stage, [412.0, 6000.0]);
+    let mut fixture = fixture(Overlay::Full);
+    fixture.touch = true;
+    fixture.choices.text_scale = TEXT_SCALES[0];
+    let harness = shown(fixture, [412.0, 6000.0]);
     let mut seen = 0;
     for role in [Role::Button, Role::Slider, Role::SpinButton, Role::CheckBox, Role::DisclosureTriangle] {
         for node in harness.query_all_by_role(role) {
@@ -111,7 +111,7 @@ fn the_overlay_keeps_clear_of_the_edges_that_the_device_covers() {
     let covered = MarginF32 { left: 30.0, right: 20.0, top: 50.0, bottom: 40.0 };
     let safe = Rect::from_min_max(pos2(30.0, 50.0), pos2(780.0, 960.0));
     for (overlay, name) in [(Overlay::Brief, "menu"), (Overlay::Full, "close overlay")] {
-        let mut harness = shown(stage(overlay), [800.0, 1000.0]);
+        let mut harness = shown(fixture(overlay), [800.0, 1000.0]);
         harness.input_mut().safe_area_insets = Some(SafeAreaInsets(covered));
         harness.run_steps(3);
         let rect = harness.get_by_label(name).rect();
@@ -121,9 +121,9 @@ fn the_overlay_keeps_clear_of_the_edges_that_the_device_covers() {
 
 #[test]
 fn the_line_drops_what_does_not_fit() {
-    let wide = shown(stage(Overlay::Brief), [1000.0, 600.0]);
+    let wide = shown(fixture(Overlay::Brief), [1000.0, 600.0]);
     wide.get_by_label_contains("960x540 (50 %)  adaptive");
-    let narrow = shown(stage(Overlay::Brief), [250.0, 600.0]);
+    let narrow = shown(fixture(Overlay::Brief), [250.0, 600.0]);
     let line = narrow.get_by_label_contains("fps").rect();
     assert!(line.right() <= 250.0 && line.size().x > vec2(80.0, 0.0).x, "{line:?}");
     assert!(narrow.query_by_label_contains("adaptive").is_none());
@@ -147,9 +147,9 @@ fn nothing_sticks_out_of_the_panel() {
 #[test]
 fn the_line_stands_still_while_its_numbers_change() {
     let width = |ms: f32| {
-        let mut stage = stage(Overlay::Brief);
-        stage.readings.frame_ms = [ms].into();
-        shown(stage, [1000.0, 600.0]).get_by_label_contains("fps").rect().width()
+        let mut fixture = fixture(Overlay::Brief);
+        fixture.hud_state.frame_ms = [ms].into();
+        shown(fixture, [1000.0, 600.0]).get_by_label_contains("fps").rect().width()
     };
     assert_eq!([width(1.0), width(16.7), width(130.0)], [width(8000.0); 3]);
 }

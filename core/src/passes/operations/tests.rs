@@ -1,7 +1,7 @@
 //! What is counted, in kernels whose counts are known.
 
 use super::*;
-use crate::gpu::shader::{Source, link};
+use crate::device::shader::{Source, link};
 
 fn counted(body: &str, function: Option<&str>, apart: &[&str]) -> Option<ByLoops> {
     let text = "var<storage, read> nodes: array<vec4u>;\nvar<storage, read_write> attributes: array<u32>;\n\

@@ -3,7 +3,7 @@
 use glam::{Affine3A, Vec2, Vec3, vec3};
 
 use super::shapes::{Builder, turned};
-use crate::camera::Camera;
+use crate::scene::camera::Camera;
 use crate::scene::{Environment, Light, LightKind, Material, Scene};
 
 pub(super) fn scene() -> Option<Scene> {

@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3, vec3};
 
 use super::shapes::Builder;
-use crate::camera::Camera;
+use crate::scene::camera::Camera;
 use crate::scene::{Environment, Material, Scene, Weights};
 
 pub(super) fn scene() -> Option<Scene> {
@@ -43,7 +43,8 @@ pub(super) fn scene() -> Option<Scene> {
     b.object("floor", mirror);
     b.quad(vec3(-3.0, -1.3, 3.0), Vec3::X * 6.0, Vec3::NEG_Z * 6.0, Vec2::ONE);
 
-    b.scene.environment = Environment { background: Vec3::ONE, ambient: Vec3::ONE, truncated: Vec3::ONE };
+    b.scene.environment =
+        Environment { background: Vec3::ONE, ambient: Vec3::ONE, fallback_radiance: Vec3::ONE };
     let camera = Camera::look_at(vec3(0.4, 0.6, 5.5), vec3(0.0, -0.1, 0.0), 42.0_f32.to_radians()).ok()?;
     b.scene.cameras.push(("main".to_owned(), camera));
     Some(b.finish())

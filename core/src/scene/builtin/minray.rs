@@ -9,7 +9,7 @@ use glam::Vec3;
 use libm::tan;
 
 use super::shapes::Builder;
-use crate::camera::Camera;
+use crate::scene::camera::Camera;
 use crate::scene::{Environment, Light, LightKind, Material, Scene, Weights};
 
 struct Ball {
@@ -56,7 +56,7 @@ pub(super) fn scene() -> Scene {
         }
     }
     let dim = Vec3::splat(0.02);
-    b.scene.environment = Environment { background: dim, ambient: dim, truncated: Vec3::ZERO };
+    b.scene.environment = Environment { background: dim, ambient: dim, fallback_radiance: Vec3::ZERO };
     b.scene.cameras.push(("main".to_owned(), camera()));
     b.finish()
 }

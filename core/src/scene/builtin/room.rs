@@ -6,7 +6,7 @@ use glam::{Affine3A, Vec2, Vec3, vec2, vec3};
 
 use super::shapes::{Builder, turned};
 use super::{furniture, textures};
-use crate::camera::Camera;
+use crate::scene::camera::Camera;
 use crate::scene::{Environment, Light, LightKind, Material, Scene};
 
 /// The corner of the room's box with the least coordinates, in metres.
@@ -267,5 +267,6 @@ fn lights(b: &mut Builder) {
         },
     ];
     let ambient = vec3(0.25, 0.26, 0.28);
-    b.scene.environment = Environment { background: vec3(0.72, 0.86, 1.05), ambient, truncated: ambient };
+    b.scene.environment =
+        Environment { background: vec3(0.72, 0.86, 1.05), ambient, fallback_radiance: ambient };
 }

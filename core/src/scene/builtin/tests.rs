@@ -80,7 +80,7 @@ fn minray_looks_where_the_program_looks() {
 fn the_furnace_is_uniform() {
     let scene = builtin("furnace").expect("furnace");
     let e = scene.environment;
-    assert_eq!([e.background, e.ambient, e.truncated], [Vec3::ONE; 3]);
+    assert_eq!([e.background, e.ambient, e.fallback_radiance], [Vec3::ONE; 3]);
     assert!(scene.lights.is_empty());
 }
 

@@ -10,7 +10,7 @@ use libm::{cosf, powf, sinf, tanf};
 
 use super::shapes::Builder;
 use super::textures::hash;
-use crate::camera::Camera;
+use crate::scene::camera::Camera;
 use crate::scene::{Environment, Light, LightKind, Material, Scene};
 
 /// Rows of the frame in which the thinnest things are one pixel wide.

@@ -12,7 +12,7 @@ use json::validation::Checked;
 use super::accessors::Source;
 use super::container::External;
 use super::images::Textures;
-use super::numbers::{Numbers, flushed2};
+use super::normalized::{Numbers, flushed2};
 use super::text::{MAX_NAME, clipped};
 use crate::scene::{MAX_IOR, MAX_RADIANCE, Material};
 use crate::{Error, Result};

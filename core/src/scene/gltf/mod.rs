@@ -31,7 +31,7 @@ mod instances;
 mod materials;
 mod meshes;
 mod nodes;
-mod numbers;
+mod normalized;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -41,11 +41,11 @@ use glam::Vec3;
 use gltf::json;
 
 use super::{Environment, Light, LightKind, MAX_RADIANCE, Material, Scene};
-use crate::camera::Camera;
+use crate::scene::camera::Camera;
 use crate::{Error, Result};
 use accessors::Source;
 use container::{External, Resolve};
-use numbers::flushed3;
+use normalized::flushed3;
 
 /// Extensions that a file may require.
 const SUPPORTED: [&str; 8] = [
@@ -180,7 +180,7 @@ fn environment(shown: &json::Scene) -> Result<Environment> {
     let mut environment = Environment::with_background(color("background")?.unwrap_or(Vec3::ZERO));
     if let Some(ambient) = color("ambient")? {
         environment.ambient = ambient;
-        environment.truncated = ambient;
+        environment.fallback_radiance = ambient;
     }
     Ok(environment)
 }

@@ -5,9 +5,9 @@ use gltf::json;
 use json::extensions::scene::khr_lights_punctual::Type as LightType;
 use json::validation::Checked;
 
-use super::numbers::flushed3;
+use super::normalized::flushed3;
 use super::text::{MAX_NAME, clipped};
-use crate::camera::Camera;
+use crate::scene::camera::Camera;
 use crate::scene::{Light, LightKind, MAX_COORDINATE, MAX_LIGHTS, MAX_RADIANCE, MIN_RANGE, Scene};
 use crate::{Error, Result};
 

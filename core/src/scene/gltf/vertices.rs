@@ -7,7 +7,7 @@ use glam::{DMat3, DVec3, Vec2, Vec3};
 use super::accessors::Accessor;
 use super::meshes::Mesh;
 use super::nodes::Placed;
-use super::numbers::flushed3;
+use super::normalized::flushed3;
 use crate::scene::{MAX_COORDINATE, octahedral_encode};
 use crate::{Error, Result};
 

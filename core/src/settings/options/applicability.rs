@@ -43,7 +43,7 @@ pub(super) const JITTERED: Applicability = Applicability {
 
 pub(super) const RANDOM: Applicability = Applicability {
     to: |settings| {
-        settings.method.follows_paths()
+        settings.method.is_path_traced()
             || match settings.jitter {
                 Jitter::Auto => settings.supersamples(),
                 Jitter::On => true,
@@ -54,12 +54,12 @@ pub(super) const RANDOM: Applicability = Applicability {
 };
 
 pub(super) const KEPT_PIXELS: Applicability = Applicability {
-    to: |settings| settings.method.keeps_frames() && !settings.method.follows_paths(),
+    to: |settings| settings.method.has_history() && !settings.method.is_path_traced(),
     reason: "Only frameless and reproject keep pixels.",
 };
 
 pub(super) const PATHS: Applicability = Applicability {
-    to: |settings| settings.method.follows_paths(),
+    to: |settings| settings.method.is_path_traced(),
     reason: "The methods path and vr follow paths.",
 };
 

@@ -29,9 +29,9 @@ pub(super) fn jitter(settings: &Settings) -> Option<String> {
 }
 
 pub(super) fn cpu_threads(settings: &Settings) -> Option<String> {
-    let fits = settings.paths.cpu_threads == 0 || settings.takes_planes();
+    let fits = settings.paths.cpu_threads == 0 || settings.accepts_cpu_samples();
     (!fits).then(|| {
-        if settings.crosses() {
+        if settings.reuses_stereo() {
             "0 with stereo-reuse paper, whose pixels count samples one by one".to_owned()
         } else {
             format!("0 with method {}: only path and vr add samples up", settings.method.name())

@@ -9,9 +9,9 @@ use super::applicability::{
 use super::{Control, Group, Kind, Numbers, OptionSpec, conflicts};
 use crate::scene::MAX_COORDINATE;
 use crate::{
-    Crossing, Denoise, Direct, Filter, Inactive, Jitter, Linking, MAX_CPU_THREADS, MAX_DEPTH, MAX_GAZE,
-    MAX_LIGHT_SAMPLES, MAX_SAMPLING, Method, Mip, Postcorrect, Preset, Refine, Roulette, Sampler, Shining,
-    Stopping,
+    Denoise, DirectLight, Filter, Foveation, Jitter, LightSelection, MAX_CPU_THREADS, MAX_DEPTH, MAX_GAZE,
+    MAX_LIGHT_SAMPLES, MAX_SAMPLING, Method, Mip, Postcorrect, Preset, Refine, Roulette, Sampler, Specialize,
+    StereoReuse, Unsampled,
 };
 
 /// A [`Kind::Choice`] between the variants of an enum, kept in a field.
@@ -117,10 +117,10 @@ pub static OPTIONS: &[OptionSpec] = &[
         "What a texture shows where it is seen small."),
     frame("filter", "filter", choice!(Filter in filter),
         "How a pixel follows from a grid of samples.").with(&EVEN_GRID).conflicting(conflicts::filter),
-    frame("refresh-fraction", "refresh fraction", number!(share, above(0.0, 1.0), slider(0.01, 1.0, 0.01)),
+    frame("refresh-fraction", "refresh fraction", number!(refresh_fraction, above(0.0, 1.0), slider(0.01, 1.0, 0.01)),
         "Share of the pixels that methods which keep frames trace anew in each; no pixel is older than 1 / this many frames.")
         .formerly("share").with(&KEPT_PIXELS),
-    frame("specialize", "specialised kernels", choice!(Linking in features),
+    frame("specialize", "specialised kernels", choice!(Specialize in specialize),
         "Which pieces of the shaders are linked.").formerly("features"),
     adaptive("block", "block", integer!(block, OneOf(&[2, 4, 8]), Sides(&[2, 4, 8])),
         "Side of the square of samples of which one is always traced.").published("2", KIM),
@@ -160,9 +160,9 @@ pub static OPTIONS: &[OptionSpec] = &[
         "The objects whose differences get extra samples; elsewhere the colour decides alone."),
     extra("refine", "refine", choice!(Refine in refine),
         "Whether extra samples go to whole pixels, 4 to 16 of them as they differ, and along what they find."),
-    extra("unsampled", "unsampled subpixels", choice!(Inactive in inactive),
+    extra("unsampled", "unsampled subpixels", choice!(Unsampled in unsampled),
         "What stands for the subpixels that get no extra samples.").formerly("inactive"),
-    extra("quincunx-threshold", "quincunx threshold", number!(similar, between(0.0, 1.0), slider(0.0, 1.0, 0.01)),
+    extra("quincunx-threshold", "quincunx threshold", number!(quincunx_threshold, between(0.0, 1.0), slider(0.0, 1.0, 0.01)),
         "How much the ends of a quincunx may differ before there are samples between them, 0 to 1.")
         .formerly("similar").with(&QUINCUNX),
     extra("jitter", "jitter", choice!(Jitter in jitter),
@@ -171,33 +171,33 @@ pub static OPTIONS: &[OptionSpec] = &[
         "Seed of whatever is random; the same seed gives the same samples.").with(&RANDOM),
     path("samples", "samples of paths", integer!(paths.samples, Range(1, u32::MAX), slider(1.0, 1024.0, 1.0)),
         "Samples of a pixel of a path-traced picture; a frame adds one."),
-    path("direct", "direct light", choice!(Direct in paths.direct),
+    path("direct", "direct light", choice!(DirectLight in paths.direct_light),
         "How paths find the light of emitters.").published("bsdf", VR),
     path("light-samples", "light samples",
         integer!(paths.light_samples, Range(1, MAX_LIGHT_SAMPLES), slider(1.0, MAX_LIGHT_SAMPLES as f32, 1.0)),
         "Points on emitters for each diffuse surface that a path meets."),
-    path("lights", "lights", choice!(Shining in paths.shining),
+    path("lights", "lights", choice!(LightSelection in paths.lights),
         "What lights path-traced scenes.").formerly("shining"),
     path("sampler", "sampler", choice!(Sampler in paths.sampler),
         "Where the random numbers of paths come from."),
     path("roulette", "Russian roulette", choice!(Roulette in paths.roulette),
         "Whether long paths end at random, those that go on counting for more."),
-    path("foveation", "foveation", choice!(Stopping in paths.stopping),
+    path("foveation", "foveation", choice!(Foveation in paths.foveation),
         "What happens to paths away from the gaze (Kim & Sung 2021, equation 7).")
         .formerly("stopping").published("paper", VR),
     path("gaze", "gaze", Kind::Point { field: |settings| &mut settings.paths.gaze, most: MAX_GAZE },
         "Where the eyes look, in widths and heights of what an eye sees, from its upper left corner."),
-    path("foveation-max", "largest probability", number!(paths.p_max, below(0.0, 1.0), slider(0.0, 0.99, 0.01)),
+    path("foveation-max", "largest probability", number!(paths.foveation_max, below(0.0, 1.0), slider(0.0, 0.99, 0.01)),
         "The probability of stopping where the picture is farthest from the gaze, at each bounce.").formerly("p-max"),
     path("foveation-start", "bounces before",
-        integer!(paths.stop_after, Range(0, u32::MAX), slider(0.0, MAX_DEPTH as f32, 1.0)),
+        integer!(paths.foveation_start, Range(0, u32::MAX), slider(0.0, MAX_DEPTH as f32, 1.0)),
         "Bounces before paths may stop away from the gaze; with foveation paper one more.").formerly("stop-after"),
     path("denoise", "denoiser", choice!(Denoise in paths.denoise),
         "What is done about noise in the picture that is shown.").published("median", VR),
     path("cpu-threads", "CPU threads", integer!(paths.cpu_threads, Range(0, MAX_CPU_THREADS), slider(0.0, 16.0, 1.0)),
         "Threads of the CPU that trace samples beside the GPU after the timed frames of render and bench.")
         .formerly("cores").conflicting(conflicts::cpu_threads),
-    stereo("stereo-reuse", "stereo reuse", choice!(Crossing in paths.crossing),
+    stereo("stereo-reuse", "stereo reuse", choice!(StereoReuse in paths.stereo_reuse),
         "Whether what one eye finds out counts for the other too (Kim & Sung 2021, equations 1 to 6).")
         .formerly("crossing").published("paper", VR),
     stereo("eye-distance", "eye distance",

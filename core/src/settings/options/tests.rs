@@ -1,7 +1,7 @@
 //! The table is complete, and what it sets it gets.
 
 use super::*;
-use crate::{Crossing, Direct, Filter, Jitter, Paths, Stopping};
+use crate::{DirectLight, Filter, Foveation, Jitter, Paths, StereoReuse};
 
 /// Settings in which every option has another value than in `settings`.
 fn all_changed(settings: &Settings) -> Settings {
@@ -115,8 +115,8 @@ fn old_names_and_values_are_still_read() {
     }
     let mut settings = Settings::default();
     settings.set("direct", "light").unwrap();
-    assert_eq!(settings.paths.direct, Direct::Light);
-    assert_eq!(Direct::ALL.map(Direct::name), ["bsdf", "nee", "mis"]);
+    assert_eq!(settings.paths.direct_light, DirectLight::Nee);
+    assert_eq!(DirectLight::ALL.map(DirectLight::name), ["bsdf", "nee", "mis"]);
 }
 
 #[test]
@@ -182,7 +182,7 @@ fn what_no_frame_can_have_is_told_by_name() {
         let error = settings.validate().expect_err(name).to_string();
         assert_eq!(error, format!("{name}: expected {expected}, found {value}"));
     }
-    let paper = Paths { cpu_threads: 1, crossing: Crossing::Paper, ..Paths::default() };
+    let paper = Paths { cpu_threads: 1, stereo_reuse: StereoReuse::Paper, ..Paths::default() };
     let error = Settings { paths: paper, ..Settings::for_method(Method::Vr) }.validate().unwrap_err();
     assert!(error.to_string().contains("0 with stereo-reuse paper"), "{error}");
 }
@@ -214,7 +214,7 @@ fn what_has_no_form_of_a_value_changes_nothing() {
 #[test]
 fn statistics_have_every_option_by_its_present_name() {
     let mut settings = Settings::for_method(Method::Vr);
-    (settings.paths.direct, settings.paths.stopping) = (Direct::Walk, Stopping::Paper);
+    (settings.paths.direct_light, settings.paths.foveation) = (DirectLight::Bsdf, Foveation::Paper);
     let json = serde_json::to_value(settings).unwrap();
     assert_eq!(json.as_object().unwrap().len(), OPTIONS.len());
     assert_eq!(json["direct"], "bsdf");

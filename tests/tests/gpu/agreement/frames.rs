@@ -3,11 +3,11 @@
 use glam::{DVec3, Vec3};
 use glimpse::{
     Inspection, LinearImage, Method, Origin, PixelRecord, Postcorrect, Renderer, Settings,
-    reference::{Attributes, Frame, Ray, Reference, Rounding},
+    reference::{Attributes, Ray, Reference, ReferenceFrame, Rounding},
     scene::OCTAHEDRAL_ERROR,
 };
 use glimpse_tests::{
-    Stage,
+    TestScene,
     agreement::{Answer, Outcome, Tally, judge},
     assert_same, gpu,
 };
@@ -19,7 +19,7 @@ const NORMAL: f64 = 1.5 * OCTAHEDRAL_ERROR as f64;
 
 /// A frame by the device, and the question to the reference what its pixels should be.
 pub struct Frames<'a> {
-    frame: Frame<'a>,
+    frame: ReferenceFrame<'a>,
     linear: LinearImage,
     inspection: Inspection,
 }
@@ -31,12 +31,17 @@ impl Pair {
 
     pub fn frames_with(&self, settings: Settings) -> Frames<'_> {
         let settings = Settings { postcorrect: Postcorrect::On, ..settings };
-        let stage = &self.stage;
+        let test_scene = &self.test_scene;
         let mut renderer =
-            Renderer::new(gpu(), &stage.scene, self.size, &settings).expect("the kernels compile");
-        let (inspection, linear) = renderer.inspect_linear(&stage.camera).expect("the frame is counted");
+            Renderer::new(gpu(), &test_scene.scene, self.size, &settings).expect("the kernels compile");
+        let (inspection, linear) = renderer.inspect_linear(&test_scene.camera).expect("the frame is counted");
         Frames {
-            frame: Frame { reference: &self.reference, camera: self.stage.camera, size: self.size, settings },
+            frame: ReferenceFrame {
+                reference: &self.reference,
+                camera: self.test_scene.camera,
+                size: self.size,
+                settings,
+            },
             linear,
             inspection,
         }
@@ -47,16 +52,16 @@ impl Frames<'_> {
     /// The same pixels with another idea of what they should be.
     pub fn against<'a>(&self, reference: &'a Reference, settings: Settings) -> Frames<'a> {
         Frames {
-            frame: Frame { reference, settings, camera: self.frame.camera, size: self.frame.size },
+            frame: ReferenceFrame { reference, settings, camera: self.frame.camera, size: self.frame.size },
             linear: self.linear.clone(),
             inspection: self.inspection.clone(),
         }
     }
 
     /// Kernels that count nothing compute the same bits.
-    pub fn assert_same_uncounted(&self, stage: &Stage) {
-        let Frame { size, settings, .. } = &self.frame;
-        assert_same(&stage.frame(*size, settings), &self.linear, &format!("{settings:?}"));
+    pub fn assert_same_uncounted(&self, test_scene: &TestScene) {
+        let ReferenceFrame { size, settings, .. } = &self.frame;
+        assert_same(&test_scene.frame(*size, settings), &self.linear, &format!("{settings:?}"));
     }
 
     fn pixels(&self) -> Vec<[u32; 2]> {
@@ -154,7 +159,7 @@ impl Frames<'_> {
         self.tally(|p| judge(&self.found_color(p), |r| Answer::radiance(self.frame.checkerboard(p, r))))
     }
 
-    /// Which quarters of pixels get extra samples, and what differs between pixels.
+    /// Which subpixels get extra samples, and what differs between pixels.
     pub fn tested(&self) -> Tally {
         self.tally(|p| {
             let labels =
@@ -185,9 +190,9 @@ impl Frames<'_> {
                 tolerances: [],
             };
             let record = self.record(p);
-            judge(&labels(record.round(), record.cells), |r| {
+            judge(&labels(record.round(), record.strata), |r| {
                 let refinement = self.frame.refinement(p, &|q| self.record(q).round(), r);
-                labels(refinement.round, refinement.cells)
+                labels(refinement.round, refinement.strata)
             })
         })
     }
@@ -195,7 +200,7 @@ impl Frames<'_> {
     /// Pixels from their samples, given which they got.
     pub fn refined_colors(&self) -> Tally {
         self.tally(|p| {
-            judge(&self.found_color(p), |r| Answer::radiance(self.frame.refined(p, self.record(p).cells, r)))
+            judge(&self.found_color(p), |r| Answer::radiance(self.frame.refined(p, self.record(p).strata, r)))
         })
     }
 

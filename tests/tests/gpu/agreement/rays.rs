@@ -9,23 +9,25 @@ use glimpse::{
     stress::Random,
 };
 use glimpse_tests::{
-    Stage,
+    TestScene,
     agreement::{Answer, DIM, Outcome, RADIANCE, Tally, judge},
     gpu,
 };
 
 use super::{EPSILON, Pair};
 
-pub fn shade(stage: &Stage, rays: &[ProbeRay], settings: &Settings) -> Vec<ProbeSample> {
-    Probe::new(gpu(), &stage.scene, Robustness::default()).shade(rays, settings).expect("the rays are shaded")
+pub fn shade(test_scene: &TestScene, rays: &[ProbeRay], settings: &Settings) -> Vec<ProbeSample> {
+    Probe::new(gpu(), &test_scene.scene, Robustness::default())
+        .shade(rays, settings)
+        .expect("the rays are shaded")
 }
 
-fn spawn(stage: &Stage, rays: &[ProbeRay]) -> Vec<ProbeSpawn> {
-    Probe::new(gpu(), &stage.scene, Robustness::default()).spawn(rays).expect("the rays arrive")
+fn spawn(test_scene: &TestScene, rays: &[ProbeRay]) -> Vec<ProbeSpawn> {
+    Probe::new(gpu(), &test_scene.scene, Robustness::default()).spawn(rays).expect("the rays arrive")
 }
 
-fn random_rays(stage: &Stage, count: usize) -> Vec<ProbeRay> {
-    let (low, high) = stage.scene.bounds();
+fn random_rays(test_scene: &TestScene, count: usize) -> Vec<ProbeRay> {
+    let (low, high) = test_scene.scene.bounds();
     let mut random = Random(5);
     std::iter::repeat_with(|| {
         let origin = random.inside(low.as_dvec3(), high.as_dvec3()).as_vec3();
@@ -50,8 +52,8 @@ fn vector(v: [f32; 3]) -> DVec3 {
 /// What random rays see, with everything that follows from them: object and shadow bits, radiance, the part of it that
 /// other rays brought, texture coordinates.
 pub fn seen(pair: &Pair, reference: &Reference, count: usize) -> Tally {
-    let rays = random_rays(&pair.stage, count);
-    let samples = shade(&pair.stage, &rays, &pair.settings);
+    let rays = random_rays(&pair.test_scene, count);
+    let samples = shade(&pair.test_scene, &rays, &pair.settings);
     let items: Vec<_> = rays.iter().zip(&samples).collect();
     let limits = Limits::of(&pair.settings);
     let answer = |labels, color: DVec3, gcol: DVec3, [s, t]: [f64; 2]| {
@@ -83,8 +85,8 @@ fn named(outcome: Outcome, ray: &ProbeRay) -> Outcome {
 
 /// Where random rays arrive: place, shading normal, normal of the face, side.
 pub fn arrived(pair: &Pair, reference: &Reference, count: usize) -> Tally {
-    let rays = random_rays(&pair.stage, count);
-    let spawned = spawn(&pair.stage, &rays);
+    let rays = random_rays(&pair.test_scene, count);
+    let spawned = spawn(&pair.test_scene, &rays);
     let items: Vec<_> = rays.iter().zip(&spawned).collect();
     let side = reference.longest_side();
     let answer = |labels, [position, normal, face]: [DVec3; 3]| {
@@ -102,8 +104,8 @@ pub fn arrived(pair: &Pair, reference: &Reference, count: usize) -> Tally {
             let ray = ray.exact().0;
             match reference.first(&ray, None, false, r) {
                 None => answer([0; 2], [DVec3::ZERO; 3]),
-                Some(crossing) => {
-                    let s = reference.surface(&ray, &crossing, r);
+                Some(intersection) => {
+                    let s = reference.surface(&ray, &intersection, r);
                     answer([s.object + 1, u32::from(s.inside)], [s.position, s.normal, s.face])
                 }
             }

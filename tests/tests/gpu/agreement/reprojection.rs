@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec3};
 use glimpse::{
     Camera, Method, Origin, Renderer, Scene, Settings,
-    reference::{Frame, Kept},
+    reference::{Kept, ReferenceFrame},
     scene::builtin,
 };
 use glimpse_tests::{gallery, gpu, note};
@@ -24,15 +24,15 @@ fn settings(method: Method) -> Settings {
     Settings { method, depth: 1, ..Settings::default() }
 }
 
-fn frame(pair: &Pair, camera: Camera) -> Frame<'_> {
-    Frame { reference: &pair.reference, camera, size: pair.size, settings: pair.settings }
+fn frame(pair: &Pair, camera: Camera) -> ReferenceFrame<'_> {
+    ReferenceFrame { reference: &pair.reference, camera, size: pair.size, settings: pair.settings }
 }
 
 /// What a frame by full ray tracing leaves of each pixel.
 fn kept(pair: &Pair) -> Vec<Kept> {
-    let camera = pair.stage.camera;
+    let camera = pair.test_scene.camera;
     let mut full =
-        Renderer::new(gpu(), &pair.stage.scene, pair.size, &settings(Method::Full)).expect("a renderer");
+        Renderer::new(gpu(), &pair.test_scene.scene, pair.size, &settings(Method::Full)).expect("a renderer");
     let (inspection, linear) = full.inspect_linear(&camera).expect("a frame");
     let frame = frame(pair, camera);
     let of_pixel = |(index, record): (usize, &glimpse::PixelRecord)| {
@@ -47,10 +47,10 @@ fn kept(pair: &Pair) -> Vec<Kept> {
 
 fn agree(name: &str, scene: Scene, moved: impl Fn(&Camera) -> Camera) {
     let pair = Pair::new(scene, [131, 83], settings(Method::Reproject));
-    let camera = moved(&pair.stage.camera);
+    let camera = moved(&pair.test_scene.camera);
     let mut renderer =
-        Renderer::new(gpu(), &pair.stage.scene, pair.size, &pair.settings).expect("a renderer");
-    renderer.render(&pair.stage.camera).expect("a frame");
+        Renderer::new(gpu(), &pair.test_scene.scene, pair.size, &pair.settings).expect("a renderer");
+    renderer.render(&pair.test_scene.camera).expect("a frame");
     renderer.render(&camera).expect("a frame");
     let shown = renderer.display_image().expect("a picture");
     let records = renderer.inspect(&camera).expect("counts").pixels;
@@ -59,7 +59,7 @@ fn agree(name: &str, scene: Scene, moved: impl Fn(&Camera) -> Camera) {
     for (index, (record, expected)) in records.iter().zip(&expected).enumerate() {
         let [x, y] = [index as u32 % pair.size[0], index as u32 / pair.size[0]];
         let traced = record.origin == Origin::Base;
-        if Frame::renews([x, y], 0, RENEWED) {
+        if ReferenceFrame::refreshes([x, y], 0, RENEWED) {
             assert!(traced, "{name}: {x} {y} is not renewed");
             continue;
         }

@@ -2,17 +2,17 @@
 
 use glam::DVec3;
 use glimpse::{
-    Crossing, Method, Sampler, Scene, Settings, Stopping,
-    reference::{Frame, PathSample, Reference, Rounding},
+    Foveation, Method, Sampler, Scene, Settings, StereoReuse,
+    reference::{PathSample, Reference, ReferenceFrame, Rounding},
 };
 use glimpse_tests::gallery::stereo;
 
 /// Twelve pixels an eye, and one column that the right eye lacks.
 const SIZE: [u32; 2] = [23, 9];
 
-fn settings(crossing: Crossing) -> Settings {
+fn settings(stereo_reuse: StereoReuse) -> Settings {
     let mut settings = Settings { method: Method::Vr, depth: 5, ..Settings::default() };
-    (settings.paths.crossing, settings.paths.sampler) = (crossing, Sampler::Random);
+    (settings.paths.stereo_reuse, settings.paths.sampler) = (stereo_reuse, Sampler::Random);
     (settings.paths.eye_distance, settings.paths.convergence) = (0.5, Some(2.5));
     settings
 }
@@ -28,16 +28,16 @@ type Sums = Vec<[f64; 2]>;
 fn sums(scene: &Scene, settings: Settings, samples: u32) -> Sums {
     let reference = Reference::new(scene);
     let camera = *scene.camera(None).expect("a camera");
-    let frame = Frame { reference: &reference, camera, size: SIZE, settings };
+    let frame = ReferenceFrame { reference: &reference, camera, size: SIZE, settings };
     let index = |[x, y]: [u32; 2]| (y * SIZE[0] + x) as usize;
     let mut sums = vec![[0.0; 2]; index([0, SIZE[1]])];
     for sample in 0..samples {
         let mut shown = vec![DVec3::ZERO; sums.len()];
         for pixel in pixels() {
-            let PathSample { radiance, own, landing, .. } = frame.path(pixel, sample, &mut Rounding::none());
+            let PathSample { radiance, own, splat, .. } = frame.path(pixel, sample, &mut Rounding::none());
             shown[index(pixel)] += own * radiance;
-            if let Some(landing) = landing {
-                shown[index(landing.pixel)] += landing.share * radiance;
+            if let Some(splat) = splat {
+                shown[index(splat.pixel)] += splat.share * radiance;
             }
         }
         for (sums, shown) in sums.iter_mut().zip(shown) {
@@ -64,15 +64,15 @@ fn mean_square(values: &[f64]) -> f64 {
 fn what_crosses_over_changes_no_mean_unless_it_is_counted_as_in_the_paper() {
     const SAMPLES: u32 = 4000;
     let scene = stereo();
-    let alone = sums(&scene, settings(Crossing::Off), SAMPLES);
-    let with = |crossing| sums(&scene, Settings { seed: 1, ..settings(crossing) }, SAMPLES);
-    let weighted = with(Crossing::Weighted);
+    let alone = sums(&scene, settings(StereoReuse::Off), SAMPLES);
+    let with = |stereo_reuse| sums(&scene, Settings { seed: 1, ..settings(stereo_reuse) }, SAMPLES);
+    let weighted = with(StereoReuse::Weighted);
     let right = deviations(&alone, &weighted, SAMPLES);
     let largest = right.iter().fold(0.0_f64, |most, z| most.max(z.abs()));
     // 207 pixels: squares of standard normal deviates have mean 1, and that of so many an error of 0.1.
     assert!(mean_square(&right) < 1.4, "{}: {right:.1?}", mean_square(&right));
     assert!(largest < 4.5, "{largest}");
-    let wrong = deviations(&alone, &with(Crossing::Paper), SAMPLES);
+    let wrong = deviations(&alone, &with(StereoReuse::Paper), SAMPLES);
     assert!(mean_square(&wrong) > 10.0, "{}", mean_square(&wrong));
     let noise = |sums: &Sums| sums.iter().map(|s| s[1] - s[0] * s[0] / f64::from(SAMPLES)).sum::<f64>();
     assert!(noise(&weighted) < 0.9 * noise(&alone), "{} {}", noise(&weighted), noise(&alone));
@@ -82,36 +82,33 @@ fn what_crosses_over_changes_no_mean_unless_it_is_counted_as_in_the_paper() {
 fn what_crosses_over_changes_no_mean_where_paths_stop() {
     const SAMPLES: u32 = 4000;
     let scene = stereo();
-    let stopped = |crossing, seed| {
-        let mut settings = Settings { seed, ..settings(crossing) };
-        (settings.paths.stopping, settings.paths.p_max) = (Stopping::Compensated, 1.0);
+    let stopped = |stereo_reuse, seed| {
+        let mut settings = Settings { seed, ..settings(stereo_reuse) };
+        (settings.paths.foveation, settings.paths.foveation_max) = (Foveation::Compensated, 1.0);
         settings.paths.gaze = [0.1, 0.9];
         sums(&scene, settings, SAMPLES)
     };
-    let z = deviations(&stopped(Crossing::Off, 0), &stopped(Crossing::Weighted, 1), SAMPLES);
+    let z = deviations(&stopped(StereoReuse::Off, 0), &stopped(StereoReuse::Weighted, 1), SAMPLES);
     assert!(mean_square(&z) < 1.4, "{}: {z:.1?}", mean_square(&z));
 }
 
 #[test]
 fn eyes_in_one_place_find_every_point_alike() {
-    let mut settings = settings(Crossing::Weighted);
+    let mut settings = settings(StereoReuse::Weighted);
     (settings.paths.eye_distance, settings.paths.convergence) = (0.0, None);
     let scene = stereo();
     let reference = Reference::new(&scene);
     let camera = *scene.camera(None).expect("a camera");
-    let frame = Frame { reference: &reference, camera, size: SIZE, settings };
+    let frame = ReferenceFrame { reference: &reference, camera, size: SIZE, settings };
     let mut landed = 0;
     for [x, y] in pixels() {
         let path = frame.path([x, y], 0, &mut Rounding::none());
-        let Some(landing) = path.landing else { continue };
+        let Some(splat) = path.splat else { continue };
         landed += 1;
         let half = SIZE[0].div_ceil(2);
         let other = if x < half { x + half } else { x - half };
-        assert_eq!(landing.pixel, [other, y]);
-        assert!(
-            (path.own - 0.5).abs() < 1e-9 && (landing.share - 0.5).abs().max_element() < 1e-6,
-            "{landing:?}"
-        );
+        assert_eq!(splat.pixel, [other, y]);
+        assert!((path.own - 0.5).abs() < 1e-9 && (splat.share - 0.5).abs().max_element() < 1e-6, "{splat:?}");
     }
     assert!(landed > 100, "{landed}");
 }

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::{DVec3, Vec3, vec3};
 use glimpse::{
-    Camera, Direct, Roulette, Sampler, Scene, Settings, Stopping,
+    Camera, DirectLight, Foveation, Roulette, Sampler, Scene, Settings,
     scene::{Material, octahedral_encode},
 };
 use glimpse_tests::builder::{Builder, front_camera, glass, matte, mirror};
@@ -69,11 +69,15 @@ fn a_sphere_lights_a_floor() {
     for (center, radius, solid_angle) in [(vec3(0.75, 0.0, 1.0), 0.5, far), (Vec3::ZERO, 3.0, PI)] {
         let scene = spot_and_lamp(center, radius, radiance).seen_by(narrow_camera());
         let expected = albedo.as_dvec3() / PI * solid_angle * radiance.as_dvec3();
-        for direct in WAYS {
-            let found = mean(&scene, &settings(direct, 2), 2000);
-            assert!((found.error2().map(f64::sqrt) / expected).max_element() < 0.02, "{direct:?}");
+        for direct_light in WAYS {
+            let found = mean(&scene, &settings(direct_light, 2), 2000);
+            assert!((found.error2().map(f64::sqrt) / expected).max_element() < 0.02, "{direct_light:?}");
             let deviation = found.deviation(expected, DVec3::ZERO);
-            assert!(deviation < 4.0, "{direct:?}: {} instead of {expected}, {deviation}", found.value());
+            assert!(
+                deviation < 4.0,
+                "{direct_light:?}: {} instead of {expected}, {deviation}",
+                found.value()
+            );
         }
     }
 }
@@ -93,9 +97,9 @@ fn a_lamp_that_cannot_be_seen_leaves_no_light() {
     let behind = bent(lamp, 0.5, vec3(-1.0, 0.0, 0.2));
     let below = bent(vec3(1.5, 0.0, -0.5), 0.3, vec3(1.0, 0.0, 0.2));
     for scene in [b.seen_by(narrow_camera()), behind, below] {
-        for direct in WAYS {
-            for_each(&scene, &settings(direct, 2), [5, 5], 100, |_, path| {
-                assert_eq!(path.radiance, DVec3::ZERO, "{direct:?}");
+        for direct_light in WAYS {
+            for_each(&scene, &settings(direct_light, 2), [5, 5], 100, |_, path| {
+                assert_eq!(path.radiance, DVec3::ZERO, "{direct_light:?}");
             });
         }
     }
@@ -104,17 +108,17 @@ fn a_lamp_that_cannot_be_seen_leaves_no_light() {
 #[test]
 fn every_way_to_find_light_finds_the_same() {
     let scene = lit_room();
-    let walk = settings(Direct::Walk, 8);
+    let walk = settings(DirectLight::Bsdf, 8);
     let walked = quarters(&scene, &walk, 1000);
     // Other numbers than those of the walk: errors are independent.
-    let both = Settings { seed: 1, ..settings(Direct::Mis, 8) };
+    let both = Settings { seed: 1, ..settings(DirectLight::Mis, 8) };
     let [mut light, mut roulette, mut four, mut sobol, mut foveated] = [both; 5];
-    light.paths.direct = Direct::Light;
+    light.paths.direct_light = DirectLight::Nee;
     roulette.paths.roulette = Roulette::On;
     four.paths.light_samples = 4;
     sobol.paths.sampler = Sampler::Sobol;
-    foveated.paths.stopping = Stopping::Compensated;
-    (foveated.paths.stop_after, foveated.paths.p_max) = (0, 0.5);
+    foveated.paths.foveation = Foveation::Compensated;
+    (foveated.paths.foveation_start, foveated.paths.foveation_max) = (0, 0.5);
     let ways = [
         ("light", light),
         ("both", both),
@@ -138,9 +142,9 @@ fn every_way_to_find_light_finds_the_same() {
 /// meets it. Rays to lamps alone have no such bound: beside a lamp there is always a point that is nearer.
 #[test]
 fn no_sample_outshines_the_lamps() {
-    let brightest = |scene: &Scene, direct, depth| {
+    let brightest = |scene: &Scene, direct_light, depth| {
         let mut brightest = 0.0_f64;
-        for_each(scene, &settings(direct, depth), [16; 2], 100, |_, path| {
+        for_each(scene, &settings(direct_light, depth), [16; 2], 100, |_, path| {
             brightest = brightest.max(path.radiance.max_element());
         });
         brightest
@@ -153,9 +157,9 @@ fn no_sample_outshines_the_lamps() {
     let standing = b.seen_by(front_camera());
     for (scene, emission, depth) in [(&standing, 1.0, 2), (&lit_room(), 60.0, 8)] {
         let most = emission * f64::from(1 + 2 * (depth - 1));
-        let found = brightest(scene, Direct::Mis, depth);
+        let found = brightest(scene, DirectLight::Mis, depth);
         assert!(found <= most, "{found} of {most}");
     }
-    let alone = brightest(&standing, Direct::Light, 2);
+    let alone = brightest(&standing, DirectLight::Nee, 2);
     assert!(alone > 5.0 * 3.0, "{alone}");
 }

@@ -258,7 +258,7 @@ fn extras_give_the_environment() {
     file.json["scenes"][0]["extras"] = json!({ "background": [1, 2, 4], "author": "me" });
     let environment = file.scene().environment;
     assert_eq!(environment.background, vec3(1.0, 2.0, 4.0));
-    assert_eq!(environment.truncated, vec3(0.25, 0.5, 1.0));
+    assert_eq!(environment.fallback_radiance, vec3(0.25, 0.5, 1.0));
     file.json["scenes"][0]["extras"]["ambient"] = json!([0, 0, 0]);
     assert_eq!(file.scene().environment.ambient, Vec3::ZERO);
     file.json["scenes"][0]["extras"] = json!("only words");

@@ -1,12 +1,13 @@
-//! "Will it be real time?": the section with the predictions for phones, and all that they rest on.
+//! "Will it be real time?": the section of the page with the predictions for phones and their assumptions.
 
+use glimpse::Tracing;
 use maud::{Markup, html};
 
 use super::{BANDWIDTH, Cell, MISSED, PUBLISHED, Prediction, Predictions, SIZE};
 use crate::tables::kim2016;
-use crate::work::Kind;
+use crate::work::class_name;
 
-/// The section; without a calibration it says what is missing.
+/// Renders the section; without a calibration it states what is missing.
 pub fn section(predictions: &Result<Predictions, String>) -> Markup {
     let [width, height] = SIZE;
     html! {
@@ -62,7 +63,7 @@ fn times(predictions: &Predictions) -> Markup {
     }
 }
 
-/// As `118 ms (51 to 310), 8.5 fps`.
+/// Formats a prediction: `118 ms (51 to 310), 8.5 fps`.
 fn time(row: &Prediction) -> String {
     let short = |value: f64| if value < 9.95 { format!("{value:.1}") } else { format!("{value:.0}") };
     let [low, mid, high, fps] =
@@ -114,10 +115,10 @@ fn calibration(predictions: &Predictions) -> Markup {
         div class="wide" { table {
             thead { tr { th { "of the peak operations" } th { "share" } th { "source" } } }
             tbody {
-                @for kind in Kind::ALL {
+                @for class in Tracing::ALL {
                     tr {
-                        th { "this device, " (kind.name()) }
-                        td { (format!("{:.1} %", 100.0 * calibration.shares[kind as usize])) }
+                        th { "this device, " (class_name(class)) }
+                        td { (format!("{:.1} %", 100.0 * calibration.shares[class as usize])) }
                         td { "measured" }
                     }
                 }
@@ -170,7 +171,7 @@ fn work(predictions: &Predictions) -> Markup {
             thead { tr {
                 th { "scene, method" }
                 @for head in ["rays a pixel", "node visits a ray", "primitive tests a ray"] { th { (head) } }
-                @for kind in Kind::ALL { th { (kind.name()) ", operations" } }
+                @for class in Tracing::ALL { th { (class_name(class)) ", operations" } }
                 @for head in ["bytes of the scene", "bytes of the frame"] { th { (head) } }
             } }
             tbody {

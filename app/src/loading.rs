@@ -1,0 +1,52 @@
+//! Reads a scene and uploads it to the device.
+
+use glam::Vec3;
+use glimpse::{Camera, Gpu, GpuScene};
+
+use crate::{Files, WorkerEvent, worker::EventSender};
+
+/// Properties of a loaded scene.
+#[derive(Clone, Debug)]
+pub struct SceneFacts {
+    /// The name under which it was requested.
+    pub name: String,
+    /// Number of triangles and spheres.
+    pub primitives: u64,
+    /// Names and cameras of the scene; at least one.
+    pub cameras: Vec<(String, Camera)>,
+    /// Lowest and highest corner of the bounding box, in world space.
+    pub bounds: (Vec3, Vec3),
+    /// One line for each thing that the importer left out or replaced.
+    pub warnings: Vec<String>,
+    /// The name of every optional feature, and whether the scene needs it.
+    pub features: Vec<(&'static str, bool)>,
+}
+
+/// A scene on the device.
+pub(crate) struct Loaded {
+    pub scene: GpuScene,
+    pub facts: SceneFacts,
+}
+
+/// Reads the scene of a name, uploads it, and reports the progress. The error is a message of one line.
+pub(crate) fn load(
+    gpu: &Gpu,
+    files: &Files,
+    name: &str,
+    event_sender: &EventSender,
+) -> Result<Loaded, String> {
+    event_sender.send(WorkerEvent::Loading(format!("reading {name}"), [1, 3]));
+    let mut scene = files(name)?;
+    let features = glimpse::Features::of(&scene).list().to_vec();
+    let facts = SceneFacts {
+        name: name.to_owned(),
+        primitives: (scene.triangle_objects.len() + scene.spheres.len()) as u64,
+        cameras: scene.cameras.clone(),
+        bounds: scene.bounds().unwrap_or_default(),
+        warnings: std::mem::take(&mut scene.warnings),
+        features,
+    };
+    event_sender.send(WorkerEvent::Loading(format!("building {name}"), [2, 3]));
+    let scene = GpuScene::upload(gpu, scene).map_err(|error| format!("{name}: {error}"))?;
+    Ok(Loaded { scene, facts })
+}

@@ -1,0 +1,350 @@
+//! A scene on the device.
+
+use std::sync::Arc;
+
+use glam::Vec3;
+
+use crate::{
+    Error, Features, Gpu, Result,
+    acceleration::Bvh,
+    device::atlas::Atlas,
+    device::{SceneStorage, Tier, mirror::gpu_struct},
+    scene::{self, Emitters, Environment, LightKind, MAX_LIGHTS, Material, Scene, Thinness},
+};
+
+/// Marks a sphere among the primitives; triangles are bounded by [`crate::scene::MAX_COORDINATE`].
+pub const SPHERE_MARK: f32 = 3.0e38;
+/// The bits of a primitive's word that hold its object; flags stand above them.
+pub const SURFACE_OBJECT: u32 = 0x00ff_ffff;
+/// Shadow rays pass.
+pub const SURFACE_NO_SHADOW: u32 = 0x4000_0000;
+/// There are holes.
+pub const SURFACE_ALPHA: u32 = 0x8000_0000;
+const MAX_OBJECTS: usize = SURFACE_OBJECT as usize + 1;
+
+/// Flags of an object. A matte one has nothing but its colour to read.
+pub const OBJECT_UNLIT: u32 = 1;
+pub const OBJECT_THIN: u32 = 2;
+pub const OBJECT_WEIGHTS: u32 = 4;
+pub const OBJECT_MATTE: u32 = 8;
+
+/// Kinds of lights: E of a point light falls with the square of the distance, that of a constant one does not.
+pub const LIGHT_DIRECTIONAL: u32 = 0;
+pub const LIGHT_POINT: u32 = 1;
+pub const LIGHT_CONSTANT: u32 = 2;
+
+/// The most that a light may bring: so many lights, lobes and rays as there can be add up to a finite number.
+const MAX_IRRADIANCE: f32 = 1.0e30;
+
+gpu_struct! {
+    /// An object and its material.
+    pub struct Object {
+        base_color: [f32; 3], alpha: f32,
+        emission: [f32; 3], alpha_cutoff: f32,
+        metallic: f32, roughness: f32, transmission: f32, ior: f32,
+        weights: [f32; 3], flags: u32,
+        base_color_texture: [u32; 4],
+        metallic_roughness_texture: [u32; 4],
+        emissive_texture: [u32; 4],
+    }
+}
+
+gpu_struct! {
+    /// A light.
+    pub struct Light {
+        position: [f32; 3], kind: u32,
+        intensity: [f32; 3], radius: f32,
+        direction: [f32; 3], inverse_range2: f32,
+        cone_scale: f32, cone_offset: f32, limit: f32, padding: f32,
+    }
+}
+
+/// What is known of a scene besides its [`Features`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SceneFacts {
+    /// It stores texture coordinates.
+    pub has_texcoords: bool,
+    /// It stores vertex colours.
+    pub has_colors: bool,
+    /// Some primitive emits.
+    pub emits: bool,
+    /// Groups on the traversal stack.
+    pub bvh_stack: u32,
+    /// Lights.
+    pub lights: u32,
+    /// Objects.
+    pub objects: u32,
+    /// Points of thin features.
+    pub probe_points: u32,
+}
+
+/// A scene on the device: geometry, acceleration structure, materials, lights, textures. A clone is another handle to the
+/// same memory on the device, which is freed with the last of them.
+#[derive(Clone)]
+pub struct GpuScene {
+    nodes: SceneStorage,
+    primitives: SceneStorage,
+    shading: SceneStorage,
+    vertices: SceneStorage,
+    objects: SceneStorage,
+    lights: wgpu::Buffer,
+    probe_points: wgpu::Buffer,
+    emitters: wgpu::Buffer,
+    atlas: Arc<Atlas>,
+    facts: SceneFacts,
+    pub(crate) emitter_count: u32,
+    /// 1 over the sum of strength times area of all emitters; 0 where there are none.
+    pub(crate) emitter_scale: f32,
+    pub(crate) environment: Environment,
+    /// What the device's kernels read it as.
+    pub(crate) tier: Tier,
+    features: Features,
+    thinness: Arc<Thinness>,
+    bounds: (Vec3, Vec3),
+}
+
+impl GpuScene {
+    /// Builds the acceleration structure and moves everything to the device; the scene's own memory is freed.
+    ///
+    /// # Errors
+    /// [`Error::Missing`] where the device cannot hold it, [`Error::Scene`] where there is nothing in it.
+    pub fn upload(gpu: &Gpu, mut scene: Scene) -> Result<Self> {
+        scene.validate()?;
+        let bounds = scene.bounds().ok_or_else(|| Error::scene("scene", "nothing to trace in it"))?;
+        if scene.lights.len() > MAX_LIGHTS || scene.objects.len() > MAX_OBJECTS {
+            return Err(Error::scene(
+                "scene",
+                format!(
+                    "{} lights and {} objects, the most are {MAX_LIGHTS} and {MAX_OBJECTS}",
+                    scene.lights.len(),
+                    scene.objects.len()
+                ),
+            ));
+        }
+        // Before the tree is built, which takes long for a scene that does not fit.
+        let primitive_count = scene.positions.len() + scene.spheres.len();
+        gpu.check_corners("primitives", primitive_count)?;
+        let features = Features::of(&scene);
+        let thinness = Thinness::of(&scene);
+        let probe_points: Vec<[f32; 3]> = thinness.probe_points().iter().map(|p| p.to_array()).collect();
+        let emitting = Emitters::of(&scene);
+        let bvh = Bvh::build(&scene);
+        let atlas = Atlas::upload(gpu, &mut scene)?;
+        let nodes = gpu.words("nodes", &bvh.nodes)?;
+        log::debug!("{} primitives in {} nodes, stack of {}", bvh.order.len(), bvh.nodes.len(), bvh.stack);
+        let Bvh { order, stack, nodes: tree } = bvh;
+        drop(tree);
+        let emitters = gpu.storage("emitters", &emitters(&emitting, &order))?;
+        let primitives = gpu.corners("primitives", &primitives(&scene, &order))?;
+        scene.positions = Vec::new();
+        let shading = gpu.words("shading", &shading(&scene, &order))?;
+        scene.normals = Vec::new();
+        let has_texcoords = !scene.texcoords.is_empty();
+        let has_colors = !scene.colors.is_empty();
+        let vertices = gpu.vertices("vertices", &vertices(&scene, &order), has_texcoords, has_colors)?;
+        let objects: Vec<_> =
+            scene.objects.iter().map(|o| object(&scene.materials[o.material as usize], &atlas)).collect();
+        let mut lights = vec![Light::default(); MAX_LIGHTS];
+        for (slot, each) in lights.iter_mut().zip(&scene.lights) {
+            *slot = light(each);
+        }
+        let mut lights = bytemuck::cast_slice(&lights).to_vec();
+        lights.extend([scene.lights.len() as u32, 0, 0, 0].iter().flat_map(|word| word.to_ne_bytes()));
+        Ok(Self {
+            nodes,
+            primitives,
+            shading,
+            vertices,
+            objects: gpu.words("objects", &objects)?,
+            probe_points: gpu.storage("probe_points", &probe_points)?,
+            lights: gpu.filled("lights", &lights, wgpu::BufferUsages::UNIFORM)?,
+            atlas: Arc::new(atlas),
+            emitters,
+            emitter_count: emitting.primitives.len() as u32,
+            emitter_scale: if emitting.total > 0.0 { (1.0 / emitting.total) as f32 } else { 0.0 },
+            facts: SceneFacts {
+                has_texcoords,
+                has_colors,
+                emits: !emitting.primitives.is_empty(),
+                bvh_stack: stack,
+                lights: scene.lights.len() as u32,
+                objects: scene.objects.len() as u32,
+                probe_points: thinness.probe_points().len() as u32,
+            },
+            environment: scene.environment,
+            tier: gpu.tier,
+            features,
+            thinness: Arc::new(thinness),
+            bounds,
+        })
+    }
+
+    /// What the scene needs.
+    #[must_use]
+    pub fn features(&self) -> Features {
+        self.features
+    }
+
+    /// Whether things may fall between the samples of a frame of that many rows of samples, in blocks of that side:
+    /// [`Thinness::is_thin`].
+    #[must_use]
+    pub fn is_thin(&self, rows: u32, block: u32) -> bool {
+        self.thinness.is_thin(rows, block)
+    }
+
+    /// What is known of it besides.
+    pub(crate) fn facts(&self) -> SceneFacts {
+        self.facts
+    }
+
+    /// The box around everything.
+    #[must_use]
+    pub fn bounds(&self) -> (Vec3, Vec3) {
+        self.bounds
+    }
+
+    /// The scene's longest box side: the unit of Kim 2016's distance tolerance.
+    #[must_use]
+    pub fn longest_side(&self) -> f32 {
+        (self.bounds.1 - self.bounds.0).max_element()
+    }
+
+    /// Everything that shaders read of the scene, by name.
+    pub(crate) fn resources(&self) -> Vec<(&'static str, wgpu::BindingResource<'_>)> {
+        vec![
+            ("nodes", self.nodes.binding()),
+            ("primitives", self.primitives.binding()),
+            ("shading", self.shading.binding()),
+            ("vertices", self.vertices.binding()),
+            ("objects", self.objects.binding()),
+            ("lights", self.lights.as_entire_binding()),
+            ("probe_points", self.probe_points.as_entire_binding()),
+            ("emitters", self.emitters.as_entire_binding()),
+            ("atlas_color", wgpu::BindingResource::TextureView(&self.atlas.color)),
+            ("atlas_data", wgpu::BindingResource::TextureView(&self.atlas.data)),
+        ]
+    }
+
+    /// Bytes of everything but the acceleration structure, and of the latter.
+    #[must_use]
+    pub fn bytes(&self) -> (u64, u64) {
+        let buffers = [&self.lights, &self.probe_points, &self.emitters];
+        let words = [&self.primitives, &self.shading, &self.vertices, &self.objects];
+        let scene = buffers.iter().map(|b| b.size()).sum::<u64>()
+            + words.iter().map(|w| w.bytes()).sum::<u64>()
+            + self.atlas.bytes();
+        (scene, self.nodes.bytes())
+    }
+}
+
+fn primitives(scene: &Scene, order: &[u32]) -> Vec<[[f32; 3]; 3]> {
+    let place = |&index: &u32| match scene.positions.get(index as usize) {
+        Some(corners) => corners.map(|corner| corner.to_array()),
+        None => {
+            let s = scene.spheres[index as usize - scene.positions.len()];
+            [s.center.to_array(), [s.radius, SPHERE_MARK, 0.0], [0.0; 3]]
+        }
+    };
+    order.iter().map(place).collect()
+}
+
+/// The place in the tree of each emissive primitive, and the bits of its cumulative share.
+fn emitters(emitters: &Emitters, order: &[u32]) -> Vec<[u32; 2]> {
+    if emitters.primitives.is_empty() {
+        return Vec::new();
+    }
+    let mut places = vec![0; order.len()];
+    for (place, index) in order.iter().enumerate() {
+        places[*index as usize] = place as u32;
+    }
+    let pairs = emitters.primitives.iter().zip(&emitters.cumulative);
+    pairs.map(|(index, share)| [places[*index as usize], share.to_bits()]).collect()
+}
+
+fn shading(scene: &Scene, order: &[u32]) -> Vec<[u32; 4]> {
+    let flags = |object: u32| {
+        let material = &scene.materials[scene.objects[object as usize].material as usize];
+        let alpha = if material.alpha_cutoff.is_some() { SURFACE_ALPHA } else { 0 };
+        let shadow = if material.casts_shadow { 0 } else { SURFACE_NO_SHADOW };
+        object | alpha | shadow
+    };
+    let place = |&index: &u32| match scene.normals.get(index as usize) {
+        Some(&[a, b, c]) => [a, b, c, flags(scene.triangle_objects[index as usize])],
+        None => [0, 0, 0, flags(scene.spheres[index as usize - scene.normals.len()].object)],
+    };
+    order.iter().map(place).collect()
+}
+
+/// Texture coordinates, then colours, as far as the scene has them; every primitive takes the same room.
+fn vertices(scene: &Scene, order: &[u32]) -> Vec<u32> {
+    let (textured, colored) = (!scene.texcoords.is_empty(), !scene.colors.is_empty());
+    let mut words = Vec::with_capacity(order.len() * (6 * usize::from(textured) + 3 * usize::from(colored)));
+    for &index in order {
+        if textured {
+            let corners = scene.texcoords.get(index as usize).copied().unwrap_or_default();
+            words.extend(corners.iter().flat_map(|t| [t.x.to_bits(), t.y.to_bits()]));
+        }
+        if colored {
+            words.extend(scene.colors.get(index as usize).copied().unwrap_or([u32::MAX; 3]));
+        }
+    }
+    words
+}
+
+fn object(m: &Material, atlas: &Atlas) -> Object {
+    let flag = |set: bool, bit: u32| if set { bit } else { 0 };
+    Object {
+        base_color: m.base_color.into(),
+        alpha: m.alpha,
+        emission: m.emission.into(),
+        alpha_cutoff: m.alpha_cutoff.unwrap_or(0.0),
+        metallic: m.metallic,
+        roughness: m.roughness,
+        transmission: m.transmission,
+        ior: m.ior,
+        weights: m.weights.map_or([0.0; 3], |w| [w.diffuse, w.mirror, w.refraction]),
+        flags: flag(m.unlit, OBJECT_UNLIT)
+            | flag(m.thin, OBJECT_THIN)
+            | flag(m.weights.is_some(), OBJECT_WEIGHTS)
+            | flag(m.is_matte(), OBJECT_MATTE),
+        base_color_texture: atlas.place(m.base_color_texture),
+        metallic_roughness_texture: atlas.place(m.metallic_roughness_texture),
+        emissive_texture: atlas.place(m.emissive_texture),
+    }
+}
+
+fn light(light: &scene::Light) -> Light {
+    let inverse_range2 = |range: f32| if range.is_finite() { range.powi(-2).min(f32::MAX) } else { 0.0 };
+    let intensity = light.intensity.min(Vec3::splat(MAX_IRRADIANCE));
+    let common = Light {
+        intensity: intensity.into(),
+        limit: MAX_IRRADIANCE / intensity.max_element().max(1.0),
+        radius: light.radius,
+        cone_offset: 1.0,
+        ..Light::default()
+    };
+    match &light.kind {
+        LightKind::Directional { direction } => {
+            Light { kind: LIGHT_DIRECTIONAL, direction: (*direction).into(), ..common }
+        }
+        LightKind::Point { position, range, falloff } => Light {
+            kind: if *falloff { LIGHT_POINT } else { LIGHT_CONSTANT },
+            position: (*position).into(),
+            inverse_range2: inverse_range2(*range),
+            ..common
+        },
+        LightKind::Spot { position, range, direction, cone } => {
+            // KHR_lights_punctual, "Inner and Outer Cone Angles".
+            let scale = 1.0 / (cone.start.cos() - cone.end.cos()).max(0.001);
+            Light {
+                kind: LIGHT_POINT,
+                position: (*position).into(),
+                direction: (*direction).into(),
+                inverse_range2: inverse_range2(*range),
+                cone_scale: scale,
+                cone_offset: -cone.end.cos() * scale,
+                ..common
+            }
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! What only the inside of this crate can provoke, on a device without a driver.
+
+use std::sync::{
+    Arc,
+    atomic::{AtomicU32, Ordering},
+};
+
+use super::{
+    Gpu, Kernel,
+    shader::{ShaderError, Source},
+};
+use crate::{Error, Result};
+
+fn instance() -> wgpu::Instance {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = wgpu::Backends::NOOP;
+    // The check of indirect dispatches would lower the limits below.
+    descriptor.flags = wgpu::InstanceFlags::empty();
+    descriptor.backend_options.noop = wgpu::NoopBackendOptions {
+        limits: Some(wgpu::Limits {
+            max_buffer_size: u64::MAX,
+            max_storage_buffer_binding_size: u64::MAX,
+            ..wgpu::Limits::default()
+        }),
+        features: Some(wgpu::Features::empty()),
+        ..wgpu::NoopBackendOptions::enabled()
+    };
+    wgpu::Instance::new(descriptor)
+}
+
+fn device() -> Gpu {
+    Gpu::from_instance(&instance(), None).expect("the noop adapter")
+}
+
+/// A device of the caller's with these limits.
+fn foreign(limits: wgpu::Limits) -> (wgpu::Adapter, wgpu::Device, wgpu::Queue) {
+    let adapters = pollster::block_on(instance().enumerate_adapters(wgpu::Backends::NOOP));
+    let adapter = adapters.into_iter().next().expect("the noop adapter");
+    let descriptor = wgpu::DeviceDescriptor { required_limits: limits, ..Gpu::requirements(&adapter) };
+    let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).expect("a device");
+    (adapter, device, queue)
+}
+
+#[test]
+fn a_callers_device_keeps_its_handler_and_tells_of_its_loss() {
+    let (adapter, device, queue) = foreign(wgpu::Limits::default());
+    let uncaught = Arc::new(AtomicU32::new(0));
+    let count = uncaught.clone();
+    device.on_uncaptured_error(Arc::new(move |_| {
+        count.fetch_add(1, Ordering::Relaxed);
+    }));
+    let gpu = Gpu::from_device(&adapter, &device, &queue).expect("WebGPU's defaults suffice");
+    device.set_device_lost_callback(gpu.on_lost());
+
+    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+        label: None,
+        size: 16,
+        usage: wgpu::BufferUsages::STORAGE,
+        mapped_at_creation: false,
+    });
+    let invalid = || {
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        // It lacks the usage for that.
+        encoder.clear_buffer(&buffer, 0, None);
+        encoder
+    };
+    let error = gpu.submit_and_wait(invalid()).expect_err("invalid commands");
+    assert!(matches!(error, Error::Device(_)), "{error}");
+    assert_eq!(uncaught.load(Ordering::Relaxed), 0, "an error of this crate's calls came to the caller");
+    drop(invalid().finish());
+    assert_eq!(uncaught.load(Ordering::Relaxed), 1, "an error of the caller's did not come to it");
+
+    gpu.submit_all_and_wait([commands(&gpu)]).expect("the device is still usable");
+    device.destroy();
+    // Callbacks are called while the device is polled.
+    let _ = device.poll(wgpu::PollType::Poll);
+    let result = gpu.submit_all_and_wait([commands(&gpu)]);
+    assert!(matches!(result, Err(Error::Lost { .. })), "{result:?}");
+}
+
+#[test]
+fn a_callers_device_that_lacks_something_is_refused_with_all_of_it() {
+    let limits = wgpu::Limits {
+        max_storage_buffers_per_shader_stage: 4,
+        max_compute_invocations_per_workgroup: 128,
+        ..wgpu::Limits::default()
+    };
+    let (adapter, device, queue) = foreign(limits);
+    let error = Gpu::from_device(&adapter, &device, &queue).map(drop).expect_err("it lacks two limits");
+    let Error::Missing { need, have, .. } = &error else { panic!("{error}") };
+    assert!(need.contains("max_storage_buffers_per_shader_stage 8"), "{need}");
+    assert!(need.contains("max_compute_invocations_per_workgroup 256"), "{need}");
+    assert!(have.contains('4') && have.contains("128"), "{have}");
+}
+
+fn commands(gpu: &Gpu) -> wgpu::CommandBuffer {
+    gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default()).finish()
+}
+
+#[test]
+fn nothing_is_submitted_after_a_loss_between_submissions() {
+    let gpu = device();
+    gpu.submit_all_and_wait((0..3).map(|_| commands(&gpu))).expect("a healthy device");
+    let mut recorded = 0;
+    let result = gpu.submit_all_and_wait((0..3).map(|i| {
+        recorded = i;
+        if i == 1 {
+            gpu.destroy();
+        }
+        commands(&gpu)
+    }));
+    assert!(matches!(&result, Err(Error::Lost { reason, .. }) if reason == "it was destroyed"), "{result:?}");
+    assert_eq!(recorded, 1);
+}
+
+#[test]
+fn loss_before_a_readback_is_an_error() {
+    let gpu = device();
+    let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
+    let buffer = gpu.buffer("data", 16, usage).expect("a buffer");
+    assert_eq!(gpu.read_buffer(&buffer).expect("a healthy device"), [0; 16]);
+    gpu.destroy();
+    let lost =
+        |result: Result<()>, what| assert!(matches!(result, Err(Error::Lost { .. })), "{what}: {result:?}");
+    lost(gpu.read_buffer(&buffer).map(drop), "readback");
+    lost(gpu.buffer("more", 16, usage).map(drop), "buffer");
+    lost(gpu.filled("more", &[1; 16], usage).map(drop), "buffer with content");
+    lost(
+        Kernel::new(&gpu, "empty", &[source("@compute @workgroup_size(1) fn main() {}")]).map(drop),
+        "kernel",
+    );
+}
+
+#[test]
+fn a_buffer_without_memory_is_named_with_its_size() {
+    let gpu = device();
+    // More than the address space of any machine.
+    let size = 1 << 60;
+    let result = gpu.checked("buffer `attributes`", Some(size), |device| {
+        device.create_buffer(&wgpu::BufferDescriptor {
+            label: None,
+            size,
+            usage: wgpu::BufferUsages::STORAGE,
+            mapped_at_creation: false,
+        })
+    });
+    let error = result.expect_err("no machine has that");
+    let Error::OutOfMemory { what, bytes: Some(found), .. } = &error else { panic!("{error}") };
+    assert_eq!((what.as_str(), *found), ("buffer `attributes`", size));
+    assert!(error.to_string().ends_with(&format!("buffer `attributes` ({size} bytes)")), "{error}");
+    gpu.buffer("small", 16, wgpu::BufferUsages::STORAGE).expect("the device is still usable");
+}
+
+#[test]
+fn corners_beyond_a_device_are_an_error_by_image_and_by_buffer() {
+    // Without a driver a device counts as a CPU.
+    let (images, buffers) = (device(), device().as_hardware());
+    // 8,192 rows of 4,096 texels.
+    let most = 8192 * 4096 / 3;
+    images.check_corners("primitives", most).expect("it fits");
+    let error = images.check_corners("primitives", most + 1).expect_err("a corner too many").to_string();
+    assert!(error.contains("image `primitives` needs") && error.contains("in one image"), "{error}");
+    buffers.check_corners("primitives", most + 1).expect("buffers have no limit here");
+    for count in [1, 1365, 1366, 3000] {
+        for gpu in [&buffers, &images] {
+            gpu.corners("primitives", &vec![[[1.0; 3]; 3]; count]).expect("it fits");
+        }
+    }
+}
+
+fn source(text: &'static str) -> Source {
+    Source { file: "test.wgsl", text: text.into() }
+}
+
+/// Valid WGSL of a language extension that the device was not asked for: linking accepts it.
+#[test]
+fn a_kernel_that_the_device_refuses_is_named() {
+    let gpu = device();
+    let text = "@compute @workgroup_size(1) fn main() { var x = 1.0lf; x += 1.0lf; }";
+    let error = Kernel::new(&gpu, "broken", &[source(text)]).map(drop).expect_err("no f64 on this device");
+    let Error::Shader(ShaderError::Refused { kernel, message, .. }) = &error else { panic!("{error}") };
+    assert_eq!(kernel, "broken");
+    assert!(message.contains("FLOAT64"), "{message}");
+}
+
+#[test]
+fn a_kernel_larger_than_the_device_is_named() {
+    let gpu = device();
+    let text = "@compute @workgroup_size(1024) fn main() {}";
+    let error =
+        Kernel::new(&gpu, "wide", &[source(text)]).map(drop).expect_err("256 invocations are the most");
+    assert!(
+        matches!(&error, Error::Shader(ShaderError::Refused { kernel, .. }) if kernel == "wide"),
+        "{error}"
+    );
+}

@@ -1,0 +1,187 @@
+//! Submissions, the wait for them, and readback.
+
+use std::{
+    iter, mem,
+    panic::{AssertUnwindSafe, catch_unwind, resume_unwind},
+    sync::{MutexGuard, PoisonError, mpsc},
+};
+
+use super::{Gpu, memory::padded_row};
+use crate::{Error, Result};
+
+/// Attempts to configure a surface: a concurrent submission of another thread makes wgpu abandon one.
+const CONFIGURATIONS: usize = 100;
+
+impl Gpu {
+    /// Prepares a surface for pictures, between the frames that other threads submit.
+    ///
+    /// # Errors
+    /// A device that failed, or a configuration that the surface does not take.
+    pub fn configure(&self, surface: &wgpu::Surface<'_>, config: &wgpu::SurfaceConfiguration) -> Result<()> {
+        let _submit_lock = self.submit_lock();
+        let mut done = Ok(());
+        for _ in 0..CONFIGURATIONS {
+            done = self.checked("surface", None, |device| surface.configure(device, config));
+            if !matches!(done, Err(Error::Device(_))) {
+                break;
+            }
+        }
+        done
+    }
+
+    /// Submits and waits until the device is done.
+    pub(crate) fn submit_and_wait(&self, encoder: wgpu::CommandEncoder) -> Result<()> {
+        self.submit_all_and_wait(iter::once(encoder).map(wgpu::CommandEncoder::finish))
+    }
+
+    /// Submits each by itself, in order, and waits until the device is done with all. The device works on what has been
+    /// submitted while the next is being recorded.
+    pub(crate) fn submit_all_and_wait(
+        &self,
+        commands: impl IntoIterator<Item = wgpu::CommandBuffer>,
+    ) -> Result<()> {
+        self.submitted(commands, &self.submit_lock())
+    }
+
+    /// As [`Gpu::submit_all_and_wait`] with at most two submissions before the device at a time; submits no more once
+    /// `cancelled` says so, and tells whether all were.
+    pub(crate) fn submit_until(
+        &self,
+        mut commands: impl ExactSizeIterator<Item = wgpu::CommandBuffer>,
+        cancelled: &dyn Fn() -> bool,
+    ) -> Result<bool> {
+        let _submit_lock = self.submit_lock();
+        let mut last = None;
+        while commands.len() > 0 {
+            if cancelled() {
+                self.wait_for(last)?;
+                return Ok(false);
+            }
+            let next = self.submit_next(&mut commands)?;
+            if let Some(before) = mem::replace(&mut last, next) {
+                self.wait_for(Some(before))?;
+            }
+        }
+        self.wait_for(last)?;
+        Ok(true)
+    }
+
+    /// Copies a buffer (made with `COPY_SRC`) to main memory.
+    pub(crate) fn read_buffer(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>> {
+        self.read(buffer.size(), |encoder, staging| {
+            encoder.copy_buffer_to_buffer(buffer, 0, staging, 0, buffer.size());
+        })
+    }
+
+    /// Copies a texture (made with `COPY_SRC`) to main memory, rows without gaps.
+    ///
+    /// # Errors
+    /// A device that failed or has no memory for it.
+    pub fn read_texture(&self, texture: &wgpu::Texture, bytes_per_texel: u32) -> Result<Vec<u8>> {
+        let (width, height) = (texture.width(), texture.height());
+        let row = (width * bytes_per_texel) as usize;
+        let padded = padded_row(width, bytes_per_texel) as usize;
+        let mut bytes = self.read((padded * height as usize) as u64, |encoder, staging| {
+            encoder.copy_texture_to_buffer(
+                texture.as_image_copy(),
+                wgpu::TexelCopyBufferInfo {
+                    buffer: staging,
+                    layout: wgpu::TexelCopyBufferLayout {
+                        offset: 0,
+                        bytes_per_row: Some(padded as u32),
+                        rows_per_image: None,
+                    },
+                },
+                texture.size(),
+            );
+        })?;
+        if padded > row {
+            for line in 0..height as usize {
+                bytes.copy_within(line * padded..line * padded + row, line * row);
+            }
+            bytes.truncate(row * height as usize);
+        }
+        Ok(bytes)
+    }
+
+    fn read(
+        &self,
+        bytes: u64,
+        copy: impl FnOnce(&mut wgpu::CommandEncoder, &wgpu::Buffer),
+    ) -> Result<Vec<u8>> {
+        let staging = self.checked("the readback", Some(bytes), |device| {
+            device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("readback"),
+                size: bytes,
+                usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+                mapped_at_creation: false,
+            })
+        })?;
+        let mut encoder = self.device.create_command_encoder(&Default::default());
+        copy(&mut encoder, &staging);
+        let (done, mapped) = mpsc::channel();
+        encoder.map_buffer_on_submit(&staging, wgpu::MapMode::Read, .., move |result| {
+            // Where nobody listens any more, the wait has failed before.
+            let _ = done.send(result);
+        });
+        let submit_lock = self.submit_lock();
+        self.submitted(iter::once(encoder).map(wgpu::CommandEncoder::finish), &submit_lock)?;
+        match mapped.recv_timeout(self.timeout) {
+            Ok(Ok(())) => {}
+            Ok(Err(error)) => return Err(self.failed(error)),
+            Err(_) => return Err(self.timed_out()),
+        }
+        let view = staging.slice(..).get_mapped_range().map_err(|error| self.failed(error))?;
+        Ok(view.to_vec())
+    }
+
+    fn submit_lock(&self) -> MutexGuard<'_, ()> {
+        self.submit_lock.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn submitted(
+        &self,
+        commands: impl IntoIterator<Item = wgpu::CommandBuffer>,
+        _submit_lock: &MutexGuard<'_, ()>,
+    ) -> Result<()> {
+        let mut commands = commands.into_iter();
+        let mut last = None;
+        while let Some(next) = self.submit_next(&mut commands)? {
+            last = Some(next);
+        }
+        self.wait_for(last)
+    }
+
+    /// Records and submits the next of the commands, if there are more.
+    fn submit_next(
+        &self,
+        commands: &mut impl Iterator<Item = wgpu::CommandBuffer>,
+    ) -> Result<Option<wgpu::SubmissionIndex>> {
+        self.checked("a frame's commands", None, |_| commands.next().map(|next| self.queue.submit([next])))
+    }
+
+    /// Waits for a submission, or for all.
+    fn wait_for(&self, submission: Option<wgpu::SubmissionIndex>) -> Result<()> {
+        let wait = wgpu::PollType::Wait { submission_index: submission, timeout: Some(self.timeout) };
+        // wgpu 30 panics where the driver reports the loss during the wait ("Error in Device::poll"), holding no lock
+        // and after it has called back.
+        let polled = catch_unwind(AssertUnwindSafe(|| self.device.poll(wait)));
+        self.check_health()?;
+        match polled {
+            Ok(Ok(_)) => Ok(()),
+            Ok(Err(wgpu::PollError::Timeout)) => Err(self.timed_out()),
+            Ok(Err(error)) => Err(Error::Device(error.to_string())),
+            // wgpu's own message; a caller who does not pass the loss on (Gpu::on_lost) gets no other.
+            Err(panic) => match panic.downcast::<String>() {
+                Ok(message) => Err(Error::Device(*message)),
+                Err(panic) => resume_unwind(panic),
+            },
+        }
+    }
+
+    fn timed_out(&self) -> Error {
+        // The last handle of a queue waits for the device without bound when it goes. This one never goes.
+        mem::forget(self.queue.clone());
+        Error::Timeout { adapter: self.facts.info.name.clone(), waited: self.timeout }
+    }
+}

@@ -1,0 +1,16 @@
+// Step-II-a: the samples half way between two references of a row.
+
+@compute @workgroup_size(256)
+fn main(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(num_workgroups) groups: vec3u,
+    @builtin(local_invocation_index) local: u32,
+) {
+    let at = 16u * tile_order(group, groups, TILE_ORDER_RUN) + frame_tile(local);
+    let reach = vec2u(frame.part.stride / 2u, 0u);
+    let pixel = frame.part.stride * at + vec2u(0u, frame.part.row) + reach;
+    if pixel.x >= frame.size.x || pixel.y >= frame.part.end {
+        return;
+    }
+    similarity_step(pixel, pixel - reach, pixel + reach);
+}

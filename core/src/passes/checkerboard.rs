@@ -1,0 +1,32 @@
+//! The baseline that traces every second pixel and interpolates the others, whatever they show.
+
+use super::{Output, Recipe, FrameSpec, recipe::{Loops, Storage}, stage::*};
+use crate::frame::plan::{Band, Plan, tiles};
+
+stages! {
+    /// Traces every second pixel.
+    CHECKERBOARD = {
+        name: "checkerboard", wgsl: "passes/checkerboard/checkerboard.wgsl", paper: "a baseline",
+        work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours, clears: [],
+        sources: |spec, entry| {
+            let samples = FrameSpec { output: Output::Samples, ..*spec };
+            samples.tracing_sources([spec.tile_order(), entry])
+        },
+    }
+    /// Averages the four traced neighbours of each other pixel.
+    FILL = {
+        name: "fill", wgsl: "passes/checkerboard/fill.wgsl", paper: "a baseline",
+        work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
+        sources: |spec, entry| spec.resolve_sources(entry),
+    }
+}
+
+/// A ray through every second pixel.
+pub const RECIPE: Recipe =
+    Recipe { plan, traced: &CHECKERBOARD, storage: Storage { radiances: 1, ..Storage::WHOLE }, interpolated: &[(&FILL, Loops::Repeated(4.0))] };
+
+fn plan(plan: &mut Plan, _: &FrameSpec, band: &Band) {
+    let (width, rows) = (plan.grid[0], band.rows(1, band.own));
+    plan.push(tiles(&CHECKERBOARD, width.div_ceil(2), rows));
+    plan.push(tiles(&FILL, width, rows));
+}

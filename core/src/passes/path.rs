@@ -1,0 +1,99 @@
+//! Path tracing (Kajiya 1986): a path through every pixel of each frame, added to those of the frames before.
+
+use super::{Output, Recipe, recipe::Storage, FrameSpec, denoise, sources::pick, stage::*, stereo, wgsl};
+use crate::{
+    Denoise, DirectLight, Sampler, LightSelection, Foveation,
+    device::shader::Source,
+    frame::plan::{Band, Plan, tiles},
+};
+
+stages! {
+    /// Traces a path through every pixel.
+    PATH = {
+        name: "path", wgsl: "passes/path/path.wgsl", paper: "Kajiya 1986; Kim & Sung 2021, equation 7",
+        work: Work::Tiles(PATH_TILE), tracing: Tracing::Neighbours, clears: [],
+        sources: |spec, entry| spec.path_sources(entry),
+    }
+    /// Adds samples that were traced elsewhere to the sums of the pixels; it runs between frames.
+    ACCUMULATE = {
+        name: "accumulate", wgsl: "passes/path/accumulate.wgsl", paper: "Kim & Sung 2021, Algorithm 5",
+        work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
+        sources: |spec, entry| {
+            let mut sources = vec![spec.constants(), wgsl!("wgsl/trace/frame.wgsl"), spec.jitter()];
+            sources.extend(spec.path_sums());
+            sources.extend(spec.output_before_noise().sources());
+            sources.push(entry);
+            sources
+        },
+    }
+}
+
+/// Path tracing of one picture or of one for each eye.
+pub const RECIPE: Recipe = Recipe { plan, traced: &PATH, storage: Storage { radiances: 1, ..Storage::WHOLE }, interpolated: &[] };
+
+/// A path through every pixel, and what is done about their noise.
+fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
+    let (width, rows) = (plan.grid[0], band.rows(1, band.own));
+    plan.push(tiles(&PATH, width, rows));
+    if spec.settings.reuses_stereo() {
+        stereo::plan(plan, width, rows);
+    }
+    denoise::plan(plan, spec.settings.denoise(), width, rows);
+}
+
+impl FrameSpec {
+    fn path_sources(&self, entry: Source) -> Vec<Source> {
+        let f = &self.features;
+        let gbuffer = self.settings.paths.denoise != Denoise::Off;
+        let one = Self { output: self.output_before_noise(), ..self.one_sample() };
+        let mut sources = one.scene_sources(wgsl!("wgsl/adaptive/attributes_channels.wgsl"), self.hit());
+        sources.extend(self.rng());
+        sources.extend([
+            wgsl!("wgsl/path/max_component.wgsl"),
+            self.lobes(),
+            pick(
+                f.lights && self.settings.paths.lights != LightSelection::Emitters,
+                wgsl!("wgsl/path/punctual_nee.wgsl"),
+                wgsl!("wgsl/path/punctual_none.wgsl"),
+            ),
+            match (self.settings.paths.direct_light, self.settings.paths.lights) {
+                (_, LightSelection::Punctual) => wgsl!("wgsl/path/emitters_unlit.wgsl"),
+                (DirectLight::Nee | DirectLight::Mis, _) if self.scene.emits => wgsl!("wgsl/path/emitters_nee.wgsl"),
+                _ => wgsl!("wgsl/path/emitters_bsdf.wgsl"),
+            },
+            self.foveation(),
+            self.eyes(),
+            wgsl!("wgsl/denoise/gbuffer.wgsl"),
+            pick(gbuffer && !self.inspect, wgsl!("wgsl/denoise/gbuffer_record.wgsl"), wgsl!("wgsl/denoise/gbuffer_none.wgsl")),
+            wgsl!("wgsl/path/path.wgsl"),
+        ]);
+        sources.extend(self.path_samples());
+        sources.extend([self.tile_order(), entry]);
+        sources
+    }
+
+    /// Where colours go whose noise is yet to be removed: what does that shows them.
+    pub(super) fn output_before_noise(&self) -> Output {
+        if self.settings.paths.denoise == Denoise::Off { self.output } else { Output::Nowhere }
+    }
+
+    pub(super) fn foveation(&self) -> Source {
+        pick(
+            self.settings.paths.foveation == Foveation::Off,
+            wgsl!("wgsl/path/foveation_none.wgsl"),
+            wgsl!("wgsl/path/foveation.wgsl"),
+        )
+    }
+
+    pub(super) fn rng(&self) -> [Source; 2] {
+        let source = match self.settings.paths.sampler {
+            Sampler::Random => wgsl!("wgsl/path/rng_independent.wgsl"),
+            Sampler::Sobol => wgsl!("wgsl/path/rng_sobol.wgsl"),
+        };
+        [wgsl!("wgsl/path/rng.wgsl"), source]
+    }
+
+    pub(super) fn lobes(&self) -> Source {
+        pick(self.features.glossy, wgsl!("wgsl/path/lobes.wgsl"), wgsl!("wgsl/path/lobes_matte.wgsl"))
+    }
+}

@@ -1,0 +1,100 @@
+//! Refinement of whole pixels: lines are followed from where a centre hits them, then the cells that differ get samples.
+
+use super::{REFINE_MOST, REFINE_STEP, FrameSpec, stage::*, wgsl};
+use crate::{
+    device::shader::Source,
+    frame::plan::{Plan, Rows, chunks, once, tiles},
+};
+
+stages! {
+    /// Lists the pixels that differ from their neighbours.
+    REFINE_TEST = {
+        name: "refine_test", wgsl: "passes/refine/refine_test.wgsl", paper: "ours, after Jin 2009, 4.3.2",
+        work: Work::Tiles(TRACED_TILE), tracing: Tracing::No, clears: [Clears::ListHeader],
+        sources: |spec, entry| spec.test_sources([wgsl!("wgsl/supersample/refine_list.wgsl")], entry),
+    }
+    /// Compacts the pixels of the next round.
+    COMPACT_REFINE = {
+        name: "compact_refine", wgsl: "passes/compact.wgsl", paper: "ours",
+        work: Work::Fixed, tracing: Tracing::No, clears: [],
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/supersample/list_range_pending.wgsl"), entry),
+    }
+    /// Traces the first four samples of each listed pixel and lists neighbours that they reveal.
+    REFINE = {
+        name: "refine", wgsl: "passes/refine/refine.wgsl", paper: "ours, after Jin 2009, 4.3.3, and Kim 2016, 4",
+        work: Work::List, tracing: Tracing::Listed, clears: [],
+        sources: |spec, entry| spec.refine_sources(entry),
+    }
+    /// Compacts all refined pixels.
+    COMPACT_STRATUM_TEST = {
+        name: "compact_stratum_test", wgsl: "passes/compact.wgsl", paper: "ours",
+        work: Work::Fixed, tracing: Tracing::No, clears: [],
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/adaptive/list_range_all.wgsl"), entry),
+    }
+    /// Lists the cells of refined pixels that get samples.
+    STRATUM_TEST = {
+        name: "stratum_test", wgsl: "passes/refine/stratum_test.wgsl", paper: "ours, after Jin 2009, 4.2.2",
+        work: Work::List, tracing: Tracing::No, clears: [],
+        sources: |spec, entry| {
+            let mut sources = spec.pixel_sources(wgsl!("wgsl/adaptive/attributes_atomic.wgsl"));
+            sources.extend(refined_sources());
+            sources.extend([wgsl!("wgsl/supersample/pixel_edges.wgsl"), entry]);
+            sources
+        },
+    }
+    /// Compacts the cells of the next step.
+    COMPACT_STRATA = {
+        name: "compact_strata", wgsl: "passes/compact.wgsl", paper: "ours",
+        work: Work::Fixed, tracing: Tracing::No, clears: [],
+        sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/supersample/list_range_pending.wgsl"), entry),
+    }
+    /// Traces four samples in listed cells.
+    STRATA = {
+        name: "strata", wgsl: "passes/refine/strata.wgsl", paper: "ours",
+        work: Work::List, tracing: Tracing::Listed, clears: [],
+        sources: |spec, entry| spec.refine_sources(entry),
+    }
+}
+
+/// Rounds of pixels that are refined: a line is followed over fewer pixels from where a centre hits it.
+pub const REFINE_ROUNDS: u32 = 16;
+
+/// What is listed after the first is this part of the frame at most.
+const REFINE_LATER: u32 = 8;
+
+/// All pixels that the test finds and what they lead to; then the cells in them that differ.
+pub fn plan(plan: &mut Plan, rows: Rows) {
+    let pixels = plan.grid[0] * rows.count();
+    let longest = REFINE_MOST / REFINE_STEP * pixels;
+    plan.lists(longest);
+    plan.push(tiles(&REFINE_TEST, plan.grid[0], rows));
+    for round in 0..REFINE_ROUNDS {
+        let most = if round == 0 { longest } else { longest.div_ceil(REFINE_LATER) };
+        plan.push(once(&COMPACT_REFINE, rows));
+        plan.push(chunks(&REFINE, most, rows));
+    }
+    plan.push(once(&COMPACT_STRATUM_TEST, rows));
+    plan.push(chunks(&STRATUM_TEST, pixels, rows));
+    for _ in 1..REFINE_MOST / REFINE_STEP {
+        plan.push(once(&COMPACT_STRATA, rows));
+        plan.push(chunks(&STRATA, longest, rows));
+    }
+}
+
+impl FrameSpec {
+    fn refine_sources(&self, entry: Source) -> Vec<Source> {
+        let of_tracing = [wgsl!("wgsl/supersample/contrast_range.wgsl"), wgsl!("wgsl/supersample/refine_trace.wgsl"), entry];
+        let entry = refined_sources().into_iter().chain(of_tracing);
+        self.extra().tracing_sources_from(wgsl!("wgsl/adaptive/attributes_atomic.wgsl"), self.hit(), entry)
+    }
+}
+
+/// What is known of pixels that are refined.
+fn refined_sources() -> [Source; 4] {
+    [
+        wgsl!("wgsl/supersample/refine_list.wgsl"),
+        wgsl!("wgsl/supersample/sample_order.wgsl"),
+        wgsl!("wgsl/supersample/contrast.wgsl"),
+        wgsl!("wgsl/supersample/refine.wgsl"),
+    ]
+}

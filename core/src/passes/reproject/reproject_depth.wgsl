@@ -1,0 +1,13 @@
+// Reprojection: every point of the frame before is moved to the pixel that sees it now; the nearest stays.
+
+@compute @workgroup_size(256)
+fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
+    let pixel = 16u * (group.xy + vec2u(0u, frame.part.first)) + frame_tile(local);
+    if any(pixel >= frame.size) || !reproject_is_needed() {
+        return;
+    }
+    let moved = reproject_point(pixel);
+    if moved.key != 0u {
+        atomicMax(&splats[moved.to].key, moved.key);
+    }
+}

@@ -1,0 +1,14 @@
+// Reprojection: which pixel the nearest point came from. Of equals it is the first, so that frames repeat; where a compiler
+// rounds a key here unlike before, there is none, and the pixel is traced.
+
+@compute @workgroup_size(256)
+fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
+    let pixel = 16u * (group.xy + vec2u(0u, frame.part.first)) + frame_tile(local);
+    if any(pixel >= frame.size) || !reproject_is_needed() {
+        return;
+    }
+    let moved = reproject_point(pixel);
+    if moved.key != 0u && atomicLoad(&splats[moved.to].key) == moved.key {
+        atomicMax(&splats[moved.to].source, ~(pixel.y * frame.size.x + pixel.x));
+    }
+}

@@ -1,0 +1,110 @@
+//! Mirror reflection and refraction: the rays that follow from a ray. What the depth limit or the weight cut leaves out
+//! is replaced by the environment's fallback radiance.
+
+use glam::DVec3;
+
+use super::{Attributes, Cause, Limits, Material, Ray, Reference, Rounding, Surface};
+
+/// A ray on its way, with its place in the recursion.
+pub(super) struct PathState {
+    pub ray: Ray,
+    /// The primitive that the ray starts on, which it must not hit again; `None` for primary rays.
+    pub left: Option<usize>,
+    /// The share of the sample's radiance that it brings.
+    pub weight: DVec3,
+    /// Recursion level: 1 for the primary ray.
+    pub level: u32,
+}
+
+/// A ray that leaves a surface by a mirror or by refraction.
+#[derive(Clone, Copy)]
+pub(super) struct BsdfSample {
+    pub direction: DVec3,
+    /// Width of the ray's cone at its origin, and its growth per unit of distance.
+    pub cone: (f64, f64),
+    /// Weight of the ray's radiance in the pixel, for each channel.
+    pub share: DVec3,
+}
+
+impl Reference {
+    /// The reflected ray, and the refracted one where reflection is not total.
+    pub(super) fn specular(
+        &self,
+        s: &Surface,
+        m: &Material,
+        direction: DVec3,
+        rounding: &mut Rounding,
+    ) -> [Option<BsdfSample>; 2] {
+        let cosine = (-s.normal.dot(direction)).clamp(0.0, 1.0);
+        let cosine = rounding.number(Cause::Branch, cosine, 1.0).clamp(0.0, 1.0);
+        let mirrored = BsdfSample {
+            direction: (direction - 2.0 * s.normal.dot(direction) * s.normal).normalize_or_zero(),
+            cone: self.bent(s, 1.0, 2.0),
+            share: m.mirror(cosine, s.inside),
+        };
+        let through = refracted(s, m, direction, cosine).map(|(refracted, kept, turned)| BsdfSample {
+            direction: refracted.normalize_or_zero(),
+            cone: self.bent(s, kept, turned),
+            share: m.refraction(cosine, s.inside),
+        });
+        [Some(mirrored), through]
+    }
+
+    /// Radiance of the mirrored and refracted rays, and the hit of the one with the greatest weight that hits anything.
+    pub(super) fn scattered(
+        &self,
+        s: &Surface,
+        m: &Material,
+        from: &PathState,
+        limits: &Limits,
+        rounding: &mut Rounding,
+    ) -> (DVec3, Option<Attributes>) {
+        let rays = self.specular(s, m, from.ray.direction, rounding);
+        let mut sum = DVec3::ZERO;
+        let mut heaviest = (0.0, None);
+        for bsdf_sample in rays.into_iter().flatten() {
+            let weight = from.weight * bsdf_sample.share;
+            let (color, hit) = self.followed(s, &bsdf_sample, weight, from.level, limits, rounding);
+            sum += color;
+            if hit.is_some() && weight.max_element() > heaviest.0 {
+                heaviest = (weight.max_element(), hit);
+            }
+        }
+        (sum, heaviest.1)
+    }
+
+    fn followed(
+        &self,
+        s: &Surface,
+        bsdf_sample: &BsdfSample,
+        weight: DVec3,
+        level: u32,
+        limits: &Limits,
+        rounding: &mut Rounding,
+    ) -> (DVec3, Option<Attributes>) {
+        let largest = weight.max_element();
+        if largest <= 0.0 {
+            return (DVec3::ZERO, None);
+        }
+        let largest = rounding.number(Cause::Branch, largest, largest);
+        if level >= limits.depth || largest < limits.min_weight {
+            return (weight * self.scene.environment.fallback_radiance.as_dvec3(), None);
+        }
+        let ray = s.spawn(bsdf_sample.direction, bsdf_sample.cone, rounding);
+        let state = PathState { ray, left: Some(s.primitive), weight, level: level + 1 };
+        let seen = self.follow(&state, limits, rounding);
+        (seen.color, seen.attributes.object.map(|_| seen.attributes))
+    }
+}
+
+/// The direction of the refracted ray (straight on through a pane), by Snell's law, and how much there is in it of the
+/// direction of the ray that arrives and of the normal; `None` where reflection is total.
+fn refracted(s: &Surface, m: &Material, direction: DVec3, cosine: f64) -> Option<(DVec3, f64, f64)> {
+    if m.thin {
+        return Some((direction, 1.0, 0.0));
+    }
+    let ratio = m.ratio(s.inside);
+    let other2 = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
+    let turned = ratio * cosine - other2.max(0.0).sqrt();
+    (other2 > 0.0).then(|| (ratio * direction + turned * s.normal, ratio, turned))
+}

@@ -1,0 +1,115 @@
+// The planes as the adaptive steps write and read them.
+
+var<storage, read_write> attributes: array<u32>;
+
+fn attributes_read(place: u32) -> u32 {
+    return attributes[place];
+}
+
+fn attributes_write(place: u32, word: u32) {
+    attributes[place] = word;
+}
+
+// Stores the attributes that later steps refer to.
+fn attributes_keep(pixel: vec2u, a: Attributes, traced: u32) {
+    if attributes_stored(pixel) {
+        attributes_store(pixel, a, traced);
+    } else if HAS_POSTCORRECTION {
+        attributes_store_object(pixel, a, traced);
+    }
+}
+
+fn attributes_store_object(pixel: vec2u, a: Attributes, traced: u32) {
+    if !HAS_SHADOW_WORD {
+        attributes[attributes_object(pixel)] = a.object | (a.shadow << SHADOW_SHIFT) | traced;
+    } else {
+        attributes[attributes_object(pixel)] = a.object | traced;
+        attributes[attributes_shadow(pixel)] = a.shadow;
+    }
+}
+
+fn attributes_store(pixel: vec2u, a: Attributes, traced: u32) {
+    attributes[attributes_channel(CHANNEL_DEPTH, pixel)] = bitcast<u32>(a.depth);
+    attributes_store_object(pixel, a, traced);
+    attributes[attributes_channel(CHANNEL_NORMAL, pixel)] = octahedral_encode(a.normal);
+    if HAS_FACE {
+        attributes[attributes_channel(CHANNEL_FACE, pixel)] = octahedral_encode(a.face);
+    }
+    if HAS_GCOL {
+        attributes[attributes_channel(CHANNEL_GCOL, pixel)] = rgb9e5_encode(a.gcol);
+    }
+    if HAS_TEXTURES {
+        attributes[attributes_channel(CHANNEL_TEXCOORD, pixel)] = pack2x16unorm(a.texcoord);
+    }
+    if HAS_COLORS {
+        attributes[attributes_channel(CHANNEL_COLOR, pixel)] = pack4x8unorm(vec4f(a.color, 1.0));
+    }
+    if HAS_FOOTPRINT {
+        attributes[attributes_channel(CHANNEL_FOOTPRINT, pixel)] = footprint_encode(a.footprint);
+    }
+}
+
+fn attributes_load(pixel: vec2u) -> Attributes {
+    var a: Attributes;
+    a.depth = bitcast<f32>(attributes[attributes_channel(CHANNEL_DEPTH, pixel)]);
+    let object = attributes[attributes_channel(CHANNEL_OBJECT, pixel)] & ~ATTRIBUTES_TRACED;
+    if !HAS_SHADOW_WORD {
+        a.object = object & OBJECT_MASK;
+        a.shadow = object >> SHADOW_SHIFT;
+    } else {
+        a.object = object;
+        a.shadow = attributes[attributes_channel(CHANNEL_SHADOW, pixel)];
+    }
+    a.normal = octahedral_decode(attributes[attributes_channel(CHANNEL_NORMAL, pixel)]);
+    a.face = a.normal;
+    if HAS_FACE {
+        a.face = octahedral_decode(attributes[attributes_channel(CHANNEL_FACE, pixel)]);
+    }
+    a.color = vec3f(1.0);
+    if HAS_GCOL {
+        a.gcol = rgb9e5_decode(attributes[attributes_channel(CHANNEL_GCOL, pixel)]);
+    }
+    if HAS_TEXTURES {
+        a.texcoord = unpack2x16unorm(attributes[attributes_channel(CHANNEL_TEXCOORD, pixel)]);
+    }
+    if HAS_COLORS {
+        a.color = unpack4x8unorm(attributes[attributes_channel(CHANNEL_COLOR, pixel)]).rgb;
+    }
+    if HAS_FOOTPRINT {
+        a.footprint = footprint_decode(attributes[attributes_channel(CHANNEL_FOOTPRINT, pixel)]);
+    }
+    return a;
+}
+
+// Eleven bits for each logarithm and ten for the correlation, whose zero is exact.
+fn footprint_encode(footprint: vec3f) -> u32 {
+    let share = (footprint.xy - FOOTPRINT_LEAST) / (FOOTPRINT_MOST - FOOTPRINT_LEAST);
+    let lengths = vec2u(round(2047.0 * clamp(share, vec2f(0.0), vec2f(1.0))));
+    return lengths.x | (lengths.y << 11u) | (u32(round(511.0 * footprint.z) + 511.0) << 22u);
+}
+
+fn footprint_decode(packed: u32) -> vec3f {
+    let share = vec2f(vec2u(packed & 2047u, (packed >> 11u) & 2047u)) / 2047.0;
+    let lengths = FOOTPRINT_LEAST + (FOOTPRINT_MOST - FOOTPRINT_LEAST) * share;
+    return vec3f(lengths, f32(packed >> 22u) / 511.0 - 1.0);
+}
+
+// Three radiances with a shared exponent: nine bits each, relative error 2^-9 of the largest.
+fn rgb9e5_encode(color: vec3f) -> u32 {
+    let clamped = clamp(color, vec3f(0.0), vec3f(65408.0));
+    let largest = max(clamped.x, max(clamped.y, clamped.z));
+    // floor(log2(largest)), read from the exponent's bits; at least -16.
+    var exponent = max(i32(bitcast<u32>(largest) >> 23u) - 127, -16) + 1;
+    var scale = bitcast<f32>(u32(9 - exponent + 127) << 23u);
+    if round(largest * scale) > 511.0 {
+        exponent += 1;
+        scale *= 0.5;
+    }
+    let mantissa = vec3u(round(clamped * scale));
+    return mantissa.x | (mantissa.y << 9u) | (mantissa.z << 18u) | (u32(exponent + 15) << 27u);
+}
+
+fn rgb9e5_decode(packed: u32) -> vec3f {
+    let scale = bitcast<f32>(((packed >> 27u) + 127u - 24u) << 23u);
+    return vec3f(vec3u(packed & 511u, (packed >> 9u) & 511u, (packed >> 18u) & 511u)) * scale;
+}

@@ -1,5 +1,0 @@
-// Measures of an RGB weight that decide about following a ray.
-
-fn channels_largest(share: vec3f) -> f32 {
-    return max(share.x, max(share.y, share.z));
-}

@@ -1,5 +1,0 @@
-// Sample positions without jitter: the centre of each stratum.
-
-fn jitter_in(cell: vec2u) -> vec2f {
-    return vec2f(0.5);
-}

@@ -1,6 +1,0 @@
-// Neighbourhoods of pixels as the denoisers see them.
-
-// Is there such a pixel, and does the same eye see it?
-fn noise_reaches(pixel: vec2u, tap: vec2i) -> bool {
-    return all(tap >= vec2i(0)) && all(tap < vec2i(frame.size)) && eyes_same(pixel, vec2u(tap));
-}

@@ -1,5 +1,0 @@
-// Independent random numbers: a hash of pixel, sample and dimension.
-
-fn numbers_words(pixel: vec2u, dimension: u32) -> vec2u {
-    return numbers_pcg4d(vec4u(pixel, frame.sample, dimension)).xy;
-}

@@ -1,7 +1,0 @@
-// The objects in an image, as CPUs read it: seven texels each.
-
-var objects: texture_2d<u32>;
-
-fn object_part(object: u32, part: u32) -> vec4u {
-    return textureLoad(objects, texel(7u * object + part), 0);
-}

@@ -1,0 +1,7 @@
+// The objects in an image, as CPUs read it: seven texels each.
+
+var objects: texture_2d<u32>;
+
+fn object_part(object: u32, part: u32) -> vec4u {
+    return textureLoad(objects, storage_texel(7u * object + part), 0);
+}

@@ -1,0 +1,22 @@
+// Texture coordinates and colours of a primitive's corners in an image, as CPUs read them: two texels of coordinates, then one
+// of colours, which says whether there are any.
+
+var vertices: texture_2d<u32>;
+
+// Texture coordinates of the three corners.
+fn vertex_texcoords(primitive: u32) -> array<vec2f, 3> {
+    if VERTEX_STRIDE_KNOWN && VERTEX_STRIDE < 6u {
+        return array<vec2f, 3>();
+    }
+    let ab = bitcast<vec4f>(textureLoad(vertices, storage_texel(3u * primitive), 0));
+    let c = bitcast<vec4f>(textureLoad(vertices, storage_texel(3u * primitive + 1u), 0));
+    return array<vec2f, 3>(ab.xy, ab.zw, c.xy);
+}
+
+// Of the three corners, and whether there are any.
+fn vertex_colors(primitive: u32) -> vec4u {
+    if VERTEX_STRIDE_KNOWN && VERTEX_STRIDE % 6u == 0u {
+        return vec4u(0u);
+    }
+    return textureLoad(vertices, storage_texel(3u * primitive + 2u), 0);
+}

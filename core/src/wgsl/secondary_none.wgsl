@@ -1,8 +1,0 @@
-// For frames that do not compare secondary hits: nothing is stored of them.
-
-fn secondary_begin() {}
-fn secondary_hit(weight: vec3f, s: Surface, shadow: u32) {}
-
-fn secondary_found() -> vec2u {
-    return vec2u(0u);
-}

@@ -1,0 +1,59 @@
+// One traced sample: a primary ray with everything that follows from it (Whitted).
+
+struct Sample {
+    attributes: Attributes,
+    color: vec3f,
+    // Whether rays beyond the first hit were followed.
+    bounced: bool,
+}
+
+fn sample_trace(pixel: vec2u) -> Sample {
+    return sample_follow(frame_ray(pixel));
+}
+
+fn sample_follow(ray: Ray) -> Sample {
+    secondary_begin();
+    var result: Sample;
+    result.attributes.color = vec3f(1.0);
+    result.attributes.depth = FAR;
+    var local = vec3f(0.0);
+    var gcol = vec3f(0.0);
+    var state = PathState(ray, vec3f(1.0), 1u, RAY_PRIMARY);
+    loop {
+        inspect_ray(state.kind);
+        let hit = bvh_traverse(state.ray, false);
+        var arriving = frame.background;
+        if hit.primitive != MISS {
+            let direction = normalize(state.ray.direction);
+            let s = surface_at(state.ray, hit);
+            let m = material_at(s.object, s.texcoord, s.footprint, s.color);
+            let shadow = shadow_bits(s);
+            arriving = material_local(m, s.position, s.normal, -direction, s.inside, shadow);
+            if state.level == 1u {
+                result.attributes.depth = hit.t;
+                result.attributes.object = s.object + 1u;
+                result.attributes.normal = s.normal;
+                result.attributes.face = s.face;
+                result.attributes.shadow = shadow;
+                result.attributes.texcoord = texture_fold(s.object, s.texcoord);
+                result.attributes.color = s.color;
+                result.attributes.footprint = cone_attribute(s);
+            } else if state.level == 2u {
+                secondary_hit(state.weight, s, shadow);
+            }
+            gcol += scatter(s, m, state, direction);
+        }
+        if state.level == 1u {
+            local = arriving;
+        } else {
+            gcol += state.weight * arriving;
+        }
+        if !scatter_next(&state) {
+            break;
+        }
+        result.bounced = true;
+    }
+    result.attributes.gcol = gcol;
+    result.color = gcol + local;
+    return result;
+}

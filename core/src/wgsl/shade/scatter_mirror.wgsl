@@ -1,0 +1,36 @@
+// Mirror reflection: one ray follows the other until the depth limit or the weight cut. What is cut off is
+// replaced by the environment's fallback radiance.
+
+struct PathState {
+    ray: Ray,
+    weight: vec3f,
+    level: u32,
+    kind: u32,
+}
+
+var<private> scatter_pending: PathState;
+var<private> scatter_is_pending: bool;
+
+fn scatter_next(state: ptr<function, PathState>) -> bool {
+    let next = scatter_is_pending;
+    *state = scatter_pending;
+    scatter_is_pending = false;
+    return next;
+}
+
+// Sends the reflected ray on its way; `direction` is the unit direction of the ray that hit.
+fn scatter(s: Surface, m: Material, state: PathState, direction: vec3f) -> vec3f {
+    let cosine = clamp(-dot(s.normal, direction), 0.0, 1.0);
+    let weight = state.weight * material_mirror(m, cosine, s.inside);
+    let largest = max(weight.x, max(weight.y, weight.z));
+    if largest <= 0.0 {
+        return vec3f(0.0);
+    }
+    if state.level >= frame.depth || largest < frame.min_weight {
+        return weight * frame.fallback_radiance;
+    }
+    let ray = surface_spawn(s, normalize(reflect(direction, s.normal)), FAR, cone_bent(s, 1.0, 2.0));
+    scatter_pending = PathState(ray, weight, state.level + 1u, RAY_REFLECTION);
+    scatter_is_pending = true;
+    return vec3f(0.0);
+}

@@ -1,0 +1,36 @@
+// Visibility of a path's first surface, or of what a plane mirror shows of it, from the other eye.
+
+struct StereoReprojection {
+    pixel: vec2u,
+    ray: Ray,
+    // Bounce level: 1 for the ray from the eye.
+    level: u32,
+    stereo_reuse: StereoReuse,
+}
+
+// A primitive that the ray is known to meet first.
+fn stereo_reproject_hit(ray: Ray, primitive: u32) -> Hit {
+    if sphere_is(primitive) {
+        return Hit(sphere_hit(ray, primitive), primitive, 0.0, 0.0);
+    }
+    let found = triangle_hit(triangle_shear(ray), bvh_corners(primitive), FAR);
+    return Hit(found.t, primitive, found.u, found.v);
+}
+
+// Follows the path that has met these primitives (+ 1, 0 for none).
+fn stereo_reproject_path(reprojection: ptr<function, StereoReprojection>, first: u32, second: u32) {
+    var next = first;
+    while next != 0u && (*reprojection).level < frame.depth {
+        let ray = (*reprojection).ray;
+        let direction = normalize(ray.direction);
+        let s = surface_at(ray, stereo_reproject_hit(ray, next - 1u));
+        let m = material_at(s.object, s.texcoord, s.footprint, s.color);
+        let lobes = lobes_at(s, m, direction);
+        if lobes_unlit(m) || lobes.sum <= 0.0 || !stereo_reuse_at(reprojection, s, m, lobes) {
+            return;
+        }
+        (*reprojection).ray = lobes_specular(s, m, lobes, ray, direction, 0.0).ray;
+        (*reprojection).level += 1u;
+        next = second;
+    }
+}

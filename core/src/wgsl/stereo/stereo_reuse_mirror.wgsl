@@ -1,0 +1,70 @@
+// The other eye looks at first hits, and at what the path has met behind a plane mirror: by the same mirror.
+
+// The first hit, if it is a plane mirror and no more.
+struct StereoReuseMirror {
+    there: bool,
+    object: u32,
+    point: vec3f,
+    face: vec3f,
+    // Weight of the light that arrives by the mirror, for each channel.
+    share: vec3f,
+}
+
+// Faces are of one plane whose normals have this cosine.
+const STEREO_REUSE_PLANE: f32 = 0.999999;
+
+fn stereo_reuse_mirror_none() -> StereoReuseMirror {
+    return StereoReuseMirror(false, 0u, vec3f(0.0), vec3f(0.0), vec3f(0.0));
+}
+
+fn stereo_reuse_only_mirrors(s: Surface, m: Material, lobes: Lobes) -> bool {
+    let only = lobes.chances.y > 0.0 && lobes.chances.y == lobes.sum && all(lobes_emission(m) == vec3f(0.0));
+    return only && !sphere_is(s.primitive) && all(s.normal == s.face);
+}
+
+fn stereo_reuse_enters_mirror(reprojection: ptr<function, StereoReprojection>, s: Surface, m: Material, lobes: Lobes) -> bool {
+    let mirrors = (*reprojection).level == 1u && stereo_reuse_only_mirrors(s, m, lobes);
+    if mirrors {
+        (*reprojection).stereo_reuse.mirror = StereoReuseMirror(true, s.object, s.position, s.face, lobes.mirror);
+    }
+    return mirrors;
+}
+
+// The mirror image of a surface point behind the mirror's plane.
+fn stereo_reuse_image(mirror: StereoReuseMirror, s: Surface) -> StereoReuseImage {
+    if !mirror.there {
+        return StereoReuseImage(s.position, s.face);
+    }
+    let behind = 2.0 * dot(s.position - mirror.point, mirror.face) * mirror.face;
+    return StereoReuseImage(s.position - behind, reflect(s.face, mirror.face));
+}
+
+// What the light that the other eye's ray finds counts for, compared to what this eye's path found; negative if the ray does
+// not get there. A loop, so that there is one traversal: to the mirror, and on.
+fn stereo_reuse_share(mirror: StereoReuseMirror, s: Surface, to: Ray) -> vec3f {
+    var ray = to;
+    var share = vec3f(1.0);
+    var ahead = mirror.there;
+    loop {
+        inspect_ray(RAY_SHADOW);
+        let hit = bvh_traverse(ray, false);
+        if !ahead {
+            return select(vec3f(-1.0), share, stereo_reuse_same_point(hit, s));
+        }
+        if hit.primitive == MISS {
+            break;
+        }
+        let z = surface_at(ray, hit);
+        let m = material_at(z.object, z.texcoord, z.footprint, z.color);
+        let lobes = lobes_at(z, m, normalize(ray.direction));
+        let apart = abs(dot(mirror.face, z.position - mirror.point));
+        let coplanar = dot(z.face, mirror.face) > STEREO_REUSE_PLANE && apart < STEREO_REUSE_NEAR * length(z.position - to.origin);
+        if !(z.object == mirror.object && coplanar && stereo_reuse_only_mirrors(z, m, lobes)) {
+            break;
+        }
+        share = select(vec3f(0.0), lobes.mirror / mirror.share, mirror.share > vec3f(0.0));
+        ray = surface_spawn(z, s.position - z.position, 1.0 + STEREO_REUSE_NEAR, vec2f(0.0));
+        ahead = false;
+    }
+    return vec3f(-1.0);
+}

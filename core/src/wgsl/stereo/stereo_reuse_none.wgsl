@@ -1,0 +1,11 @@
+// For frames without reuse between the eyes: a sample counts in its own pixel alone.
+
+struct StereoReuse {
+    nothing: u32,
+}
+
+fn stereo_reuse_begin() -> StereoReuse {
+    return StereoReuse(0u);
+}
+
+fn stereo_reuse_record(path: ptr<function, Path>, primitive: u32) {}

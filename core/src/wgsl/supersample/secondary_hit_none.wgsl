@@ -1,0 +1,8 @@
+// For frames that do not compare secondary hits: nothing is stored of them.
+
+fn secondary_begin() {}
+fn secondary_hit(weight: vec3f, s: Surface, shadow: u32) {}
+
+fn secondary_packed() -> vec2u {
+    return vec2u(0u);
+}

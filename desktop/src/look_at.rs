@@ -1,0 +1,62 @@
+//! `--eye` and what goes with it: a camera of one's own.
+
+use std::str::FromStr;
+
+use clap::Args;
+use glimpse::{Camera, Lens, LookAt};
+
+/// A camera of one's own instead of one of the scene.
+#[derive(Clone, Debug, Default, PartialEq, Args)]
+pub struct LookAtOptions {
+    /// A camera at this point of the scene
+    #[arg(long, value_name = "X,Y,Z", value_parser = Point::from_str, allow_negative_numbers = true,
+        requires = "target", conflicts_with = "camera")]
+    pub eye: Option<Point>,
+    /// The point in the middle of its picture
+    #[arg(long, value_name = "X,Y,Z", value_parser = Point::from_str, allow_negative_numbers = true, requires = "eye")]
+    pub target: Option<Point>,
+    /// What is up in its picture [default: 0,1,0]
+    #[arg(long, value_name = "X,Y,Z", value_parser = Point::from_str, allow_negative_numbers = true, requires = "eye")]
+    pub up: Option<Point>,
+    /// Its vertical field of view in degrees [default: 45]
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, requires = "eye")]
+    pub fov: Option<f32>,
+    /// Parallel rays, and how much of the scene it shows from bottom to top
+    #[arg(
+        long,
+        value_name = "HEIGHT",
+        allow_negative_numbers = true,
+        requires = "eye",
+        conflicts_with = "fov"
+    )]
+    pub ortho: Option<f32>,
+}
+
+impl LookAtOptions {
+    /// The camera, if one was asked for.
+    pub fn camera(&self) -> glimpse::Result<Option<Camera>> {
+        let (Some(Point(eye)), Some(Point(target))) = (self.eye, self.target) else { return Ok(None) };
+        let lens = match self.ortho {
+            Some(height) => Lens::Orthographic { height },
+            None => Lens::Perspective { vertical_fov_degrees: self.fov.unwrap_or(45.0) },
+        };
+        let up = self.up.map_or([0.0, 1.0, 0.0], |Point(up)| up);
+        LookAt { eye: eye.into(), target: target.into(), up: up.into(), lens }.camera().map(Some)
+    }
+}
+
+/// A point or a direction, as `X,Y,Z`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point(pub [f32; 3]);
+
+impl FromStr for Point {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let numbers: Option<Vec<f32>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+        match numbers.as_deref() {
+            Some(&[x, y, z]) if [x, y, z].iter().all(|c| c.is_finite()) => Ok(Self([x, y, z])),
+            _ => Err("expected three numbers X,Y,Z".to_owned()),
+        }
+    }
+}
