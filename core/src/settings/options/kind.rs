@@ -203,19 +203,19 @@ impl Kind {
         }
     }
 
-    pub(super) fn get(&self, settings: &Settings) -> Value {
-        let mut settings = *settings;
+    /// Its value. Fields are reached through what may change them, and are left as they are.
+    pub(super) fn get(&self, settings: &mut Settings) -> Value {
         match self {
-            Self::Flag(field) => Value::Flag(*field(&mut settings)),
-            Self::Integer { field, .. } => Value::Integer(*field(&mut settings)),
-            Self::Number { field, .. } => Value::Number(*field(&mut settings)),
-            Self::OptionalNumber { field, .. } => field(&mut settings).map_or(Value::None, Value::Number),
+            Self::Flag(field) => Value::Flag(*field(settings)),
+            Self::Integer { field, .. } => Value::Integer(*field(settings)),
+            Self::Number { field, .. } => Value::Number(*field(settings)),
+            Self::OptionalNumber { field, .. } => field(settings).map_or(Value::None, Value::Number),
             Self::Choice { choices, get, .. } => {
-                let chosen = get(&settings).and_then(|index| choices.get(index));
+                let chosen = get(settings).and_then(|index| choices.get(index));
                 chosen.map_or(Value::None, |choice| Value::Name(choice.name))
             }
-            Self::Point { field, .. } => Value::Point(*field(&mut settings)),
-            Self::Objects(field) => field(&mut settings).map_or(Value::None, Value::from),
+            Self::Point { field, .. } => Value::Point(*field(settings)),
+            Self::Objects(field) => field(settings).map_or(Value::None, Value::from),
         }
     }
 
@@ -257,7 +257,7 @@ impl Kind {
     }
 
     /// Is the value within the range?
-    pub(super) fn holds(&self, settings: &Settings) -> bool {
+    pub(super) fn holds(&self, settings: &mut Settings) -> bool {
         match (self, self.get(settings)) {
             (Self::Integer { allowed, .. }, Value::Integer(value)) => allowed.hold(value),
             (Self::Number { allowed, .. } | Self::OptionalNumber { allowed, .. }, Value::Number(value)) => {

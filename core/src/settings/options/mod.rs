@@ -185,7 +185,7 @@ impl OptionSpec {
     /// Its value in these settings.
     #[must_use]
     pub fn get(&self, settings: &Settings) -> Value {
-        self.kind.get(settings)
+        self.kind.get(&mut { *settings })
     }
 
     /// Sets it from text of the right form. Whether a frame can have the value is what [`OptionSpec::check`] and
@@ -214,6 +214,11 @@ impl OptionSpec {
     /// # Errors
     /// [`Error::Setting`] with the range.
     pub fn check(&self, settings: &Settings) -> Result<()> {
+        self.check_within(&mut { *settings })
+    }
+
+    /// As [`OptionSpec::check`], without a copy of the settings, which are left as they are.
+    fn check_within(&self, settings: &mut Settings) -> Result<()> {
         if self.kind.holds(settings) {
             return Ok(());
         }
@@ -275,7 +280,8 @@ impl Settings {
     /// # Errors
     /// [`Error::Setting`] names the option, what was expected and what was found.
     pub fn validate(&self) -> Result<()> {
-        OPTIONS.iter().try_for_each(|option| option.check(self))?;
+        let mut copy = *self;
+        OPTIONS.iter().try_for_each(|option| option.check_within(&mut copy))?;
         OPTIONS.iter().try_for_each(|option| option.check_with_others(self))
     }
 
