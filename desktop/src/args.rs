@@ -1,4 +1,4 @@
-//! What is typed.
+//! The command line: clap derives `--help` and CLI.md from the doc comments of the arguments.
 
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -19,7 +19,7 @@ pub use frame_options::{FrameOptions, Recursion, TypedOptions, method_parser};
 pub use look_at::LookAtOptions;
 pub use vary::Variation;
 
-/// The largest side of a frame.
+/// The largest width or height of a frame in pixels.
 pub const MAX_SIDE: u32 = 16384;
 
 /// Adaptive ray tracing: rays where they matter, interpolation elsewhere.
@@ -221,7 +221,7 @@ pub struct StressOptions {
     pub json: bool,
 }
 
-/// What `--without` leaves out.
+/// A measure against rounding errors that `--without` disables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Measure {
     /// Exact decisions at the edges of triangles
@@ -237,7 +237,7 @@ fn show_help() -> String {
     format!("What the picture shows: {}", names.join(", "))
 }
 
-/// `--size`
+/// Value of `--size`: width and height in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size(pub [u32; 2]);
 
@@ -256,12 +256,12 @@ impl FromStr for Size {
     }
 }
 
-/// Where a picture goes; the name's ending says in which form.
+/// Output file of a picture, whose extension selects the format.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PictureFile {
-    /// The file.
+    /// Path of the file.
     pub path: PathBuf,
-    /// Linear radiance as OpenEXR instead of a PNG.
+    /// Whether to write linear radiance as OpenEXR instead of a PNG.
     pub linear: bool,
 }
 

@@ -1,4 +1,4 @@
-//! `--eye` and what goes with it: a camera of one's own.
+//! `--eye` and related options: a camera defined on the command line.
 
 use std::str::FromStr;
 
@@ -33,7 +33,7 @@ pub struct LookAtOptions {
 }
 
 impl LookAtOptions {
-    /// The camera, if one was asked for.
+    /// Makes the camera, if `--eye` was given.
     pub fn camera(&self) -> glimpse::Result<Option<Camera>> {
         let (Some(Point(eye)), Some(Point(target))) = (self.eye, self.target) else { return Ok(None) };
         let lens = match self.ortho {
@@ -45,7 +45,7 @@ impl LookAtOptions {
     }
 }
 
-/// A point or a direction, as `X,Y,Z`.
+/// A point or direction in world space, typed as `X,Y,Z`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point(pub [f32; 3]);
 
