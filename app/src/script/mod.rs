@@ -35,7 +35,7 @@ use std::path::PathBuf;
 
 use crate::Change;
 
-/// A parsed script: steps in their order.
+/// A parsed script: its steps in order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Script {
     /// Name of the file, for messages.
@@ -59,7 +59,7 @@ pub enum Step {
     Scroll(f32),
     /// Pinches on a trackpad, by a factor on the distance of the fingers.
     Pinch(f32),
-    /// Moves a finger, identified by its number.
+    /// Moves a finger, identified by a number.
     Touch(u64, Finger),
     /// Presses or releases a key, or both.
     Key(egui::Key, egui::Modifiers, Stroke),
@@ -67,7 +67,7 @@ pub enum Step {
     Set(Change),
     /// Simulates an event of the window or the phone.
     Shell(ShellEvent),
-    /// Takes frames to need that many nanoseconds a pixel.
+    /// Fixes the cost of frames in nanoseconds per pixel.
     Cost(f64),
     /// Lets seconds pass.
     Wait(f64),
@@ -77,7 +77,7 @@ pub enum Step {
     Screenshot(PathBuf),
     /// Saves the window's content.
     Window(PathBuf),
-    /// Compares a value with an expectation; the script fails where it does not hold.
+    /// Compares a value with an expectation; the script fails if it does not hold.
     Expect(Expectation),
     /// Prints the value of a name.
     Print(String),
@@ -85,51 +85,51 @@ pub enum Step {
     Quit,
 }
 
-/// What a finger does.
+/// Movement of a finger.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Finger {
-    /// It touches a position.
+    /// Touches a position, given as shares of the view.
     Begin([f32; 2]),
-    /// It moves to a position within seconds.
+    /// Moves to a position within seconds.
     Move([f32; 2], f64),
-    /// It is lifted.
+    /// Lifts the finger.
     End,
 }
 
-/// What happens to a key.
+/// Stroke of a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stroke {
-    /// It is pressed and released.
+    /// Presses and releases the key.
     Tap,
-    /// It is pressed.
+    /// Presses the key.
     Hold,
-    /// It is released.
+    /// Releases the key.
     Let,
 }
 
 /// An event of the window or the phone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ShellEvent {
-    /// The window is resized to that width and height in pixels.
+    /// Resizes the window to that width and height in pixels.
     Size([u32; 2]),
-    /// The window is minimised to an icon.
+    /// Minimises the window to an icon.
     Minimise,
-    /// The window is restored from an icon.
+    /// Restores the window from an icon.
     Restore,
-    /// The window enters or leaves full screen.
+    /// Enters or leaves full screen.
     FullScreen(bool),
-    /// The phone is rotated by 90 degrees.
+    /// Rotates the phone by 90 degrees.
     Rotate,
-    /// Another app comes to the front, and the surface is destroyed.
+    /// Brings another app to the front, which destroys the surface.
     Pause,
-    /// The app comes to the front again.
+    /// Brings the app to the front again.
     Resume,
-    /// The surface is lost and has to be created again.
+    /// Loses the surface, which must be created again.
     LoseSurface,
-    /// The device is lost.
+    /// Loses the device.
     LoseDevice,
-    /// The system asks for memory.
+    /// The system reports low memory.
     LowMemory,
-    /// The device is hot: a factor on the time limit of frames, 1 when cool.
+    /// Changes the temperature: a factor on the time limit of frames, 1 when cool.
     Thermal(f32),
 }
