@@ -18,9 +18,9 @@ use crate::{Motion, Navigation};
 
 /// A camera moved by user input.
 ///
-/// [`CameraControl::apply`] takes motions; [`CameraControl::advance`] carries them out, with a lag of about 60 ms.
-/// Until the first motion the camera is the scene's own, bit for bit, which may have properties that no [`LookAt`] has (a
-/// shifted lens, a mirrored picture); from then on it is that of a pose.
+/// [`CameraControl::apply`] takes motions; [`CameraControl::advance`] carries them out, with a lag of about
+/// 60 ms. Until the first motion the camera is the scene's own, bit for bit, which may have properties that
+/// no [`LookAt`] has (a shifted lens, a mirrored picture); from then on it is that of a pose.
 #[derive(Clone, Debug)]
 pub struct CameraControl {
     extent: Extent,

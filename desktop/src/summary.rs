@@ -217,7 +217,7 @@ mod tests {
         assert!(!text.contains("warning"));
     }
 
-    /// What is counted is told: a sum is never larger than the counts beside it.
+    /// Every counter is printed, so that the printed counts add up to their sum.
     #[test]
     fn every_counter_of_the_json_is_told() {
         let mut statistics = example();
