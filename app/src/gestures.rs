@@ -1,10 +1,10 @@
 //! Converts touch, mouse, trackpad and keys into camera motions.
 //!
-//! | hand | motion |
+//! | input | motion |
 //! | --- | --- |
 //! | one finger, primary button | turn |
 //! | secondary or middle button, shift and primary button | pan |
-//! | two fingers | pan by where they go, dolly by how far apart they are, at once |
+//! | two fingers | pan by their midpoint and dolly by their distance, simultaneously |
 //! | wheel, two fingers on a trackpad | dolly; speed while flying |
 //! | ctrl and wheel, pinch on a trackpad | dolly |
 //! | double tap, double click | focus |

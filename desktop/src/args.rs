@@ -68,7 +68,7 @@ pub struct ViewOptions {
     /// Window size in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720", conflicts_with = "phone")]
     pub size: Size,
-    /// Be that phone: its screen, and no more of the device than its limits allow
+    /// Emulate this phone: the size of its screen and the limits of its graphics device
     #[arg(long, value_name = "PROFILE")]
     pub phone: Option<String>,
     /// Play a file of input, screenshots and expectations
@@ -159,7 +159,7 @@ pub struct BenchOptions {
     /// Warm frames of each method
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: u32,
-    /// Turn the camera to the right by so much before each warm frame, and compare each with full
+    /// Turn the camera to the right by this angle before each warm frame, and compare each frame with full
     #[arg(long, value_name = "DEGREES", value_parser = finite, allow_negative_numbers = true)]
     pub pan: Option<f64>,
     /// Print JSON
@@ -210,7 +210,7 @@ pub struct StressOptions {
     /// Rays of each case
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u64).range(1..=10_000_000_000))]
     pub rays: u64,
-    /// Of everything random; the same seed gives the same rays
+    /// Seed of all random numbers; the same seed gives the same rays
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
     /// Leave out a measure against rounding, to see which cases notice

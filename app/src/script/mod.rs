@@ -2,25 +2,25 @@
 //!
 //! ```text
 //! # Comments and empty lines are skipped. Points are shares of the view: 0,0 is top left, 1,1 bottom right.
-//! open builtin:room            a scene
-//! drop FILE                    a file is dropped on the window
-//! move 0.5,0.5 [over 0.4]      the pointer goes there, in so many seconds
+//! open builtin:room            opens a scene
+//! drop FILE                    drops a file on the window
+//! move 0.5,0.5 [over 0.4]      moves the pointer, within 0.4 seconds
 //! press [left|right|middle]    release [left|right|middle]
 //! scroll 3                     wheel notches, up is positive
-//! pinch 1.2                    a factor on the distance of two fingers of a trackpad
+//! pinch 1.2                    pinches on a trackpad: a factor on the distance of the fingers
 //! touch 0 begin 0.4,0.5        touch 0 move 0.3,0.5 [over 0.4]     touch 0 end
-//! key ctrl+c                   a key, pressed and released; hold KEY and let KEY do one of both
-//! set block 4                  an option of glimpse::options, or show, split (off or a share), lenses (none, cardboard),
-//!                              scale, governor (off, 15, 30, 60), overlay (hidden, brief, full)
+//! key ctrl+c                   presses and releases a key; hold KEY only presses it, let KEY releases it
+//! set block 4                  sets an option of glimpse::options, or show, split (off or a share), scale,
+//!                              lenses (none, cardboard), governor (off, 15, 30, 60), overlay (hidden, brief, full)
 //! size 640x360                 minimise     restore     fullscreen on|off     rotate
-//! pause   resume   lose-surface   lose-device   low-memory     thermal 0.5 (a factor on the time budget)
-//! cost 40                      frames take that many nanoseconds a pixel, whatever they took
-//! wait 0.5                     so many seconds pass
-//! settle                       until the view rests and its frame is complete
-//! screenshot FILE              the frame, as the key S saves it
-//! window FILE                  what the window shows
-//! expect NAME OP VALUE         OP is = != < <= > >= or contains; nothing after = is the empty text
-//! print NAME                   a line NAME = VALUE on the standard output
+//! pause   resume   lose-surface   lose-device   low-memory     thermal 0.5 (a factor on the time limit)
+//! cost 40                      fixes the cost of frames, in nanoseconds per pixel
+//! wait 0.5                     lets 0.5 seconds pass
+//! settle                       waits until the view is at rest and its frame is complete
+//! screenshot FILE              saves the frame, like the key S
+//! window FILE                  saves the content of the window
+//! expect NAME OP VALUE         compares; OP is = != < <= > >= or contains; an empty VALUE is the empty text
+//! print NAME                   prints the line NAME = VALUE to the standard output
 //! quit
 //! ```
 
