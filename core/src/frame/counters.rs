@@ -1,32 +1,32 @@
-//! The counters of the counting kernels. Each is declared once: its index in the buffer, its WGSL constants, its name in
-//! the JSON and its label for people follow from that line.
+//! Counters that the inspecting kernels accumulate on the device. Each is declared once: its index in the buffer,
+//! its WGSL constants, its key in the JSON and its displayed label follow from that line.
 
 use serde::Serialize;
 
-/// Counters that lie side by side.
+/// A group of counters that are adjacent in the buffer, as the generated WGSL constants name it.
 pub struct Group {
-    /// `COUNTER_{name}` is the index of the first one in WGSL, `{prefix}_COUNT` how many there are, `{prefix}_{NAME}` the
-    /// position of each, or its bit.
+    /// Names the WGSL constant `COUNTER_{name}`: the index of the group's first counter.
     pub name: &'static str,
-    /// See above.
+    /// Names the WGSL constants `{prefix}_COUNT`, the number of counters, and `{prefix}_{NAME}`, each counter's
+    /// position in the group, or its bit where `bits` is set.
     pub prefix: &'static str,
-    /// The first one's index.
+    /// Index of the group's first counter in the buffer.
     pub first: usize,
     /// Names of the counters, in order.
     pub names: &'static [&'static str],
-    /// Kernels name sets of them: the constants are bits.
+    /// Whether the `{prefix}_{NAME}` constants are bits of a mask instead of positions.
     pub bits: bool,
 }
 
-/// Every group.
+/// All groups, in the order of their indices.
 pub const GROUPS: [Group; 5] =
     [Rays::GROUP, Cost::GROUP, Samples::GROUP, FailedChecks::GROUP, Postcorrection::GROUP];
 
-/// Words of all counters, low and high.
+/// Length of the counter buffer in 32-bit words: a low and a high word for each 64-bit counter.
 pub const COUNTER_WORDS: usize = 2 * Postcorrection::END;
 
-/// Declares a struct of counters, which follow on those of another struct in the buffer. Fields in brackets are no
-/// counters; they stand before or after them in the JSON.
+/// Declares a struct of counters whose indices start at `first`. Fields in brackets are derived values, not
+/// counters; they stand before or after the counters in the JSON.
 macro_rules! counters {
     (
         $(#[$meta:meta])*
@@ -45,13 +45,13 @@ macro_rules! counters {
         }
 
         impl $name {
-            /// How many counters it has.
+            /// Number of counters.
             pub const COUNT: usize = Self::NAMES.len();
-            /// Their names in the JSON, in the order of their indices.
+            /// Names of the counters in the JSON, in the order of their indices.
             pub const NAMES: &'static [&'static str] = &[$(stringify!($field)),*];
-            /// The first one's index.
+            /// Index of the first counter in the buffer.
             const FIRST: usize = $first;
-            /// The index behind the last one's.
+            /// Index after the last counter.
             const END: usize = Self::FIRST + Self::COUNT;
             const GROUP: Group = Group {
                 name: $group,
@@ -61,16 +61,16 @@ macro_rules! counters {
                 bits: $bits,
             };
 
-            /// Each counter with its label for people.
+            /// Each counter's displayed label and value.
             #[must_use]
             pub fn labelled(&self) -> [(&'static str, u64); Self::COUNT] {
                 [$(($label, self.$field)),*]
             }
 
-            /// As all counters of the buffer say.
+            /// Takes this struct's counters out of the decoded buffer.
             fn read(counters: &[u64]) -> Self {
                 let mut own = counters[Self::FIRST..Self::END].iter().copied();
-                // The slice has as many as there are fields.
+                // The slice is as long as the struct has counters.
                 Self {
                     $($head: Default::default(),)?
                     $($field: own.next().unwrap_or_default(),)*
@@ -82,60 +82,61 @@ macro_rules! counters {
 }
 
 counters! {
-    /// Rays by kind.
+    /// Traced rays by kind.
     #[derive(Eq)]
     pub struct Rays, "RAYS", "RAY", first 0, bits false {
-        /// Through pixels.
+        /// Primary rays from the camera.
         primary "primary",
-        /// Towards lights.
+        /// Shadow rays from surfaces towards lights.
         shadow "shadow",
-        /// Mirrored.
+        /// Specularly reflected rays.
         reflection "reflected",
-        /// Transmitted.
+        /// Rays transmitted through refracting surfaces.
         refraction "refracted",
-        /// Scattered, as paths go on from diffuse surfaces.
+        /// Rays scattered by diffuse surfaces (path tracing only).
         diffuse "diffuse",
         ; [
-            /// All of them.
+            /// Sum over all kinds.
             total: u64
         ]
     }
 }
 
 counters! {
-    /// Work of the traversal.
+    /// Traversal work of all rays.
     pub struct Cost, "COST", "COST", first Rays::END, bits false {
         /// Visited nodes of the acceleration structure.
         node_visits "node visits",
-        /// Tested triangles and spheres.
+        /// Ray intersection tests with triangles and spheres.
         primitive_tests "primitive tests",
         ; [
-            /// The part of the full frame's work that lies in the samples which this method traced; needs a full frame.
+            /// Node visits plus primitive tests, divided by those of the full frame; `None` unless a full frame was
+            /// measured too.
             traced_share: Option<f64>
         ]
     }
 }
 
-/// Declares [`Origin`] and [`Samples`], which counts by it.
+/// Declares [`Origin`] and the counters of samples by origin, [`Samples`].
 macro_rules! origins {
     ($($(#[$doc:meta])* $variant:ident $field:ident $label:literal,)*) => {
-        /// How a sample, and with it a pixel, came to be.
+        /// How the radiance of a sample, and of the pixel that shows it, was obtained.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[repr(u32)]
         #[non_exhaustive]
         pub enum Origin { $($(#[$doc])* $variant),* }
 
         impl Origin {
-            /// All of them, in the order of their discriminants.
+            /// All origins, in the order of their discriminants.
             pub const ALL: [Self; Samples::COUNT] = [$(Self::$variant),*];
         }
 
         counters! {
-            /// Samples by how they came to be.
+            /// Number of samples by origin.
             #[derive(Eq)]
             pub struct Samples, "ORIGINS", "ORIGIN", first Cost::END, bits false {
                 [
-                    /// Of the whole frame.
+                    /// All samples of the frame's grid, without extra ones.
                     total: u64
                 ]
                 $($(#[$doc])* $field $label,)*
@@ -145,29 +146,30 @@ macro_rules! origins {
 }
 
 origins! {
-    /// Always traced (Kim 2016, Step-I).
+    /// Traced for every base block (Kim 2016, Step-I).
     Base base "base",
-    /// Traced in the rows of the base pixels (Step-II-c).
+    /// Traced in step A1, in the rows of the base samples (Kim 2016, Step-II-c).
     TracedA1 traced_a1 "traced A1",
-    /// Traced in the other rows (Step-III-c).
+    /// Traced in step A2, in the rows between them (Kim 2016, Step-III-c).
     TracedA2 traced_a2 "traced A2",
-    /// Traced by postcorrection (Step-IV).
+    /// Interpolated at first, then traced by postcorrection (Kim 2016, Step-IV).
     Postcorrected postcorrected "postcorrected",
-    /// Traced besides a pixel's own sample (Jin 2009, 4.1.4): no pixel is of this origin.
+    /// Traced in addition to a pixel's own sample (Jin 2009, 4.1.4); counts samples only, no pixel has this
+    /// origin.
     Extra extra "extra",
-    /// Not traced (Step-II-a, Step-III-a).
+    /// Interpolated between traced samples (Kim 2016, Step-II-a, Step-III-a).
     Interpolated interpolated "interpolated",
 }
 
 impl Samples {
-    /// Those whose primary ray was traced.
+    /// Number of samples whose primary ray was traced.
     #[must_use]
     pub fn traced(&self) -> u64 {
         self.labelled().iter().map(|(_, count)| count).sum::<u64>() - self.interpolated
     }
 }
 
-/// Declares [`Check`] and [`FailedChecks`], which counts by it.
+/// Declares [`Check`] and the counters of failed checks, [`FailedChecks`].
 macro_rules! checks {
     ($($variant:ident $field:ident $letters:literal $what:literal,)*) => {
         /// A similarity check of two references (Kim 2016, Table 1).
@@ -176,16 +178,16 @@ macro_rules! checks {
         pub enum Check { $(#[doc = concat!($letters, ", ", $what, ".")] $variant),* }
 
         impl Check {
-            /// All of them, in the order of their bits.
+            /// All checks, in the order of their bits.
             pub const ALL: [Self; FailedChecks::COUNT] = [$(Self::$variant),*];
 
-            /// Its letters in the paper.
+            /// The check's abbreviation in the paper (Kim 2016, Table 1).
             #[must_use]
             pub fn letters(self) -> &'static str {
                 match self { $(Self::$variant => $letters),* }
             }
 
-            /// What it compares.
+            /// The quantity that the check compares.
             #[must_use]
             pub fn what(self) -> &'static str {
                 match self { $(Self::$variant => $what),* }
@@ -193,7 +195,7 @@ macro_rules! checks {
         }
 
         counters! {
-            /// Adaptive samples by check that they fail (one sample may fail several).
+            /// Number of adaptive samples that fail each check; a sample may fail several.
             #[derive(Eq)]
             pub struct FailedChecks, "FAILED", "CHECK", first Samples::END, bits true {
                 $(#[doc = concat!($letters, ", ", $what, ".")] $field stringify!($field),)*
@@ -213,13 +215,13 @@ checks! {
 }
 
 impl Check {
-    /// Its name on the command line and in the JSON.
+    /// The check's name on the command line and in the JSON.
     #[must_use]
     pub fn name(self) -> &'static str {
         FailedChecks::NAMES[self as usize]
     }
 
-    /// Its bit in [`crate::PixelRecord::failed`].
+    /// The check's bit in [`crate::PixelRecord::failed`].
     #[must_use]
     pub fn bit(self) -> u32 {
         1 << self as u32
@@ -227,35 +229,35 @@ impl Check {
 }
 
 counters! {
-    /// What postcorrection found.
+    /// Counters of postcorrection.
     struct Postcorrection, "POSTCORRECTION", "POSTCORRECTION", first FailedChecks::END, bits false {
-        /// Samples that it is to trace.
+        /// Samples that postcorrection marked for tracing.
         claimed "claimed",
     }
 }
 
-/// The counters of one frame.
+/// All counters of one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Counts {
-    /// Rays by kind.
+    /// Traced rays by kind.
     pub rays: Rays,
     /// Samples by origin.
     pub samples: Samples,
-    /// Traversal work.
+    /// Traversal work of all rays.
     pub cost: Cost,
-    /// Failed checks.
+    /// Failed similarity checks of the adaptive method.
     pub failed_checks: FailedChecks,
 }
 
 impl Counts {
-    /// Kim 2016's RT ratio: traced samples over all samples of the frame; with extra samples, it may exceed 1.
+    /// RT ratio (Kim 2016): traced samples divided by the samples of the frame. May exceed 1 with extra samples.
     #[must_use]
     pub fn rt_ratio(&self) -> f64 {
         self.samples.traced() as f64 / (self.samples.total.max(1)) as f64
     }
 
-    /// Of a frame of that many samples, from the words of the counters; and how many samples postcorrection claimed and did
-    /// not trace.
+    /// Decodes the words of the counter buffer for a frame of `samples` samples. Also returns how many samples
+    /// postcorrection claimed and did not trace.
     pub(crate) fn decode(words: &[u32], samples: u64) -> (Self, u64) {
         let counters: Vec<u64> =
             words.chunks_exact(2).map(|pair| u64::from(pair[0]) | u64::from(pair[1]) << 32).collect();
@@ -265,7 +267,7 @@ impl Counts {
             rays: Rays { total: rays.labelled().iter().map(|(_, count)| count).sum(), ..rays },
             samples: Samples {
                 total: samples,
-                // What was traced again had been interpolated.
+                // Postcorrected samples had been counted as interpolated before.
                 interpolated: found.interpolated.saturating_sub(found.postcorrected),
                 ..found
             },
@@ -290,7 +292,7 @@ mod tests {
         assert_eq!(2 * next, COUNTER_WORDS);
     }
 
-    /// Every counter reaches a field of its own: as the JSON shows them, no count is lost and none is taken twice.
+    /// Every counter is decoded into its own field: none is lost in the JSON and none is counted twice.
     #[test]
     fn every_counter_is_decoded_under_its_name() {
         let words: Vec<u32> =

@@ -1,4 +1,4 @@
-//! What the counting kernels have written, decoded.
+//! Decodes the buffer that the counting kernels write.
 
 use glam::Vec3;
 
@@ -7,7 +7,7 @@ use crate::{
     scene::octahedral_decode,
 };
 
-/// Decodes the counters and the first `recorded` records of a frame with that grid of samples.
+/// Decodes the counters and the first `recorded` pixel records of a frame with `grid` samples across and down.
 pub fn decode(bytes: &[u8], grid: [u32; 2], recorded: u64) -> Inspection {
     let (counters, records) = bytes.split_at(4 * COUNTER_WORDS);
     let words: Vec<u32> = bytemuck::pod_collect_to_vec(counters);

@@ -1,9 +1,11 @@
-//! A frame's work in parts, and the parts in submissions that no watchdog takes for a hung device.
+//! Divides a frame into dispatches, and groups these into submissions that are too short for the driver's
+//! watchdog.
 //!
-//! Drivers reset a device that works on one submission for too long: after 2 s on Windows (Microsoft, "Timeout detection
-//! and recovery (TDR)"), after 0.5 s under Linux on Mali (`JOB_TIMEOUT_MS`, panfrost) and Adreno
-//! (`DRM_MSM_HANGCHECK_DEFAULT_PERIOD`, msm). A slow phone traces 10 million rays a second, a sample takes about 4 (itself,
-//! shadows, one or two bounces). [`SAMPLES_PER_SUBMISSION`] of them take 0.1 s there: a fifth of the strictest limit.
+//! Drivers reset a device that works on one submission for too long: after 2 s on Windows (Microsoft, "Timeout
+//! detection and recovery (TDR)"), after 0.5 s under Linux on Mali (`JOB_TIMEOUT_MS`, panfrost) and Adreno
+//! (`DRM_MSM_HANGCHECK_DEFAULT_PERIOD`, msm). A slow phone traces 10 million rays a second, and a sample takes
+//! about 4 (primary, shadows, one or two bounces). [`SAMPLES_PER_SUBMISSION`] samples take 0.1 s there, a fifth
+//! of the strictest limit.
 
 use crate::passes::{FrameSpec, Recipe, Stage, TRACE_GROUP, Tracing};
 
@@ -14,61 +16,62 @@ mod tests;
 use bands::bands;
 pub use bands::{Band, band_rows};
 
-/// The most samples that one submission traces. More means fewer gaps between submissions and longer ones.
+/// The most samples that one submission traces. A larger number makes submissions longer and gaps between them
+/// fewer.
 ///
-/// A frame of fewer samples (450x450 by either method) is one submission. A row of workgroups is not divided, which
-/// matters from 32,768 pixels of width on.
+/// A frame of fewer samples (450x450 by either method) is one submission. A row of workgroups is never divided,
+/// so the limit is exceeded from 32,768 pixels of width on.
 pub const SAMPLES_PER_SUBMISSION: u32 = 1 << 18;
 
-/// Pixels that an interpolating pass treats in the time of one traced sample (measured: 13 % of a frame's time for 3/4 of
-/// its pixels, against 87 % for the 31 % that are traced).
+/// Pixels that an interpolating pass processes in the time of one traced sample (measured: interpolating 3/4 of
+/// the pixels takes 13 % of a frame's time, tracing 31 % of them takes 87 %).
 const INTERPOLATED_PER_TRACED: u32 = 16;
 
-/// The samples that a stage treats: every `stride`-th row from `row` until before `end`.
+/// The rows of samples that a stage processes: every `stride`-th one in `row..end`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rows {
-    /// Samples from one reference to the next, in both directions.
+    /// Distance of neighbouring references in samples, along both axes.
     pub stride: u32,
-    /// The first row.
+    /// First row.
     pub row: u32,
-    /// Behind the last row.
+    /// Row after the last one.
     pub end: u32,
-    /// The row that the band's storage is folded at ([`Band::turn`]).
+    /// Row at which the band's storage is folded ([`Band::turn`]).
     pub turn: u32,
 }
 
 impl Rows {
-    /// How many.
+    /// Number of rows.
     pub fn count(&self) -> u32 {
         self.end.saturating_sub(self.row).div_ceil(self.stride)
     }
 }
 
-/// One dispatch.
+/// One dispatch of a stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// Its kernel.
+    /// The stage whose kernel runs.
     pub stage: &'static Stage,
-    /// What it treats.
+    /// The rows of samples that it processes.
     pub rows: Rows,
-    /// The position of its pass in the frame.
+    /// Index of its pass in the frame.
     pub pass: usize,
-    /// Where its pass goes on: a row of workgroups, or a place in the list.
+    /// Where the dispatch starts in its pass: a row of workgroups, or an index into the list.
     pub first: u32,
-    /// From one sample to the next of a scan, or of what a filter looks at.
+    /// Offset in samples from one sample to the next: of a scan, or of the taps of a filter.
     pub step: [i32; 2],
-    /// The most samples that a thread of the postcorrection traces.
+    /// The most samples that one thread of the postcorrection traces.
     pub walk: u32,
-    /// How much of the pass it does.
+    /// Number of workgroups.
     pub extent: Extent,
-    /// Whether its pass begins and whether it ends with it.
+    /// Whether this is the first and whether it is the last dispatch of its pass.
     pub bounds: [bool; 2],
-    /// The most samples that it traces, or as many as take its time.
+    /// The most samples that it traces; for other work, as many as would take the same time.
     pub samples: u32,
 }
 
 impl Part {
-    /// A pass of one dispatch of one workgroup that traces nothing.
+    /// A pass of one workgroup that traces nothing.
     pub fn whole(stage: &'static Stage, rows: Rows) -> Self {
         Self {
             stage,
@@ -83,38 +86,38 @@ impl Part {
         }
     }
 
-    /// Which of the two filtered pictures it writes, by its level's step.
+    /// Index of the a-trous buffer that this dispatch writes; the levels of the filter alternate between two.
     pub fn filtered(&self) -> usize {
-        // The first level reads what a part without a step has begun.
+        // The first level reads the buffer that the preparing pass, which has no step, wrote.
         usize::from(self.step[0] != 0 && self.step[0].trailing_zeros().is_multiple_of(2))
     }
 }
 
-/// How much a dispatch does.
+/// How many workgroups a dispatch has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extent {
-    /// So many workgroups.
+    /// A fixed number along x and y.
     Groups([u32; 2]),
-    /// So many workgroups as this chunk of the list needs.
+    /// As many as the chunk of this index in the list needs, dispatched indirectly.
     Chunk(u32),
-    /// So many workgroups as renew the frame's share of so many tiles.
+    /// As many as trace the frame's share of this many tiles of ranks.
     Refreshed(u32),
 }
 
-/// All dispatches of a frame, in order.
+/// All dispatches of a frame, in order of execution.
 pub struct Plan {
-    /// Samples of the frame.
+    /// Samples of the frame across and down.
     pub grid: [u32; 2],
-    /// One by one.
+    /// The dispatches, in order of execution.
     pub parts: Vec<Part>,
-    /// Rows of samples that are stored at once.
+    /// Rows of samples that are stored at the same time.
     pub stored_rows: u32,
-    /// The most samples that one pass may list.
+    /// The most entries that the list of one pass may hold.
     longest_list: u32,
 }
 
 impl Plan {
-    /// The plan of a frame of that grid of samples, in bands of that many rows ([`band_rows`]).
+    /// Plans a frame of `grid` samples in bands of `band` rows ([`band_rows`]).
     pub fn new(spec: &FrameSpec, grid: [u32; 2], band: u32) -> Self {
         let mut plan = Self { grid, parts: Vec::new(), stored_rows: 0, longest_list: 0 };
         for band in bands(grid[1], band) {
@@ -124,12 +127,12 @@ impl Plan {
         plan
     }
 
-    /// Makes room for a list of that many entries.
+    /// Raises the capacity of the list to at least `longest` entries.
     pub fn lists(&mut self, longest: u32) {
         self.longest_list = self.longest_list.max(longest);
     }
 
-    /// Compacts the list of samples of a grid and traces them.
+    /// Adds a pass that compacts the list of a grid's samples and one that traces the listed samples.
     pub fn traces(&mut self, [compact, trace]: [&'static Stage; 2], columns: u32, rows: Rows) {
         let longest = columns * rows.count();
         self.lists(longest);
@@ -137,23 +140,23 @@ impl Plan {
         self.push(chunks(trace, longest, rows));
     }
 
-    /// Adds a pass.
+    /// Appends the dispatches of one pass.
     pub fn push(&mut self, parts: Vec<Part>) {
         let pass = self.parts.last().map_or(0, |part| part.pass + 1);
         self.parts.extend(parts.into_iter().map(|part| Part { pass, ..part }));
     }
 
-    /// The stage of each pass, in order.
+    /// The stage of each pass, in order of execution.
     pub fn passes(&self) -> Vec<&'static Stage> {
         self.parts.chunk_by(|a, b| a.pass == b.pass).map(|parts| parts[0].stage).collect()
     }
 
-    /// Chunks of the longest list.
+    /// Number of chunks of [`SAMPLES_PER_SUBMISSION`] entries in the longest list.
     pub fn chunks(&self) -> u32 {
         self.longest_list.div_ceil(SAMPLES_PER_SUBMISSION).max(1)
     }
 
-    /// The parts by submission, with the position of each.
+    /// Groups the dispatches into submissions; each dispatch comes with its index in `parts`.
     pub fn submissions(&self) -> Vec<Vec<(usize, Part)>> {
         let mut submissions: Vec<Vec<(usize, Part)>> = Vec::new();
         let mut samples = 0;
@@ -171,22 +174,22 @@ impl Plan {
     }
 }
 
-/// A pass of one workgroup.
+/// A pass of a single workgroup.
 pub fn once(stage: &'static Stage, rows: Rows) -> Vec<Part> {
     one(stage, rows, [1, 1])
 }
 
-/// A pass of one dispatch that traces nothing.
+/// A pass of a single dispatch of `groups` workgroups that traces nothing.
 pub fn one(stage: &'static Stage, rows: Rows, groups: [u32; 2]) -> Vec<Part> {
     vec![Part { extent: Extent::Groups(groups), ..Part::whole(stage, rows) }]
 }
 
-/// How many samples a stage treats in the time of a traced one.
+/// Samples that the stage processes in the time of one traced sample.
 fn per_sample(stage: &Stage) -> u32 {
     if stage.tracing == Tracing::No { INTERPOLATED_PER_TRACED } else { 1 }
 }
 
-/// A pass over a grid of samples, in groups of rows of workgroups; a stage without rows is no part.
+/// A pass over a grid of samples, divided into dispatches at rows of workgroups; empty if there are no rows.
 pub fn tiles(stage: &'static Stage, columns: u32, rows: Rows) -> Vec<Part> {
     let side = stage.work.side();
     let [across, down] = [columns, rows.count()].map(|n| n.div_ceil(side));
@@ -205,7 +208,7 @@ pub fn tiles(stage: &'static Stage, columns: u32, rows: Rows) -> Vec<Part> {
     (0..down).step_by(height as usize).map(part).collect()
 }
 
-/// A pass over a list of at most that many samples.
+/// A pass over a list of at most `longest` entries, divided into chunks.
 pub fn chunks(stage: &'static Stage, longest: u32, rows: Rows) -> Vec<Part> {
     let count = longest.div_ceil(SAMPLES_PER_SUBMISSION).max(1);
     let part = |chunk: u32| {
@@ -221,7 +224,7 @@ pub fn chunks(stage: &'static Stage, longest: u32, rows: Rows) -> Vec<Part> {
     (0..count).map(part).collect()
 }
 
-/// A pass along every row or every column, one way.
+/// A pass along every row or every column in the direction of `step`, one thread each.
 pub fn lines(stage: &'static Stage, columns: u32, rows: Rows, step: [i32; 2]) -> Vec<Part> {
     let [count, length] = if step[0] == 0 { [columns, rows.count()] } else { [rows.count(), columns] };
     let groups = (SAMPLES_PER_SUBMISSION / (length * TRACE_GROUP)).max(1);

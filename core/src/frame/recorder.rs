@@ -1,4 +1,4 @@
-//! The frame: its passes in order and its constants.
+//! Records a frame's passes into command buffers and fills its uniform constants.
 
 use crate::{
     Camera, Gpu, GpuScene, Paths, Result, Settings, Tolerances,
@@ -9,7 +9,7 @@ use crate::{
 };
 
 gpu_struct! {
-    /// Where primary rays start and where they go.
+    /// The camera's origin and basis vectors, from which kernels generate primary rays.
     pub struct FrameCamera {
         origin: [f32; 3], orthographic: f32,
         right: [f32; 3], inverse_height: f32,
@@ -20,7 +20,7 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// What a dispatch treats.
+    /// The range of samples or list entries that one dispatch processes.
     pub struct FramePart {
         first: u32, stride: u32, row: u32, end: u32,
         turn: u32, walk: u32, step: [i32; 2],
@@ -28,7 +28,8 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// How much may differ between samples that count as similar.
+    /// Tolerances of the similarity checks, thresholds of the supersampling tests, and the focused range of
+    /// objects.
     pub struct FrameTolerances {
         pos: f32, norm: f32, tex: f32, gcol: f32,
         tau_primary: [f32; 4], tau_secondary: [f32; 4],
@@ -38,7 +39,7 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// The constants of path tracing.
+    /// Constants of path tracing: foveation, emitters and the index of the sample.
     pub struct FramePaths {
         gaze: [f32; 2], stop: f32, emitter_scale: f32,
         emitters: u32, sample: u32, merged: u32, padding_x: u32,
@@ -46,7 +47,7 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// The constants of a frame.
+    /// The uniform buffer of one dispatch.
     pub struct FrameUniform {
         camera: FrameCamera, part: FramePart, tolerances: FrameTolerances, paths: FramePaths,
         background: [f32; 3], min_weight: f32,
@@ -58,17 +59,19 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// What the counting kernels write of a pixel.
+    /// What the counting kernels write for each pixel; [`crate::PixelRecord`] is its decoded form.
     pub struct PixelRecord {
         origin: u32, failed: u32, cost: u32, object: u32, depth: f32, normal: u32, edges: u32, strata: u32,
     }
 }
 
-/// Bytes from one [`FrameUniform`] to the next: a multiple of WebGPU's default for the alignment of uniform buffers.
+/// Bytes between consecutive [`FrameUniform`]s: a multiple of WebGPU's default alignment of uniform buffer
+/// offsets.
 pub const FRAME_STRIDE: u64 = size_of::<FrameUniform>().next_multiple_of(256) as u64;
 
 impl FrameUniform {
-    /// The constants of one frame of a scene, of so many samples; those of a part are still to come.
+    /// Constants of a frame of `size` pixels. The fields of a single dispatch are left at their defaults
+    /// ([`in_strides`]).
     pub fn new(scene: &GpuScene, settings: &Settings, size: [u32; 2], camera: &Camera) -> Self {
         let environment = &scene.environment;
         let t = &settings.thresholds;
@@ -95,7 +98,8 @@ impl FrameUniform {
                 tau_secondary: [t.soid, t.ssn, t.ssc, t.ste],
                 tau_col: t.col,
                 tau_least: t.values().into_iter().fold(1.0, f32::min),
-                // As objects are stored: 0 is no hit, which is in no focus but everything's.
+                // Shifted by one like stored OIDs, where 0 means no hit; a miss is only in focus without a
+                // focused range.
                 focus_first: settings.focus.map_or(0, |focus| focus.first.saturating_add(1)),
                 focus_last: settings.focus.map_or(u32::MAX, |focus| focus.last.saturating_add(1)),
                 quincunx_threshold: settings.quincunx_threshold,
@@ -120,29 +124,30 @@ impl FrameUniform {
     }
 }
 
-/// How far the eyes are to the left and right of the camera, and how far their pictures are shifted for that, in lengths of
-/// the camera's vector to the right.
+/// Offset of each eye from the camera along its right vector, and the horizontal shift of each eye's image
+/// towards the convergence distance; both in lengths of the right vector.
 fn eyes(paths: &Paths, camera: &Camera) -> [f32; 2] {
     let [right, forward] = [camera.right, camera.forward].map(|axis| axis.as_dvec3().length());
     let aside = 0.5 * f64::from(paths.eye_distance) / right;
     [aside, paths.convergence.map_or(0.0, |distance| aside * forward / f64::from(distance))].map(|x| x as f32)
 }
 
-/// From the gaze to the corner of the picture that is farthest from it, in pixels.
+/// Distance in pixels from the gaze to the farthest corner of one eye's image of `extent` pixels.
 fn farthest(gaze: [f32; 2], extent: [f32; 2]) -> f32 {
     let [x, y] = [0, 1].map(|axis| gaze[axis].abs().max((extent[axis] - gaze[axis]).abs()));
     x.hypot(y)
 }
 
-/// The compiled passes of a method in one spec.
+/// The compiled kernels of a frame with their bindings and timestamps.
 pub struct Passes {
-    /// As many as the plan has parts, for each history that is written.
+    /// Bindings of every part of the plan, once for each history buffer that is written.
     bound: [Vec<Bound>; 2],
     timer: Timer,
 }
 
 impl Passes {
-    /// Links, compiles and binds. `color` is where colours go, `inspection` where counting kernels write.
+    /// Links, compiles and binds the kernels. `color` receives the colours, `inspection` the counters and
+    /// records.
     pub fn new(
         gpu: &Gpu,
         scene: &GpuScene,
@@ -195,12 +200,12 @@ impl Passes {
         Ok(Self { bound: [first?, second?], timer: Timer::new(gpu, timed)? })
     }
 
-    /// The command buffers of one frame with these constants, to be submitted in order; each is recorded when it is asked
-    /// for. The constants are in the first of them and not written to the queue, so a frame may be recorded before the one
-    /// that precedes it is submitted. `cleared` are buffers that the frame begins by clearing.
+    /// The command buffers of one frame, to be submitted in order; each is recorded when the iterator reaches it.
+    /// The first one uploads the constants itself, so that a frame may be recorded before the preceding one is
+    /// submitted, and clears the buffers `cleared`.
     ///
     /// # Errors
-    /// A device that failed.
+    /// The device failed.
     pub fn commands<'f>(
         &'f self,
         gpu: &'f Gpu,
@@ -230,10 +235,10 @@ impl Passes {
         }))
     }
 
-    /// What is shown of the last frame's samples, now that others have been added: noise is removed once more.
+    /// Denoises the last frame again after samples from elsewhere were added to its sums.
     ///
     /// # Errors
-    /// A device that failed.
+    /// The device failed.
     pub fn denoise(
         &self,
         gpu: &Gpu,
@@ -255,7 +260,7 @@ impl Passes {
         }))
     }
 
-    /// The timestamps of the frame that has just been waited for.
+    /// Timestamps of the last frame; waits for it.
     pub fn times(&self, gpu: &Gpu) -> Result<crate::FrameTime> {
         self.timer.read(gpu)
     }
@@ -291,7 +296,7 @@ impl Passes {
     }
 }
 
-/// The constants of every part, as the buffer holds them.
+/// The uniforms of all parts, `FRAME_STRIDE` bytes apart. Tolerances follow the distance of the references.
 fn in_strides(parts: &[Part], constants: &FrameUniform, tolerances: &Tolerances) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(parts.len() * FRAME_STRIDE as usize);
     for part in parts {

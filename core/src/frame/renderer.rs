@@ -1,4 +1,4 @@
-//! The renderer: frames of one size and one method of one scene.
+//! The renderer: renders frames of one scene with one size and one set of settings.
 
 #[cfg(feature = "reference")]
 mod accumulate;
@@ -18,10 +18,12 @@ use crate::{
     passes::{FrameSpec, Output},
 };
 
-/// Renders frames of one size of one scene. It holds handles to the device and the scene, so both live as long as it does.
+/// Renders frames of one scene at one size. It holds handles of the device and the scene, which live as long as
+/// it does.
 ///
-/// With a method that [keeps frames](Method::has_history) they are a sequence: the first traces every pixel, and so does
-/// the first after another size, other settings or [`Renderer::linear_image`]. A frame that was given up is none of them.
+/// With a method that [keeps frames](Method::has_history), each frame continues the sequence of those before it.
+/// A sequence starts by tracing every pixel: on the first frame and after a change of size or settings or
+/// [`Renderer::linear_image`]. A frame that was given up is not part of the sequence.
 pub struct Renderer {
     gpu: Gpu,
     scene: GpuScene,
@@ -30,7 +32,7 @@ pub struct Renderer {
     kernels: Kernels,
     passes: Passes,
     sequence: Sequence,
-    /// The display image is the caller's.
+    /// Whether the display image is the caller's ([`Renderer::set_target`]).
     has_target: bool,
     inspecting: Option<(Passes, wgpu::Buffer)>,
     linear: Option<(Passes, wgpu::Texture)>,
@@ -39,10 +41,10 @@ pub struct Renderer {
 }
 
 impl Renderer {
-    /// Links and compiles the kernels, makes the targets.
+    /// Links and compiles the kernels and allocates the buffers and images.
     ///
     /// # Errors
-    /// Invalid settings or size, or a device that cannot.
+    /// The settings or the size are invalid, or the device cannot hold or compile what they need.
     pub fn new(gpu: &Gpu, scene: &GpuScene, size: [u32; 2], settings: &Settings) -> Result<Self> {
         settings.validate()?;
         let settings = resolved(settings, scene, size);
@@ -67,7 +69,7 @@ impl Renderer {
         })
     }
 
-    /// Goes on with another size or other settings: what was compiled is kept. On an error everything is as before.
+    /// Changes the size or the settings; compiled kernels are kept. After an error the renderer is unchanged.
     ///
     /// # Errors
     /// As [`Renderer::new`].
@@ -76,7 +78,7 @@ impl Renderer {
         let settings = resolved(settings, &self.scene, size);
         let Settings { tolerances, min_weight, .. } = settings;
         let gaze = settings.paths.gaze;
-        // Those are constants of a frame and no more.
+        // These settings are only uniform constants: nothing needs to be linked or allocated again.
         if size != self.targets.size
             || settings
                 != (Settings {
@@ -106,19 +108,20 @@ impl Renderer {
         Ok(())
     }
 
-    /// What frames are made by: as wished, with what `auto` has come to.
+    /// The current settings, with `auto` replaced by what it was resolved to.
     #[must_use]
     pub fn settings(&self) -> &Settings {
         &self.settings
     }
 
-    /// The next frame as command buffers, to be submitted in order to the device's queue, with other work in between or not;
-    /// each is recorded when it is asked for and holds bounded work. Once the queue has done the last of them,
-    /// [`Renderer::display`] holds the frame. This neither submits nor waits.
+    /// The next frame as command buffers, to be submitted to the device's queue in order; other work may be
+    /// submitted in between. Each is recorded when the iterator reaches it and holds bounded work. Once the queue
+    /// has executed the last one, [`Renderer::display`] holds the frame. This neither submits nor waits.
     ///
-    /// A frame counts as made once its last command buffer has been handed out: the next one goes on from it. Dropped
-    /// earlier, it was given up (see [`Renderer::render_until`]); what was handed out of it may then be submitted or not. Who
-    /// does not submit a frame that was handed out whole calls [`Renderer::restart`].
+    /// A frame counts as rendered once its last command buffer has been handed out: the next frame continues from
+    /// it. If the iterator is dropped earlier, the frame was given up (see [`Renderer::render_until`]), whether
+    /// or not the caller submits the buffers already handed out. A caller that does not submit a completely
+    /// handed out frame calls [`Renderer::restart`].
     ///
     /// ```no_run
     /// # fn example(renderer: &mut glimpse::Renderer, camera: &glimpse::Camera, queue: &glimpse::wgpu::Queue)
@@ -131,7 +134,7 @@ impl Renderer {
     /// ```
     ///
     /// # Errors
-    /// A camera that the method cannot use, or a device that failed.
+    /// The method cannot use the camera, or the device failed.
     pub fn frame(&mut self, camera: &Camera) -> Result<FrameCommands<'_>> {
         let step = self.sequence.next(camera);
         let constants = self.constants(camera, &step)?;
@@ -141,7 +144,7 @@ impl Renderer {
         Ok(FrameCommands::new(commands, sequence, step, camera))
     }
 
-    /// Renders a frame and waits for it; the timed path: nothing is counted.
+    /// Renders a frame and waits for it. Uses the kernels without counters, so that its time can be measured.
     ///
     /// # Errors
     /// As [`Renderer::frame`].
@@ -151,8 +154,8 @@ impl Renderer {
         self.frame_time()
     }
 
-    /// As [`Renderer::render`], given up between two submissions once `cancelled` says so: `None`, and what
-    /// [`Renderer::display`] holds is part of one frame and part of another.
+    /// Like [`Renderer::render`], but calls `cancelled` between submissions and gives the frame up when it
+    /// returns true. Then the result is `None`, and [`Renderer::display`] holds parts of two frames.
     ///
     /// # Errors
     /// As [`Renderer::frame`].
@@ -166,53 +169,52 @@ impl Renderer {
         done.then(|| self.frame_time()).transpose()
     }
 
-    /// The time of the last frame that was submitted, by the device's timestamps; waits for it. Zero where the device has no
+    /// GPU time of the last submitted frame from timestamps; waits for the frame. Zero where the device has no
     /// timestamps.
     ///
     /// # Errors
-    /// A device that failed.
+    /// The device failed.
     pub fn frame_time(&self) -> Result<FrameTime> {
         self.passes.times(&self.gpu)
     }
 
-    /// The next frame follows on nothing: where frames are a sequence it is the first of one.
+    /// Starts a new sequence: the next frame reuses nothing of earlier ones.
     pub fn restart(&mut self) {
         self.sequence.reset();
     }
 
-    /// Whether another frame of the last camera would show the same: every pixel shows what a ray through its centre sees.
-    /// False where a method that [keeps frames](Method::has_history) has not yet renewed all that it kept from before the
-    /// camera came to rest.
+    /// Whether another frame of the last camera would be identical. False while a method that [keeps
+    /// frames](Method::has_history) still shows pixels from before the camera came to rest, or lacks samples.
     #[must_use]
     pub fn is_settled(&self) -> bool {
         !self.settings.method.has_history() || self.sequence.is_settled()
     }
 
-    /// How many samples of paths are shown in each pixel, those that were [merged](Renderer::accumulate) among them; 1 of methods
-    /// that do not add them up.
+    /// Samples of each pixel in the last frame, those added by [`Renderer::accumulate`] included; 1 for methods
+    /// that do not accumulate samples.
     #[must_use]
     pub fn samples(&self) -> u32 {
         self.sequence.frames().saturating_add(self.sequence.merged())
     }
 
-    /// How many kernels have been compiled so far: a frame after it has grown takes longer than others, as some drivers
-    /// compile when a kernel runs for the first time.
+    /// Number of kernels compiled so far. A frame after the number has grown takes longer, as some drivers
+    /// compile a kernel when it first runs.
     #[must_use]
     pub fn kernels(&self) -> usize {
         self.kernels.count()
     }
 
-    /// The frame on the device: sRGB, 8 bits a channel, the encoding undone nowhere.
+    /// The frame as a texture on the device: sRGB-encoded, 8 bits per channel, in a format that does not decode.
     #[must_use]
     pub fn display(&self) -> &wgpu::Texture {
         &self.targets.display
     }
 
-    /// Renders the same frame with counting kernels (they are linked on the first call). Of a sequence it is the last frame
-    /// once more, which changes nothing for those that follow, if the camera is that of the last frame.
+    /// Renders the frame again with counting kernels, which are linked on the first call. In a sequence it
+    /// repeats the last frame; if the camera is that frame's, later frames are not affected.
     ///
     /// # Errors
-    /// A device that failed.
+    /// The device failed.
     pub fn inspect(&mut self, camera: &Camera) -> Result<Inspection> {
         let (passes, buffer) = match self.inspecting.take() {
             Some(linked) => linked,
@@ -227,18 +229,18 @@ impl Renderer {
         Ok(inspection)
     }
 
-    /// What [`Renderer::inspect`] gives and the linear radiance that the counting kernels compute, which are half as many to compile
-    /// as those of `inspect` and [`Renderer::linear_image`].
+    /// The result of [`Renderer::inspect`] and the frame's linear radiance from the same kernels: half as many to
+    /// compile as for calling `inspect` and [`Renderer::linear_image`].
     ///
     /// # Errors
-    /// A device that failed.
+    /// The device failed.
     pub fn inspect_linear(&mut self, camera: &Camera) -> Result<(Inspection, LinearImage)> {
         let target = self.linear_target()?;
         let (passes, buffer) = self.link_counting(Output::Linear, &target)?;
         Ok((self.count(camera, &passes, &buffer)?, self.read_linear(&target)?))
     }
 
-    /// The counting passes, and what they count in.
+    /// Links the counting passes and allocates the buffer that they count in.
     fn link_counting(&mut self, output: Output, target: &wgpu::Texture) -> Result<(Passes, wgpu::Buffer)> {
         let buffer = inspection_buffer(&self.gpu, self.records())?;
         let records = self.records() > 0;
@@ -258,10 +260,10 @@ impl Renderer {
         Ok(inspection)
     }
 
-    /// The last frame as shown.
+    /// Reads the last frame back as sRGB pixels.
     ///
     /// # Errors
-    /// A device that failed.
+    /// The device failed, or a [target](Renderer::set_target) of the caller cannot be read back.
     pub fn display_image(&self) -> Result<DisplayImage> {
         let [width, height] = self.targets.size;
         target::check_readback(&self.targets.display)?;
@@ -269,12 +271,13 @@ impl Renderer {
         DisplayImage::from_raw(width, height, bytes).ok_or_else(|| Error::Device("short readback".into()))
     }
 
-    /// The frame of this camera in linear radiance (kernels that write it are linked on the first call). Where frames are a
-    /// sequence, this is the first of one, and so is the next that is rendered; of paths, there are as many samples in it as in
-    /// the last frame; with samples that were [merged](Renderer::accumulate) it is the last frame itself.
+    /// Renders a frame in linear radiance; the kernels for it are linked on the first call. It starts a new
+    /// sequence, and so does the next rendered frame. With path tracing it takes as many samples as the last
+    /// frame; if that frame has samples from [`Renderer::accumulate`] and this camera, it is the last frame
+    /// itself.
     ///
     /// # Errors
-    /// A device that failed.
+    /// The device failed.
     pub fn linear_image(&mut self, camera: &Camera) -> Result<LinearImage> {
         #[cfg(feature = "reference")]
         if self.sequence.merged() > 0 && self.sequence.camera() == Some(*camera) {
@@ -294,7 +297,7 @@ impl Renderer {
         Ok(image)
     }
 
-    /// The passes that write linear radiance, and where to.
+    /// The passes that write linear radiance, and the texture that they write.
     fn linear(&mut self) -> Result<(Passes, wgpu::Texture)> {
         if let Some(linked) = self.linear.take() {
             return Ok(linked);
@@ -315,11 +318,11 @@ impl Renderer {
         LinearImage::from_raw(width, height, rgb).ok_or_else(|| Error::Device("short readback".into()))
     }
 
-    /// What guides the removal of noise in each pixel of the last frame, row by row: the words that
-    /// [`GBufferPixel::unpacked`](crate::reference::GBufferPixel::unpacked) takes. None where nothing is done about noise.
+    /// The denoiser's G-buffer of the last frame, row by row from the top left: four words per pixel, which
+    /// [`GBufferPixel::unpacked`](crate::reference::GBufferPixel::unpacked) decodes. Empty without a denoiser.
     ///
     /// # Errors
-    /// A device that failed.
+    /// The device failed.
     pub fn gbuffer(&self) -> Result<Vec<[u32; 4]>> {
         if self.settings.denoise() == Denoise::Off {
             return Ok(Vec::new());
@@ -327,13 +330,14 @@ impl Renderer {
         Ok(bytemuck::pod_collect_to_vec(&self.gpu.read_buffer(&self.targets.gbuffer)?))
     }
 
-    /// Bytes on the device for timed frames.
+    /// Bytes that the scene and the frame's buffers and images occupy on the device, without counting kernels'
+    /// buffers.
     #[must_use]
     pub fn memory(&self) -> Memory {
         self.targets.memory(&self.scene)
     }
 
-    /// Passes beside those of [`Renderer::frame`] are linked again when they are next needed.
+    /// Drops the passes other than those of [`Renderer::frame`]; they are linked again when next needed.
     fn forget_linked(&mut self) {
         (self.inspecting, self.linear) = (None, None);
         #[cfg(feature = "reference")]
@@ -342,7 +346,8 @@ impl Renderer {
         }
     }
 
-    /// Pixels have a record each if they are one sample and the device can hold so many.
+    /// Number of pixel records: one for each pixel if it has a single sample and the device can hold them all,
+    /// else 0.
     fn records(&self) -> u64 {
         let [width, height] = self.targets.size.map(u64::from);
         let records = width * height;
@@ -374,7 +379,7 @@ impl Renderer {
         })
     }
 
-    /// Renders a frame by other passes than those of [`Renderer::frame`] and waits for it.
+    /// Renders a frame with `passes` instead of those of [`Renderer::frame`] and waits for it.
     fn run(
         &self,
         passes: &Passes,
@@ -392,7 +397,7 @@ impl Renderer {
     }
 }
 
-/// The settings with a decision about postcorrection.
+/// The settings with `postcorrect` resolved: `auto` becomes on or off, and other methods than adaptive have none.
 fn resolved(settings: &Settings, scene: &GpuScene, [_, height]: [u32; 2]) -> Settings {
     let thin = || scene.is_thin(height.saturating_mul(settings.sampling), settings.block);
     let postcorrect = match (settings.method, settings.postcorrect) {

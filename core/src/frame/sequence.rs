@@ -1,43 +1,44 @@
-//! Frames that follow on each other: which pixels a frame traces anew, and which of two histories it goes on from.
+//! Sequences of frames that reuse earlier ones: which pixels a frame traces, and which of two history buffers it
+//! reads.
 //!
-//! Every pixel of a tile of 16 x 16 has a rank of its own (`refresh.wgsl`). A frame renews so many ranks, the next one goes
-//! on with those that follow, around and around: no pixel is ever older than `1 / share` frames.
+//! Every pixel of a 16 x 16 tile has a rank of its own (`refresh.wgsl`). Each frame traces the next few ranks in
+//! cyclic order, so that no pixel is older than `1 / share` frames.
 
 use crate::{Camera, Method, Settings};
 
-/// Ranks of a tile, and its side.
+/// Number of ranks in a tile, and the tile's side in pixels.
 pub const RANKS: u32 = RANK_TILE * RANK_TILE;
 pub const RANK_TILE: u32 = 16;
 
-/// One frame of a sequence.
+/// The position of one frame in a sequence.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Step {
-    /// The first rank that is traced anew.
+    /// First rank that the frame traces.
     pub first: u32,
-    /// How many are, around to the first ones; [`RANKS`] of them in a frame that follows on nothing.
+    /// Number of ranks that it traces, in cyclic order; all [`RANKS`] in the first frame of a sequence.
     pub count: u32,
-    /// The camera is that of the frame before.
+    /// Whether the camera is the same as in the frame before.
     pub still: bool,
-    /// The frames since it came to where it is, before this one.
+    /// Number of earlier frames with this camera.
     pub sample: u32,
-    /// Samples of each pixel that were added beside those of the frames.
+    /// Samples per pixel added from elsewhere for this camera ([`Sequence::accumulate`]).
     pub merged: u32,
-    /// Which of the two histories is written.
+    /// Index of the history buffer that the frame writes; it reads the other one.
     pub side: usize,
-    /// What is left of the samples of a frame that was given up is cleared first.
+    /// Whether the frame first clears the samples that a given up frame has left.
     pub clears: bool,
 }
 
-/// Where a sequence stands.
+/// The state of a sequence between frames.
 #[derive(Clone, Debug)]
 pub struct Sequence {
-    /// Ranks that a frame renews.
+    /// Number of ranks that each frame but the first traces.
     count: u32,
-    /// Samples of paths that a pixel is to have; 0 where frames do not add them up.
+    /// Samples per pixel at which path tracing is complete; 0 for methods that do not accumulate samples.
     samples: u32,
-    /// The last frame.
+    /// The last finished frame; `None` before the first one.
     last: Option<Last>,
-    /// A frame that adds samples up was given up, and none was finished since.
+    /// Whether an accumulating frame was given up and none has been finished since.
     given_up: bool,
 }
 
@@ -45,12 +46,12 @@ pub struct Sequence {
 struct Last {
     step: Step,
     camera: Camera,
-    /// Ranks that were traced anew since the camera came to where it is.
+    /// Number of ranks traced since the camera came to rest.
     refreshed: u32,
 }
 
 impl Sequence {
-    /// Of frames with these settings; the first is yet to come.
+    /// A sequence with these settings, before its first frame.
     pub fn new(settings: &Settings) -> Self {
         let (count, samples) = match settings.method {
             Method::Path | Method::Vr => (RANKS, settings.paths.samples),
@@ -60,7 +61,7 @@ impl Sequence {
         Self { count, samples, last: None, given_up: false }
     }
 
-    /// The frame that follows.
+    /// The step of the frame that follows the last one.
     pub fn next(&self, camera: &Camera) -> Step {
         let Some(last) = &self.last else {
             return Step { count: RANKS, clears: self.given_up, ..Step::default() };
@@ -77,20 +78,20 @@ impl Sequence {
         }
     }
 
-    /// The last frame once more, or the first.
+    /// The last frame's step again, or the first frame's.
     pub fn again(&self, camera: &Camera) -> Step {
         self.last.map_or_else(|| self.next(camera), |last| last.step)
     }
 
-    /// The frame was finished.
+    /// Records that a frame was finished.
     pub fn done(&mut self, step: Step, camera: &Camera) {
         let before = self.last.filter(|_| step.still).map_or(0, |last| last.refreshed);
         self.last = Some(Last { step, camera: *camera, refreshed: RANKS.min(before + step.count) });
         self.given_up = false;
     }
 
-    /// The frame was begun and will not be finished. Where samples are added up, some pixels have one that others lack: the
-    /// next frame follows on nothing.
+    /// Records that a frame was begun and will not be finished. When samples accumulate, some pixels then have
+    /// one more than others, so the sequence starts anew.
     pub fn give_up(&mut self) {
         if self.samples > 0 {
             self.last = None;
@@ -98,7 +99,7 @@ impl Sequence {
         }
     }
 
-    /// So many samples were added to what the last frame shows.
+    /// Records that `samples` samples per pixel were added to the last frame.
     pub fn accumulate(&mut self, samples: u32) {
         if let Some(last) = &mut self.last {
             last.step.merged = last.step.merged.saturating_add(samples);
@@ -110,23 +111,22 @@ impl Sequence {
         self.last.map(|last| last.camera)
     }
 
-    /// How many samples were added since the camera came to where it is.
+    /// Samples per pixel added from elsewhere since the camera came to rest.
     pub fn merged(&self) -> u32 {
         self.last.map_or(0, |last| last.step.merged)
     }
 
-    /// The next frame follows on nothing.
+    /// Starts a new sequence.
     pub fn reset(&mut self) {
         self.last = None;
     }
 
-    /// How many frames the last one is made of.
+    /// Number of frames accumulated in the last one; 1 for methods that do not accumulate samples.
     pub fn frames(&self) -> u32 {
         self.last.filter(|_| self.samples > 0).map_or(1, |last| last.step.sample + 1)
     }
 
-    /// Whether the last frame shows in every pixel what a ray through its centre sees from that frame's camera, or
-    /// all samples of paths that it is to show.
+    /// Whether all pixels were traced since the camera came to rest and have all their samples.
     pub fn is_settled(&self) -> bool {
         self.last.is_some_and(|last| {
             let samples = last.step.sample.saturating_add(1).saturating_add(last.step.merged);
@@ -135,7 +135,7 @@ impl Sequence {
     }
 }
 
-/// At least that share of a tile's ranks, and one.
+/// The smallest number of ranks that is at least `share` of a tile, but at least one.
 fn refresh_ranks(share: f32) -> u32 {
     ((share * RANKS as f32).ceil() as u32).clamp(1, RANKS)
 }

@@ -1,33 +1,33 @@
-//! Pictures of what is known about the pixels, made from an inspection.
+//! False-colour images of the per-pixel records of an inspection.
 
 use crate::{Check, DisplayImage, Error, Method, Origin, PixelRecord, Result, Settings, THRESHOLD_NAMES};
 
-/// What a picture shows.
+/// What an image displays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Show {
-    /// The frame.
+    /// The rendered frame.
     Final,
-    /// How each pixel came to be.
+    /// Each pixel's [`Origin`] as a colour.
     Origin,
-    /// The pixels that fail a similarity check.
+    /// Pixels that fail a similarity check, in red.
     Check(Check),
-    /// How many subpixels get extra samples (Jin 2009, Figure 1).
+    /// Number of quarters of each pixel that get extra samples (Jin 2009, Figure 1).
     Active,
-    /// The pixels of which an attribute differs from a neighbour's, by its index in [`THRESHOLD_NAMES`].
+    /// Pixels with an attribute that differs from a neighbour's, in red; the index is one of [`THRESHOLD_NAMES`].
     Attribute(usize),
-    /// Traversal work.
+    /// Node visits and primitive tests of each pixel, on a logarithmic scale.
     Cost,
-    /// Distance of the first hit.
+    /// View depth of the first hit.
     Depth,
-    /// Normal of the first hit.
+    /// Shading normal of the first hit.
     Normal,
-    /// Object of the first hit.
+    /// Object (OID) of the first hit, as a hashed colour.
     Oid,
 }
 
 impl Show {
-    /// All of them, in the order in which they are offered.
+    /// All images, in the order in which user interfaces list them.
     pub fn all() -> impl Iterator<Item = Self> {
         [Self::Final, Self::Origin]
             .into_iter()
@@ -36,7 +36,7 @@ impl Show {
             .chain((0..THRESHOLD_NAMES.len()).map(Self::Attribute))
     }
 
-    /// Its name as a value of the option `show`.
+    /// The image's name as a value of the option `show`.
     #[must_use]
     pub fn name(self) -> String {
         match self {
@@ -54,7 +54,7 @@ impl Show {
 }
 
 impl Show {
-    /// Why a frame of these settings knows nothing to show, as a sentence; `None` if it does.
+    /// Why frames with these settings have no data to display, as a sentence; `None` if they have.
     #[must_use]
     pub fn conflict(self, settings: &Settings) -> Option<&'static str> {
         let method = settings.method;
@@ -93,7 +93,7 @@ impl std::str::FromStr for Show {
 
 type Rgb = [u8; 3];
 
-/// The name and the colour of the pixels of an origin, in words and numbers; `None` where no pixel is of it.
+/// Name, name of the colour and sRGB colour of pixels of an origin; `None` for the origin that no pixel has.
 fn origin_color(origin: Origin) -> Option<(&'static str, &'static str, Rgb)> {
     match origin {
         Origin::Base => Some(("base", "white", [240, 240, 240])),
@@ -105,7 +105,7 @@ fn origin_color(origin: Origin) -> Option<(&'static str, &'static str, Rgb)> {
     }
 }
 
-/// Pixels by the number of their active quarters (Jin 2009, Figure 1).
+/// Colours of pixels by the number of active quarters (Jin 2009, Figure 1).
 const ACTIVE: [(&str, Rgb); 5] = [
     ("black", [0, 0, 0]),
     ("red", [255, 0, 0]),
@@ -115,13 +115,13 @@ const ACTIVE: [(&str, Rgb); 5] = [
 ];
 const FAILED: Rgb = [255, 30, 20];
 const NOTHING: Rgb = [0, 0, 0];
-/// From little to much, for [`false_color`].
+/// The colour ramp of [`false_color`], from the least value to the greatest.
 const RAMP: [Rgb; 5] = [[10, 10, 40], [60, 40, 160], [200, 50, 110], [250, 150, 40], [255, 255, 200]];
 
-/// The picture and its legend in one line. `pixels` are those of `frame`, row by row.
+/// The image and a legend of one line. `pixels` are the records of `frame`, row by row from the top left.
 ///
 /// # Errors
-/// There are fewer: the device could not hold them.
+/// `pixels` lacks records because the device could not hold them all.
 pub fn picture(show: Show, frame: &DisplayImage, pixels: &[PixelRecord]) -> Result<(DisplayImage, String)> {
     let (width, height) = frame.dimensions();
     if show != Show::Final && pixels.len() as u64 != u64::from(width) * u64::from(height) {
@@ -147,7 +147,7 @@ pub fn picture(show: Show, frame: &DisplayImage, pixels: &[PixelRecord]) -> Resu
     })
 }
 
-/// 1234567 as `1,234,567`.
+/// Formats a number with thousands separators: 1234567 as `1,234,567`.
 #[must_use]
 pub fn grouped(number: u64) -> String {
     let digits = number.to_string();
@@ -194,7 +194,7 @@ fn failing(frame: &DisplayImage, pixels: &[PixelRecord], check: Check) -> (Displ
     marked(frame, pixels, &what, |p| p.failed & check.bit() != 0)
 }
 
-/// Some pixels in red, the frame around them in grey.
+/// Draws the selected pixels in red over a dimmed grey frame.
 fn marked(
     frame: &DisplayImage,
     pixels: &[PixelRecord],
@@ -273,7 +273,7 @@ fn false_color(position: f64) -> Rgb {
     })
 }
 
-/// A colour for an object, never as dark as [`NOTHING`] (Wang's integer hash).
+/// A colour of an object from Wang's integer hash of its OID; every channel is at least 64.
 fn hashed(object: u32) -> Rgb {
     let mut h = (object ^ 61) ^ (object >> 16);
     h = h.wrapping_mul(9);

@@ -1,4 +1,4 @@
-//! The buffers and images of a frame.
+//! The buffers and images that the passes of a frame write.
 
 use crate::{
     Denoise, Error, Gpu, GpuScene, Memory, Method, Result,
@@ -8,47 +8,47 @@ use crate::{
     passes::{FrameSpec, REFINE_MOST, REFINE_STEP, REFINE_WORDS, Recipe},
 };
 
-/// A listed pixel is one word: 16 bits a coordinate.
+/// Largest side of a frame in samples: a list entry packs both coordinates into 16 bits each.
 const MAX_SIDE: u32 = 1 << 16;
 
-/// An active quarter of a pixel is one word too: 14 bits a coordinate.
+/// Largest side in pixels with extra samples: an entry packs a quarter and both coordinates into 14 bits each.
 const MAX_SUPERSAMPLED_SIDE: u32 = 1 << 14;
 
-/// Bytes of the arguments of an indirect dispatch.
+/// Size in bytes of the arguments of an indirect dispatch.
 pub const DISPATCH_BYTES: u64 = 12;
 
-/// Bytes of the list before its first pixel.
+/// Size in bytes of the list's header, before its first entry.
 pub const LIST_HEADER: u64 = 16;
 
-/// Bytes of a sample's radiance.
+/// Bytes of a stored sample: its RGB radiance.
 const SAMPLE_BYTES: u64 = 12;
 
-/// And of one that may cross over to the other eye: also what lands in its pixel.
+/// Bytes of a sample with stereo reuse: its radiance and what the other eye contributes (`samples_stereo.wgsl`).
 const STEREO_SAMPLE_BYTES: u64 = 36;
 
-/// A bit for each sample of a quincunx that a pixel may share with others.
+/// Bytes of a pixel's claims in a quincunx: a bit for each sample that it may share with other pixels.
 const CLAIM_BYTES: u64 = 4;
 
-/// Bytes that a frame leaves of a pixel: a point and its radiance.
+/// Bytes of a pixel in the history: the position and the radiance of its point.
 const HISTORY_BYTES: u64 = 24;
 
-/// Bytes of what landed in a pixel: a key and where it came from.
+/// Bytes of a reprojected point in a pixel: a depth key and the pixel that it comes from.
 const SPLAT_BYTES: u64 = 8;
 
-/// Bytes of what a path's first diffuse surface is.
+/// Bytes of a pixel in the G-buffer.
 const GBUFFER_BYTES: u64 = 16;
 
-/// Bytes of a pixel as the a-trous filter sees it.
+/// Bytes of a pixel in a buffer of the a-trous filter.
 const ATROUS_BUFFER_BYTES: u64 = 16;
 
-/// No buffer of a band is larger: half of what WebGPU lets a storage binding be.
+/// Largest size in bytes of a buffer that holds a band: half of WebGPU's default limit for storage bindings.
 const BAND_BYTES: u64 = 64 << 20;
 
 /// The buffers and images of one frame size.
 pub struct Targets {
-    /// Pixels.
+    /// Pixels across and down.
     pub size: [u32; 2],
-    /// Samples.
+    /// Samples across and down.
     pub grid: [u32; 2],
     pub plan: Plan,
     pub frame: wgpu::Buffer,
@@ -57,21 +57,21 @@ pub struct Targets {
     pub samples: wgpu::Buffer,
     pub dispatch: wgpu::Buffer,
     pub display: wgpu::Texture,
-    /// What a frame leaves for the next one, in turn.
+    /// Points and radiances of the last two frames; frames alternate between them.
     pub histories: [wgpu::Buffer; 2],
-    /// Where that is seen from the next camera.
+    /// Depth keys and sources of the points reprojected into the current view.
     pub splats: wgpu::Buffer,
-    /// What guides the removal of noise.
+    /// Attributes of first diffuse surfaces, which guide the denoiser.
     pub gbuffer: wgpu::Buffer,
-    /// What is filtered, from one level to the next in turn.
+    /// The filtered light; levels of the a-trous filter alternate between the two.
     pub atrous_buffers: [wgpu::Buffer; 2],
 }
 
 impl Targets {
-    /// Makes them, as far as the method needs them.
+    /// Allocates the buffers and images; those that the method does not need are minimal.
     ///
     /// # Errors
-    /// A size that is not a frame's, or a device that cannot hold it.
+    /// The size is not allowed, or the device cannot hold the buffers.
     pub fn new(gpu: &Gpu, spec: &FrameSpec, size: [u32; 2]) -> Result<Self> {
         let settings = &spec.settings;
         let grid = grid(gpu, size, settings.sampling)?;
@@ -81,15 +81,15 @@ impl Targets {
             let expected = format!("at most {MAX_SUPERSAMPLED_SIDE} pixels a side with extra samples");
             return Err(Error::setting("size", expected, format!("{}x{}", size[0], size[1])));
         }
-        // Of two rows.
+        // Bytes per column of two rows of samples.
         let quincunx = settings.method == Method::Quincunx;
         let attribute_bytes = if quincunx { 2 * CLAIM_BYTES } else { 4 * u64::from(spec.stored_channels()) };
         let of_method = Recipe::of(settings.method).storage;
         let stored = of_method.radiances.max(u64::from(settings.sampling > 1));
         let sample_bytes = stored * if settings.reuses_stereo() { STEREO_SAMPLE_BYTES } else { SAMPLE_BYTES };
-        // A sample is listed once at most, or its quarters are.
+        // Entries per sample in the list: the sample, or each of its quarters.
         let listed = match (settings.refines(), settings.supersamples()) {
-            // An entry for each step, and what is known of the pixel.
+            // An entry for each step, and the state of the refined pixel.
             (true, _) => u64::from(REFINE_MOST / REFINE_STEP + REFINE_WORDS),
             (false, true) => 4,
             (false, false) => of_method.listed,
@@ -98,7 +98,7 @@ impl Targets {
         let row_bytes = u64::from(grid[0]) * sample_bytes.max(attribute_bytes.div_ceil(2)).max(list_bytes);
         let band = plan::band_rows(settings.sampling, BAND_BYTES / row_bytes.max(1));
         let plan = Plan::new(spec, grid, of_method.band_rows.map_or(u32::MAX, |most| band.min(most)));
-        // The corners of a pixel are beside and below it.
+        // A pixel's far corners belong to the next column and row.
         let border = u64::from(quincunx);
         let rows = u64::from(plan.stored_rows) + border;
         let width = u64::from(grid[0]) + border;
@@ -135,7 +135,7 @@ impl Targets {
         })
     }
 
-    /// The constants of the plan's part of that index.
+    /// The uniform of the plan's part with index `part`.
     pub fn constants(&self, part: usize) -> wgpu::BindingResource<'_> {
         wgpu::BindingResource::Buffer(wgpu::BufferBinding {
             buffer: &self.frame,
@@ -144,7 +144,7 @@ impl Targets {
         })
     }
 
-    /// Bytes on the device.
+    /// Size of all buffers and images in bytes.
     pub fn bytes(&self) -> u64 {
         let [history, history_before] = &self.histories;
         let [atrous_buffers, atrous_before] = &self.atrous_buffers;
@@ -154,7 +154,7 @@ impl Targets {
         buffers.iter().chain(&kept).map(|b| b.size()).sum::<u64>() + 4 * pixels
     }
 
-    /// Bytes on the device together with the scene's.
+    /// Bytes of these targets and of the scene.
     pub fn memory(&self, scene: &GpuScene) -> Memory {
         let (scene, bvh) = scene.bytes();
         let targets = self.bytes();
@@ -162,7 +162,7 @@ impl Targets {
     }
 }
 
-/// The samples of a frame of that size.
+/// Samples across and down in a frame of `size` pixels with `sampling` x `sampling` samples each.
 fn grid(gpu: &Gpu, size: [u32; 2], sampling: u32) -> Result<[u32; 2]> {
     let [width, height] = size;
     let limit = gpu.limits().max_texture_dimension_2d;
@@ -178,10 +178,10 @@ fn grid(gpu: &Gpu, size: [u32; 2], sampling: u32) -> Result<[u32; 2]> {
     Ok(grid)
 }
 
-/// A storage texture that can be read back.
+/// Creates a storage texture that can be read back.
 ///
 /// # Errors
-/// A device that cannot hold it, or no buffer to read it back into.
+/// The device cannot hold the texture, or a buffer for reading it back.
 pub fn texture(gpu: &Gpu, label: &str, size: [u32; 2], format: wgpu::TextureFormat) -> Result<wgpu::Texture> {
     let bytes = gpu.check_readback(label, size, format)?;
     gpu.checked(&format!("image `{label}`"), Some(bytes), |device| {
@@ -200,13 +200,13 @@ pub fn texture(gpu: &Gpu, label: &str, size: [u32; 2], format: wgpu::TextureForm
     })
 }
 
-/// What the counting kernels write into: counters, then that many records.
+/// Allocates the buffer that the counting kernels write: the counters, then `records` pixel records.
 pub fn inspection_buffer(gpu: &Gpu, records: u64) -> Result<wgpu::Buffer> {
     let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
     gpu.buffer("inspection", inspection_bytes(records), usage)
 }
 
-/// Can one binding hold the counters and that many records?
+/// Whether one binding can hold the counters and `records` pixel records.
 pub fn inspection_fits(gpu: &Gpu, records: u64) -> bool {
     gpu.check_binding("inspection", inspection_bytes(records)).is_ok()
 }

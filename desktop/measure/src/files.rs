@@ -1,4 +1,5 @@
-//! Files are written whole or not at all.
+//! Reads and writes whole files. A write replaces the file atomically: it succeeds in full or leaves the old
+//! content.
 
 use std::fs;
 use std::io::{self, Write};
@@ -7,10 +8,11 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use tempfile::NamedTempFile;
 
-/// The longest file that is read: a `.glb` says its length in 32 bits.
+/// The longest file that is read, in bytes: a `.glb` states its length in 32 bits.
 const MAX_BYTES: u64 = u32::MAX as u64;
 
-/// Fails where [`write`] would, and where two of the files are one, or one is `input`: long work asks first.
+/// Checks before long work that [`write`] can succeed for each output. Fails if a path cannot be written, if
+/// two outputs are the same file, or if an output is `input`.
 pub fn check<'p>(outputs: impl IntoIterator<Item = &'p Path>, input: &Path) -> anyhow::Result<()> {
     let mut taken = vec![resolved(input)];
     for path in outputs {
@@ -31,14 +33,15 @@ fn writable(path: &Path) -> anyhow::Result<()> {
     if path.is_dir() {
         anyhow::bail!("cannot write {}: it is a folder", path.display());
     }
-    // Replacing it would work, and is what its owner did not want.
+    // Renaming over a read-only file would succeed, against the intent of its owner.
     if fs::metadata(path).is_ok_and(|m| m.permissions().readonly()) {
         anyhow::bail!("cannot write {}: it is read-only", path.display());
     }
     temporary_beside(path).map(drop)
 }
 
-/// Writes the file in one step: readers see the old content or the new one, never a part.
+/// Writes the file in one step, by renaming a temporary file: readers see the old content or the new, never a
+/// part.
 pub fn write(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
     let path = resolved(path);
     let failed = || format!("cannot write {}", path.display());
@@ -57,7 +60,7 @@ pub fn read(path: &Path) -> anyhow::Result<Vec<u8>> {
     fs::read(path).with_context(|| format!("cannot read {}", path.display()))
 }
 
-/// Fails where [`read`] would have no end or no sense: for folders, pipes, devices, and files that are too long.
+/// Fails for folders, pipes, devices and files longer than 4 GiB, which [`read`] must not be given.
 pub fn readable(path: &Path) -> anyhow::Result<()> {
     let failed = || format!("cannot read {}", path.display());
     let about = fs::metadata(path).with_context(failed)?;
@@ -71,7 +74,8 @@ pub fn readable(path: &Path) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Behind links: a link is kept and what it names is replaced. The file itself need not exist.
+/// Resolves symbolic links, so that writing replaces the target and keeps the link. The file itself need not
+/// exist.
 fn resolved(path: &Path) -> PathBuf {
     let new = || Some(fs::canonicalize(folder(path)).ok()?.join(path.file_name()?));
     fs::canonicalize(path).ok().or_else(new).unwrap_or_else(|| path.to_owned())
@@ -81,7 +85,7 @@ fn folder(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// A pipe or a device cannot be replaced by a file.
+/// Whether the path is a pipe or a device, which must be written to in place instead of being replaced.
 fn is_special(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir())
 }
@@ -98,7 +102,7 @@ fn temporary_beside(path: &Path) -> anyhow::Result<NamedTempFile> {
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
-    // The error's own text speaks of the temporary file, which nobody knows.
+    // The error's own text names the temporary file, which means nothing to the user.
     let temporary = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()));
     temporary.with_context(|| format!("cannot write {} into its folder", path.display()))
 }

@@ -1,7 +1,7 @@
-//! What the commands that measure have in common.
+//! Parts shared by the commands that measure.
 //!
 //! - [`scene_file`] reads a scene by its name on the command line, [`files`] reads and writes whole files.
-//! - [`statistics`] holds medians, and what is known of a scene and of an adapter.
+//! - [`statistics`] holds medians and descriptions of scenes and adapters.
 //! - [`progress`] shows a bar on a terminal, [`output`] writes to stdout and formats numbers.
 
 pub mod files;

@@ -1,4 +1,4 @@
-//! What goes to stdout, and how numbers look there.
+//! Writing to stdout, and the formatting of numbers there.
 
 use std::io::{ErrorKind, Write};
 
@@ -6,7 +6,7 @@ use anyhow::Context;
 pub use glimpse::show::grouped;
 use serde::Serialize;
 
-/// Prints a text; a reader that has gone away (`| head`) is no failure.
+/// Prints a text to stdout. A closed pipe (`| head`) is not an error.
 pub fn print(text: &str) -> anyhow::Result<()> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
@@ -15,12 +15,12 @@ pub fn print(text: &str) -> anyhow::Result<()> {
     }
 }
 
-/// JSON as this program writes it everywhere: indented, with a line end.
+/// Serialises a value as indented JSON that ends in a newline, the form of every JSON output of this program.
 pub fn json(value: &impl Serialize) -> anyhow::Result<String> {
     Ok(serde_json::to_string_pretty(value).context("JSON")? + "\n")
 }
 
-/// Bytes in a unit that fits.
+/// Formats a number of bytes in the largest fitting binary unit: `1.5 KiB`.
 pub fn bytes(number: u64) -> String {
     let (mut value, mut unit) = (number as f64, 0);
     while value >= 1024.0 && unit < 4 {
@@ -31,13 +31,13 @@ pub fn bytes(number: u64) -> String {
     if unit == "B" { format!("{number} B") } else { format!("{value:.1} {unit}") }
 }
 
-/// `1 light`, `2 lights`.
+/// Formats a count with its noun in singular or plural: `1 light`, `2 lights`.
 pub fn counted(number: usize, noun: &str) -> String {
     let plural = if number == 1 { "" } else { "s" };
     format!("{} {noun}{plural}", grouped(number as u64))
 }
 
-/// A list, or `nothing`.
+/// Joins the items with commas; `nothing` if there are none.
 pub fn listed<S: AsRef<str>>(items: &[S]) -> String {
     if items.is_empty() {
         return "nothing".to_owned();

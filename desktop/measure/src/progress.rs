@@ -1,19 +1,20 @@
-//! The progress bar: on a terminal only.
+//! A progress bar, shown only on a terminal.
 
 use std::io::IsTerminal;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// A bar of that many steps on stderr, or nothing in a pipe. It goes away when it is dropped.
+/// A progress bar on stderr; invisible if stderr is not a terminal. Dropping it clears the bar.
 pub struct Progress(ProgressBar);
 
 impl Progress {
-    /// Starts the bar.
+    /// Starts a bar that counts `steps` steps and shows the elapsed time.
     pub fn new(steps: u64) -> Self {
         Self::start(steps, "{bar:24} {pos}/{len} {msg} ({elapsed})")
     }
 
-    /// A bar of long work that is counted in units of equal time: it says how much is left of both.
+    /// Starts a bar for long work counted in units of about equal time: it shows the percentage done and the
+    /// estimated time left.
     pub fn of_work(units: u64) -> Self {
         Self::start(units, "{bar:24} {percent} % {msg} ({elapsed}, {eta} to go)")
     }
@@ -26,18 +27,18 @@ impl Progress {
         Self(ProgressBar::new(steps).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())))
     }
 
-    /// Says what is being done now.
+    /// Sets the message that names the current step.
     pub fn doing(&self, what: &str) {
         self.0.set_message(what.to_owned());
         self.0.tick();
     }
 
-    /// One step is done.
+    /// Advances the bar by one step.
     pub fn step(&self) {
         self.steps(1);
     }
 
-    /// So many are done.
+    /// Advances the bar by `count` steps.
     pub fn steps(&self, count: u64) {
         self.0.inc(count);
     }

@@ -1,4 +1,4 @@
-//! A scene by its name on the command line: `builtin:NAME` or a file.
+//! Loads a scene by its name on the command line: `builtin:NAME` or a glTF file.
 
 use std::path::{Component, Path};
 
@@ -8,7 +8,7 @@ use glimpse::scene::{BUILTIN_NAMES, builtin};
 
 use crate::files;
 
-/// Fails early, and without reading anything, where [`load`] cannot succeed: long work asks first.
+/// Fails early, without reading any content, where [`load`] cannot succeed; called before long work.
 pub fn check(name: &str) -> anyhow::Result<()> {
     if let Some(builtin_name) = name.strip_prefix("builtin:") {
         return check_builtin(builtin_name);
@@ -26,7 +26,8 @@ pub fn load(name: &str) -> anyhow::Result<Scene> {
     load_seen(name, &mut |_| ())
 }
 
-/// As [`load`]; `seen` is shown the bytes of every file that was read, or the name where there is none.
+/// Loads a scene as [`load`] does, and passes the bytes of every file read to `seen`; for a built-in scene,
+/// its name.
 pub fn load_seen(name: &str, seen: &mut dyn FnMut(&[u8])) -> anyhow::Result<Scene> {
     check(name)?;
     if let Some(scene) = name.strip_prefix("builtin:").and_then(builtin) {
@@ -49,8 +50,8 @@ fn check_builtin(name: &str) -> anyhow::Result<()> {
     Err(glimpse::Error::setting("scene", expected, format!("builtin:{name}")).into())
 }
 
-/// The bytes of a relative URI (RFC 3986: percent-encoded, though not every exporter does it). A scene that somebody
-/// else made must not reach what lies outside its own folder: neither other machines nor other files.
+/// Reads the file of a relative URI (RFC 3986: percent-encoded, though not every exporter encodes it). Files
+/// outside the scene's folder and other machines are refused, as scenes may come from untrusted sources.
 fn read_beside(folder: &Path, uri: &str) -> Result<Vec<u8>, String> {
     let decoded = percent_decoded(uri);
     let literal = folder.join(uri);
@@ -61,7 +62,7 @@ fn read_beside(folder: &Path, uri: &str) -> Result<Vec<u8>, String> {
     files::read(&folder.join(name)).map_err(|error| format!("{error:#}"))
 }
 
-/// Whether a name leads down from a folder: it has no scheme, no root and no way up.
+/// Whether a name stays below a folder: no scheme, no root and no `..`.
 fn is_below(name: &str) -> bool {
     let scheme = name.split_once(':').map(|(scheme, _)| scheme);
     let has_scheme = scheme

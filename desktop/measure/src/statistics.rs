@@ -1,25 +1,25 @@
-//! Medians of measurements, and what is known of a scene and of an adapter.
+//! Medians of measurements, and the descriptions of scenes and adapters that accompany them.
 
 use std::time::Instant;
 
 use glimpse::{Features, Scene, Specialize};
 use serde::Serialize;
 
-/// An adapter.
+/// The adapter that was measured.
 #[derive(Clone, Debug, Serialize)]
 pub struct AdapterStatistics {
-    /// As the driver reports it.
+    /// Name of the adapter as the driver reports it.
     pub name: String,
-    /// The graphics interface.
+    /// Graphics API, such as `vulkan`.
     pub backend: String,
-    /// The driver with its version.
+    /// Driver name and version.
     pub driver: String,
 }
 
-/// A scene.
+/// Contents of a scene and the features linked into its kernels.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SceneStatistics {
-    /// As it was named on the command line.
+    /// Name of the scene on the command line.
     pub file: String,
     /// Number of triangles.
     pub triangles: usize,
@@ -31,23 +31,23 @@ pub struct SceneStatistics {
     pub lights: usize,
     /// Number of textures.
     pub textures: usize,
-    /// The pieces that are linked.
+    /// Features linked into the kernels.
     pub features: Vec<&'static str>,
-    /// The pieces that no kernel holds.
+    /// Features left out of the kernels.
     pub left_out: Vec<&'static str>,
 }
 
-/// Of several measurements.
+/// Median and 95th percentile of several measurements.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Spread {
-    /// The middle one.
+    /// Median; the mean of the middle two for an even number.
     pub median: f64,
-    /// The least that 95 % do not exceed.
+    /// 95th percentile (nearest rank).
     pub p95: f64,
 }
 
 impl AdapterStatistics {
-    /// Of wgpu's words.
+    /// Describes an adapter from wgpu's information.
     pub fn of(info: &wgpu::AdapterInfo) -> Self {
         let driver = [info.driver.trim(), info.driver_info.trim()];
         Self {
@@ -59,7 +59,7 @@ impl AdapterStatistics {
 }
 
 impl SceneStatistics {
-    /// Of a scene before it moves to the device.
+    /// Describes a scene before it is uploaded.
     pub fn of(name: &str, scene: &Scene, specialize: Specialize) -> Self {
         let unlinked = Self {
             file: name.to_owned(),
@@ -74,7 +74,7 @@ impl SceneStatistics {
         unlinked.linked(Features::of(scene), specialize)
     }
 
-    /// With what is linked, of a scene that needs these features.
+    /// Fills in the features linked and left out, for a scene that needs `needed`.
     pub fn linked(self, needed: Features, specialize: Specialize) -> Self {
         let linked = match specialize {
             Specialize::Auto => needed,
@@ -88,7 +88,7 @@ impl SceneStatistics {
 }
 
 impl Spread {
-    /// Of any number of measurements; NaN of none.
+    /// Computes the spread of any number of measurements; NaN for none.
     pub fn of(values: impl IntoIterator<Item = f64>) -> Self {
         let mut sorted: Vec<f64> = values.into_iter().collect();
         sorted.sort_by(f64::total_cmp);
@@ -100,7 +100,7 @@ impl Spread {
     }
 }
 
-/// A result and the milliseconds that it took on the CPU's clock.
+/// Runs the work and returns its result with the elapsed wall-clock time in milliseconds.
 pub fn timed<T, E>(work: impl FnOnce() -> Result<T, E>) -> Result<(T, f64), E> {
     let start = Instant::now();
     let result = work()?;

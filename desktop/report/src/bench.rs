@@ -1,4 +1,4 @@
-//! The measuring itself: what is not kept yet is rendered.
+//! Renders and times the settings that have no stored result yet.
 
 use std::cell::OnceCell;
 
@@ -16,49 +16,49 @@ use crate::subject::{Prepared, Subject, Subjects};
 use crate::upscale::bilinear;
 use crate::work::Work;
 
-/// What counting the rays costs, in warm frames.
+/// Cost of inspecting a setting (counting its rays), in warm frames; used to estimate progress.
 const LOOK: u64 = 2;
 
-/// Everything that measurements need besides a scene.
+/// The device and the store shared by all measurements.
 pub struct Bench<'b> {
-    /// The device.
+    /// Device that renders.
     pub gpu: &'b Gpu,
-    /// Its name with the driver.
+    /// Adapter name with backend and driver.
     pub adapter: String,
-    /// Fingerprint of the program.
+    /// Fingerprint of the program's executable.
     pub program: String,
-    /// Where results are kept.
+    /// Store of the results.
     pub store: &'b Store,
-    /// Warm frames of each setting.
+    /// Number of timed frames of each setting.
     pub frames: usize,
 }
 
-/// A job with what is kept of it.
+/// A job with the results already in the store.
 pub struct Known {
-    /// What is to be measured.
+    /// Job to be measured.
     pub job: Job,
-    /// Of each setting.
+    /// Identity of each setting, by the index of its rung.
     pub identities: Vec<String>,
-    /// The converged frame, where errors are measured against one.
+    /// Setting and identity of the converged frame, if the job measures errors against one.
     pub converged: Option<(Rung, String)>,
     recalled: Vec<Option<Record>>,
     has_converged: bool,
 }
 
-/// A job with its results.
+/// A job with its complete results.
 pub struct Measured {
-    /// What was measured.
+    /// Job that was measured.
     pub job: Job,
-    /// Of each setting.
+    /// Identity of each setting, by the index of its rung.
     pub identities: Vec<String>,
-    /// The name under which the converged frame is kept.
+    /// Identity under which the converged frame is stored.
     pub converged: Option<String>,
-    /// Of each setting.
+    /// Record of each setting, by the index of its rung.
     pub records: Vec<Record>,
 }
 
 impl Bench<'_> {
-    /// What is kept of a job.
+    /// Looks up which results of a job are in the store.
     pub fn recall(&self, scene: &Prepared, job: Job) -> anyhow::Result<Known> {
         let identities = job.identities(&self.program, &self.adapter, scene)?;
         let converged = job.converged(&self.program, scene)?;
@@ -72,7 +72,7 @@ impl Bench<'_> {
         Ok(Known { job, identities, converged, recalled, has_converged })
     }
 
-    /// Renders what is missing.
+    /// Renders and times what a job lacks, and stores each result.
     pub fn measure(
         &self,
         subjects: &mut Subjects<'_>,
@@ -91,7 +91,7 @@ impl Bench<'_> {
         progress.doing(&format!("{}: loading", scene.name));
         let subject = subjects.get(job.variant)?;
         if let Some((rung, identity)) = converged.filter(|_| !has_converged) {
-            // Another job of this frame may have made it meanwhile.
+            // Another job with the same reference may have rendered it since `recall`.
             if self.store.picture(&identity, job.shown).is_none() {
                 progress.doing(&format!("{}: converged", scene.name));
                 let picture = self.warm(subject, scene, &job, &rung)?.display_image()?;
@@ -104,7 +104,7 @@ impl Bench<'_> {
             None => (index > 0).then(|| &identities[0]),
         };
         let camera = job.view(scene, 0);
-        // What full tracing shows, which every other setting is searched for.
+        // Objects that full ray tracing shows, for which the pixels of every other setting are searched.
         let objects = if lacks_objects {
             progress.doing(&format!("{}: objects of {}", scene.name, job.rungs[0].name));
             let inspection = self.warm(subject, scene, &job, &job.rungs[0])?.inspect(&camera)?;
@@ -157,7 +157,7 @@ impl Bench<'_> {
                 let view = job.view(scene, *timed_frames);
                 let (frame, ms) = timed(|| renderer.render(&view))?;
                 progress.steps(job.rungs[index].samples());
-                // Adapters without timestamps measure nothing.
+                // Without timestamp queries the renderer reports no times, and the CPU clock is used.
                 let frame = if frame.passes.is_empty() {
                     Frame { ms, passes: vec![], peak_gflops: None }
                 } else {
@@ -171,13 +171,14 @@ impl Bench<'_> {
         Ok(Measured { job, identities, converged: converged_identity, records })
     }
 
-    /// The kept picture that errors are measured against.
+    /// Loads the stored picture that errors are measured against.
     fn reference(&self, identity: &str, job: &Job) -> anyhow::Result<DisplayImage> {
         let picture = self.store.picture(identity, job.shown);
         picture.context("the reference picture is gone: it was removed while Glimpse was measuring")
     }
 
-    /// Compiled, and past its first frame, in which drivers finish compiling.
+    /// Creates a renderer and renders until the picture has all its samples. This also warms it up: drivers
+    /// finish compiling in the first frame.
     fn warm(&self, subject: &Subject, scene: &Prepared, job: &Job, rung: &Rung) -> anyhow::Result<Renderer> {
         let name = || format!("{}: {}", scene.name, rung.name);
         let mut renderer =
@@ -190,20 +191,20 @@ impl Bench<'_> {
 }
 
 impl Known {
-    /// The settings that are complete, and how many there are.
+    /// Number of settings with complete results, and number of all settings.
     pub fn complete(&self, frames: usize) -> [usize; 2] {
         let complete = self.recalled.iter().filter(|r| lacking(r.as_ref(), frames) == 0);
         [complete.count(), self.recalled.len()]
     }
 
-    /// Settings are still to be searched for objects, but full tracing, which shows these, is not to be looked at for
-    /// its own sake.
+    /// Whether settings remain to be searched for missing objects although full ray tracing, which shows
+    /// these objects, is already recorded: it must then be inspected once more.
     fn lacks_objects(&self) -> bool {
         let [full, others @ ..] = self.recalled.as_slice() else { return false };
         self.job.counts_missing && full.is_some() && others.iter().any(Option::is_none)
     }
 
-    /// Samples that are still to be rendered.
+    /// Number of samples still to be rendered, the unit of the progress bar.
     pub fn work(&self, frames: usize) -> u64 {
         let converged = self.converged.as_ref().filter(|_| !self.has_converged);
         let rungs = self.job.rungs.iter().zip(&self.recalled);
@@ -214,7 +215,7 @@ impl Known {
     }
 }
 
-/// Frames that are still to be rendered, warm-up and counting included.
+/// Number of frames still to be rendered, with warm-up and inspection.
 fn lacking(record: Option<&Record>, frames: usize) -> u64 {
     match record {
         None => 1 + LOOK + frames as u64,
@@ -225,7 +226,7 @@ fn lacking(record: Option<&Record>, frames: usize) -> u64 {
     }
 }
 
-/// As it is shown: at the frame's size.
+/// Upscales a picture of reduced resolution to the frame's size.
 fn shown(picture: DisplayImage, size: [u32; 2]) -> DisplayImage {
     if <[u32; 2]>::from(picture.dimensions()) == size { picture } else { bilinear(&picture, size) }
 }

@@ -1,10 +1,11 @@
-//! Measurements that lack something get it, interleaved, and are kept at once.
+//! Completes partial measurements with interleaved frames, and stores each result as soon as it exists.
 
 use crate::record::{Frame, Record};
 use crate::store::Store;
 
-/// Gives each record what it lacks: itself, and warm frames up to so many. `open` warms up the setting of that index,
-/// `look` makes its record, `time` renders a frame. Frames are interleaved, so that the settings share the weather.
+/// Completes the record of each setting and times frames until it has `frames` of them. `open` warms up the
+/// setting of an index, `look` makes its record, `time` times a frame. The settings take turns frame by
+/// frame, so that changes in the device's load affect all of them alike.
 pub fn complete<S>(
     store: &Store,
     recalled: Vec<Option<Record>>,
@@ -39,7 +40,8 @@ pub fn complete<S>(
         }
         unfinished.retain(|(index, _)| records[*index].frames.len() < frames);
     }
-    // As they are read, which may differ in a last bit: so a report is the same whether it was interrupted or not.
+    // Reads the records back, as a float may differ in its last bit after storing: an interrupted report
+    // equals an uninterrupted one.
     let as_kept = |record: Record| store.record(&record.identity).unwrap_or(record);
     Ok(records.into_iter().map(as_kept).collect())
 }
@@ -53,7 +55,7 @@ mod tests {
 
     const NAMES: [&str; 2] = ["a", "b"];
 
-    /// What is done to complete `a` and `b`; it fails before the frame of that number.
+    /// Completes `a` and `b` and returns the log of calls; the frame of index `interrupted` fails.
     fn done(store: &Store, frames: usize, interrupted: usize) -> (Vec<String>, Option<Vec<Record>>) {
         let log = RefCell::new(Vec::new());
         let count = RefCell::new(0);

@@ -1,4 +1,4 @@
-//! What tells one measurement from another.
+//! Identities of measurements: the keys of the store.
 
 use std::fmt;
 
@@ -7,20 +7,20 @@ use glimpse::{Camera, Settings};
 use glimpse_measure::files;
 use serde::Serialize;
 
-/// 128-bit FNV-1a (Fowler, Noll, Vo; draft-eastlake-fnv) of parts and their lengths. It names files of a cache: nobody
-/// gains by forging one.
+/// 128-bit FNV-1a hash (Fowler, Noll, Vo; draft-eastlake-fnv) over byte strings, each preceded by its length.
+/// It names cache files and need not resist forgery.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Fingerprint(u128);
 
 impl Fingerprint {
     const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;
 
-    /// Of nothing.
+    /// Fingerprint of an empty list of parts.
     pub fn new() -> Self {
         Self(0x6c62_272e_07bb_0142_62b8_2175_6295_c58d)
     }
 
-    /// Of what was there and one more part.
+    /// Appends a part and its length.
     pub fn and(self, part: &[u8]) -> Self {
         self.bytes(&(part.len() as u64).to_le_bytes()).bytes(part)
     }
@@ -36,42 +36,42 @@ impl fmt::Display for Fingerprint {
     }
 }
 
-/// The fingerprint of this program: shaders, built-in scenes and measures are parts of it.
+/// Fingerprint of the running executable, which contains the shaders, the built-in scenes and the metrics.
 pub fn program() -> anyhow::Result<Fingerprint> {
     let path = std::env::current_exe().context("cannot find this program's own file")?;
     Ok(Fingerprint::new().and(&files::read(&path)?))
 }
 
-/// All that a picture and its time depend on: what has the same identity is measured once.
+/// Everything that a picture and its time depend on; measurements of equal identity are made once.
 #[derive(Clone, Debug, Serialize)]
 pub struct Identity {
-    /// Fingerprint of the program.
+    /// Fingerprint of the program's executable.
     pub program: String,
-    /// Name and driver; empty where the time does not count.
+    /// Adapter name and driver; empty where the time does not matter.
     pub adapter: String,
-    /// Fingerprint of the scene's files.
+    /// Fingerprint of all files of the scene.
     pub scene: String,
-    /// What was changed in the scene.
+    /// Change made to the scene: [`Variant`](crate::subject::Variant) as text.
     pub variant: String,
-    /// The camera in full.
+    /// All fields of the camera as text.
     pub camera: String,
-    /// How it is rendered.
+    /// Settings of the renderer.
     pub settings: Settings,
-    /// Rendered at this size.
+    /// Size in pixels at which the frame is rendered.
     pub rendered: [u32; 2],
-    /// Shown, and measured against the reference, at this size.
+    /// Size in pixels at which the picture is compared with the reference and shown.
     pub shown: [u32; 2],
-    /// What the error is measured against: its name.
+    /// Name of the reference that the error is measured against.
     pub against: String,
 }
 
 impl Identity {
-    /// The camera as text that tells any two apart.
+    /// Formats all fields of a camera, so that different cameras give different text.
     pub fn camera(camera: &Camera) -> String {
         format!("{camera:?}")
     }
 
-    /// As one line, which the cache compares.
+    /// Serialises the identity into the one line of JSON that the store compares.
     pub fn line(&self) -> anyhow::Result<String> {
         serde_json::to_string(self).context("JSON")
     }
@@ -81,7 +81,7 @@ impl Identity {
 pub mod tests {
     use super::*;
 
-    /// Of a frame that nobody renders.
+    /// An identity for tests.
     pub fn example() -> Identity {
         Identity {
             program: "p".into(),

@@ -1,4 +1,4 @@
-//! What is measured: settings of one view of one scene whose frames are interleaved.
+//! Jobs: settings of one view of one scene that are measured together, their frames interleaved.
 
 use glimpse::{Camera, Settings};
 
@@ -7,48 +7,48 @@ use crate::record::Record;
 use crate::rung::{Family, Rung};
 use crate::subject::{Prepared, Variant, turned};
 
-/// Settings that are measured interleaved.
+/// Settings of one view that are measured together, their frames interleaved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Job {
-    /// The names of the tables that show it; the ladder has none.
+    /// Names of the tables that show the job; empty for the ladder.
     pub tables: Vec<&'static str>,
-    /// What is changed in the scene.
+    /// Change made to the scene.
     pub variant: Variant,
-    /// Degrees by which the scene's camera is turned.
+    /// Angle in degrees by which the scene's camera is turned about the vertical.
     pub turn: f32,
-    /// Degrees by which it turns to the right from one frame to the next.
+    /// Angle in degrees by which the camera pans to the right from one frame to the next.
     pub turn_per_frame: f64,
-    /// The size of the frame as it is shown.
+    /// Size of the shown frame in pixels.
     pub shown: [u32; 2],
-    /// The settings.
+    /// Settings to measure.
     pub rungs: Vec<Rung>,
-    /// What their pictures are measured against.
+    /// Reference that the pictures are compared with.
     pub reference: Reference,
-    /// Names the reference, or the interleaved settings that it is measured with: settings that differ in this alone are
-    /// measured apart.
+    /// Name of the reference in the identities. It also tells apart jobs whose settings must be measured
+    /// separately although everything else agrees.
     pub against: &'static str,
-    /// The rungs are searched for the objects that the first one shows.
+    /// Whether the rungs are searched for the objects that the first rung shows.
     pub counts_missing: bool,
-    /// What the rungs ask of a device is counted.
+    /// Whether the operations and bytes that each rung requires are counted.
     pub counts_work: bool,
 }
 
-/// What errors are measured against.
+/// Reference that errors are measured against.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reference {
-    /// The picture of the first rung, which has no error itself.
+    /// The picture of the first rung, which then has no error of its own.
     First,
-    /// A frame of these settings, which is made once.
+    /// A frame rendered once with these settings.
     Converged {
-        /// How that frame is rendered.
+        /// Settings of the reference frame.
         settings: Settings,
-        /// Against the picture of the first rung too.
+        /// Whether errors are also measured against the picture of the first rung.
         beside_first: bool,
     },
 }
 
 impl Job {
-    /// Settings of the scene as it is for that table, each but the first measured against the first.
+    /// Creates a job of a table: the unchanged scene, each rung but the first compared with the first.
     pub fn new(table: &'static str, shown: [u32; 2], rungs: Vec<Rung>) -> Self {
         Self {
             tables: vec![table],
@@ -64,52 +64,53 @@ impl Job {
         }
     }
 
-    /// Both are the same measurements, whichever tables show them.
+    /// Whether two jobs measure the same; only the tables that show them may differ.
     pub fn measures_the_same_as(&self, other: &Self) -> bool {
         let without_tables = |job: &Self| Self { tables: Vec::new(), ..job.clone() };
         without_tables(self) == without_tables(other)
     }
 
-    /// The settings that the plots of the scene show.
+    /// Whether this is the ladder, which the plots of the scene show.
     pub fn is_ladder(&self) -> bool {
         self.tables.is_empty()
     }
 
-    /// Errors are measured against the converged frame.
+    /// Whether errors are measured against a converged frame.
     pub fn is_against_converged(&self) -> bool {
         matches!(self.reference, Reference::Converged { .. })
     }
 
-    /// Errors are measured against the converged frame, and against the first one's picture too.
+    /// Whether errors are measured against a converged frame and against the picture of the first rung.
     pub fn is_against_first_too(&self) -> bool {
         matches!(self.reference, Reference::Converged { beside_first: true, .. })
     }
 
-    /// Is it shown by the table of that name?
+    /// Whether the table of that name shows the job.
     pub fn shows(&self, table: &str) -> bool {
         self.tables.contains(&table)
     }
 
-    /// Whether a record has all that is shown of a rung.
+    /// Whether a record of the rung at `index` contains everything that the job asks for.
     pub fn accepts(&self, index: usize, record: &Record) -> bool {
         let searched = index == 0 || record.missing.is_some() || !self.counts_missing;
         searched && (record.work.is_some() || !self.counts_work)
     }
 
-    /// The view of a frame, counted from the one whose picture is judged.
+    /// Camera of a frame; frame 0 is the one whose picture is compared.
     pub fn view(&self, scene: &Prepared, frame: i32) -> Camera {
         let camera = if self.turn == 0.0 { scene.camera } else { turned(&scene.camera, self.turn) };
         let degrees = f64::from(frame) * self.turn_per_frame;
         if degrees == 0.0 { camera } else { camera.panned(degrees) }
     }
 
-    /// The identity of each rung, for a program on an adapter.
+    /// Identity of each rung for a program and an adapter.
     pub fn identities(&self, program: &str, adapter: &str, scene: &Prepared) -> anyhow::Result<Vec<String>> {
         let of = |rung| self.identity(program, adapter, scene, rung, self.against).line();
         self.rungs.iter().map(of).collect()
     }
 
-    /// The converged frame, where there is one, and its identity, in which no adapter is named as its time does not count.
+    /// Setting and identity of the converged frame, if there is one. The identity names no adapter, as its
+    /// time does not matter.
     pub fn converged(&self, program: &str, scene: &Prepared) -> anyhow::Result<Option<(Rung, String)>> {
         let Reference::Converged { settings, .. } = self.reference else { return Ok(None) };
         let rung = Rung {

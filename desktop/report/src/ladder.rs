@@ -1,4 +1,4 @@
-//! The ladder: the settings whose error is plotted against their time, and that plot.
+//! The ladder: the settings whose error is plotted against their cost, and the plot.
 
 use glimpse::{MAX_SAMPLING, Method, Postcorrect, Preset, Settings, Tolerances};
 
@@ -10,24 +10,24 @@ use crate::scene::SceneReport;
 const REDUCED: Family = Family::baseline("full, reduced resolution", "#999999");
 const GRIDS: Family = Family::contender("adaptive, sampling grids", "#cc79a7");
 
-/// The shares of the frame's side that are rendered: 1/8, 1/4 and 1/2 of the pixels.
+/// Scale factors of width and height: about 1/8, 1/4 and 1/2 of the pixels.
 const REDUCED_SIDES: [f64; 3] = [0.35, 0.5, 0.71];
 
-/// The tolerances, over Kim 2016's.
+/// Factors on the tolerances of Kim 2016.
 const FACTORS: [f32; 5] = [4.0, 2.0, 1.0, 0.5, 0.25];
 
-/// Where extra samples go, few to many.
+/// Presets of supersampling thresholds, from few extra samples to many.
 const PRESETS: [Preset; 3] = [Preset::Edges, Preset::Balanced, Preset::Textures];
 
-/// How much the ends of a quincunx may differ, few samples to many.
+/// Quincunx thresholds, from few extra samples to many.
 const SIMILAR: [f32; 3] = [0.2, 0.1, 0.05];
 
-/// The frame that errors are measured against: 256 samples a pixel.
+/// Settings of the reference frame: full ray tracing with 256 samples per pixel.
 pub fn converged(base: &Settings) -> Settings {
     Settings { method: Method::Full, sampling: MAX_SAMPLING, ..*base }
 }
 
-/// Full ray tracing with 1, 4, 9 and 16 samples a pixel.
+/// Full ray tracing with 1, 4, 9 and 16 samples per pixel.
 pub fn fixed(base: &Settings) -> [(String, Family, Settings); 4] {
     [1, 2, 3, 4].map(|sampling| {
         let settings = Settings { method: Method::Full, sampling, ..*base };
@@ -35,7 +35,7 @@ pub fn fixed(base: &Settings) -> [(String, Family, Settings); 4] {
     })
 }
 
-/// Extra samples by preset: alone, and after that adaptive frame.
+/// Supersampling (Jin 2009) with each preset, alone and combined with the adaptive method.
 pub fn extra_samples(adaptive: &Settings) -> Vec<(String, Family, Settings)> {
     let of = |preset: Preset| {
         let settings = Settings { thresholds: preset.thresholds(), ..*adaptive };
@@ -49,7 +49,8 @@ pub fn extra_samples(adaptive: &Settings) -> Vec<(String, Family, Settings)> {
     PRESETS.into_iter().flat_map(of).collect()
 }
 
-/// The ladder of a frame of that size, measured against the converged frame. Of `base`, recursion and features count.
+/// The ladder of a frame of `size` pixels, compared with the converged frame. `base` gives recursion and
+/// features.
 pub fn job(base: &Settings, size: [u32; 2]) -> Job {
     Job {
         tables: Vec::new(),
@@ -59,7 +60,7 @@ pub fn job(base: &Settings, size: [u32; 2]) -> Job {
     }
 }
 
-/// The settings of the ladder.
+/// Settings of the ladder, in the order of the page's table.
 pub fn rungs(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
     let full = Settings { method: Method::Full, ..*base };
     let adaptive = Settings { method: Method::Adaptive, postcorrect: Postcorrect::On, ..*base };
@@ -104,8 +105,8 @@ pub fn rungs(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
     rungs
 }
 
-/// A factor above 1 passes more pairs of pixels: distances may be greater, the cosine smaller, the texture's border zone
-/// narrower.
+/// Multiplies tolerances by a factor. Above 1 more pairs of pixels count as similar: larger distances,
+/// smaller cosine, narrower border zone of the texture.
 fn scaled(t: Tolerances, factor: f32) -> Tolerances {
     Tolerances {
         pos: t.pos * factor,
@@ -115,20 +116,20 @@ fn scaled(t: Tolerances, factor: f32) -> Tolerances {
     }
 }
 
-/// What the PSNR is plotted against.
+/// Horizontal axis of the plots of PSNR.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
-    /// Median milliseconds of a frame.
+    /// Median frame time in milliseconds.
     Time,
-    /// Rays a pixel.
+    /// Rays of all kinds per pixel.
     Rays,
 }
 
 impl Axis {
-    /// Both.
+    /// Both axes, in the order of the page.
     pub const ALL: [Self; 2] = [Self::Time, Self::Rays];
 
-    /// The name of the plot's file.
+    /// File name of the plot for a scene's file stem.
     pub fn file(self, stem: &str) -> String {
         let what = match self {
             Self::Time => "time",
@@ -137,7 +138,7 @@ impl Axis {
         format!("{stem}-{what}.svg")
     }
 
-    /// What stands at the axis.
+    /// Title of the axis.
     pub fn title(self) -> &'static str {
         match self {
             Self::Time => "median frame time in ms",
@@ -146,7 +147,7 @@ impl Axis {
     }
 }
 
-/// The plot of a scene's ladder.
+/// Draws the plot of a scene's ladder as SVG.
 pub fn svg(scene: &SceneReport, axis: Axis) -> String {
     let families = scene.measured.iter().flat_map(|m| m.job.rungs.iter().map(|rung| rung.family));
     let marks: Vec<Mark> = scene

@@ -1,15 +1,15 @@
-//! Error against run time for any scene, and the tables of the papers beside their published figures.
+//! Error against run time for any scene, and tables like those of the papers beside their published figures.
 //!
-//! [`run`] measures a ladder of settings of each scene and the [`TABLES`] that are asked for, keeps every measurement in the
-//! report's folder, and writes a page, rows of comma-separated values and plots.
+//! [`run`] measures a ladder of settings of each scene and the requested [`TABLES`], keeps every measurement
+//! in the report's folder, and writes an HTML page, CSV files and SVG plots.
 //!
-//! A module uses those of the layers above it alone:
+//! A module uses only modules of its own and earlier layers:
 //!
-//! - what a setting and a plot are: `rung`, `pareto`, `plot`, `upscale`, `identity`;
-//! - what is measured and kept: `work`, `record`, `store`, `subject`, `job`;
+//! - settings and plots: `rung`, `pareto`, `plot`, `upscale`, `identity`;
+//! - jobs and results: `work`, `record`, `store`, `subject`, `job`;
 //! - measuring: `complete`, `bench`, `rows`, `scene`, `ladder`;
-//! - what a table of a paper is: `table`; the tables, a file each: `tables`;
-//! - the whole: `page`, `run`.
+//! - tables: `table` is the interface, `tables` has a file for each of them;
+//! - output: `page`, `run`.
 
 mod bench;
 mod complete;
@@ -40,13 +40,13 @@ mod tests {
     use std::fs;
     use std::path::Path;
 
-    /// Every module, each below those that it may use.
+    /// All modules in order: each uses only those before it.
     const ORDER: [&str; 19] = [
         "identity", "pareto", "rung", "upscale", "work", "record", "store", "subject", "plot", "job",
         "complete", "bench", "rows", "scene", "ladder", "table", "tables", "page", "run",
     ];
 
-    /// The code of a module and of those in its folder, without tests.
+    /// Source of a module and of the files in its folder, without tests.
     fn code(path: &Path) -> String {
         if path.is_dir() {
             return fs::read_dir(path).unwrap().map(|entry| code(&entry.unwrap().path())).collect();

@@ -1,4 +1,4 @@
-//! report.html: one page that needs nothing but itself.
+//! report.html: one self-contained page.
 
 mod pictures;
 
@@ -14,21 +14,21 @@ use crate::tables::TABLES;
 
 const STYLE: &str = include_str!("page/style.css");
 
-/// Where and with what a report was made.
+/// The head of the page: where and with what the report was made.
 pub struct Header {
-    /// Name and driver.
+    /// Adapter name with backend and driver.
     pub adapter: String,
-    /// What times are measured by.
+    /// Clock that measured the times.
     pub clock: &'static str,
     /// Version of the program.
     pub version: String,
-    /// Commit that it was built from.
+    /// Git commit of the program.
     pub commit: String,
-    /// How it was called.
+    /// Command line of the report.
     pub command: String,
 }
 
-/// The page: a section for each scene, then one for each table that something was measured for.
+/// Renders the page: a section for each scene, then one for each table with measurements.
 pub fn html(header: &Header, store: &Store, scenes: &[SceneReport]) -> anyhow::Result<String> {
     let sections = scenes.iter().map(|scene| section(store, scene)).collect::<anyhow::Result<Vec<_>>>()?;
     let page = html! {
@@ -166,7 +166,7 @@ mod tests {
     use crate::table::Content;
     use crate::work::Work;
 
-    /// A scene with a ladder and a row of every table, and the pictures that it needs.
+    /// A scene with a ladder and measurements for every table; stores the pictures that its page embeds.
     fn report(store: &Store) -> SceneReport {
         let mut measured = vec![ladder()];
         for table in TABLES {

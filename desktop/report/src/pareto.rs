@@ -1,22 +1,22 @@
-//! The Pareto front: the points that no other beats.
+//! The Pareto front: the points that no other point beats.
 
-/// What a setting costs (milliseconds, or rays a pixel) and what it gives (PSNR in decibels).
+/// Cost of a setting (milliseconds or rays per pixel) and its quality (PSNR in decibels).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// Less is better.
+    /// Milliseconds or rays per pixel; less is better.
     pub cost: f64,
-    /// More is better; infinite for equal pictures.
+    /// PSNR in decibels; more is better, infinite for equal pictures.
     pub psnr_db: f64,
 }
 
 impl Point {
-    /// It is at least as good in both, and better in one.
+    /// Whether this point is at least as good in cost and PSNR, and better in one of them.
     pub fn beats(self, other: Self) -> bool {
         self.cost <= other.cost && self.psnr_db >= other.psnr_db && self != other
     }
 }
 
-/// Which points lie on the front of all of them.
+/// Marks each point that no other point beats.
 pub fn front(points: &[Point]) -> Vec<bool> {
     points.iter().map(|point| !points.iter().any(|other| other.beats(*point))).collect()
 }
@@ -36,7 +36,7 @@ mod tests {
         // Equal cost: the better one. Equal quality: the cheaper one.
         assert_eq!(of(&[(1.0, 30.0), (1.0, 31.0)]), [false, true]);
         assert_eq!(of(&[(1.0, 30.0), (2.0, 30.0)]), [true, false]);
-        // The same point twice beats nobody.
+        // Equal points do not beat each other.
         assert_eq!(of(&[(1.0, 30.0), (1.0, 30.0)]), [true, true]);
     }
 

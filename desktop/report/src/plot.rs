@@ -1,5 +1,5 @@
-//! Plots as SVG: PSNR against what it costs. Written by hand: what plotting crates bring (fonts, backends, colour maps) is
-//! more than the lines, dots and labels that are here.
+//! SVG plots of PSNR against cost. Written without a plotting crate, which would add fonts, backends and
+//! colour maps to a few lines, dots and labels.
 
 mod labels;
 #[cfg(test)]
@@ -13,23 +13,24 @@ use labels::{Label, Labels};
 
 const WIDTH: f64 = 900.0;
 const HEIGHT: f64 = 584.0;
-/// Left, top, right and bottom of the area of the plot.
+/// Left, top, right and bottom edge of the plot area, in SVG units.
 const AREA: [f64; 4] = [64.0, 40.0, 884.0, 470.0];
 
-/// A point of the plot.
+/// A point of the plot with its label.
 #[derive(Clone, Debug)]
 pub struct Mark {
-    /// What stands beside it.
+    /// Text beside the point.
     pub label: String,
-    /// Its colour and shape.
+    /// Family, which gives colour and shape.
     pub family: Family,
-    /// Where it is.
+    /// Cost and PSNR.
     pub point: Point,
-    /// On the Pareto front.
+    /// Whether the point is on the Pareto front.
     pub front: bool,
 }
 
-/// Draws the marks as an SVG document; both axes fit them. The legend has the families in the order of their first marks.
+/// Draws the marks as an SVG document, with axes scaled to fit them. The legend lists families in the order
+/// of their first marks.
 pub fn draw(title: &str, x_title: &str, marks: &[Mark]) -> String {
     let scales = Scales::of(marks);
     // Writing to a String cannot fail.
@@ -71,11 +72,11 @@ pub fn draw(title: &str, x_title: &str, marks: &[Mark]) -> String {
     svg + "</svg>\n"
 }
 
-/// From numbers to places.
+/// Maps cost (logarithmic) and PSNR (linear) to SVG coordinates.
 struct Scales {
-    /// Logarithms of the least and the greatest cost.
+    /// log10 of the least and the greatest cost, with margins.
     x: [f64; 2],
-    /// The least and the greatest PSNR.
+    /// Least and greatest PSNR in decibels, with margins.
     y: [f64; 2],
 }
 
@@ -101,7 +102,7 @@ impl Scales {
         AREA[0] + (cost.log10() - self.x[0]) / (self.x[1] - self.x[0]) * (AREA[2] - AREA[0])
     }
 
-    /// Equal pictures stand at the top.
+    /// Vertical position; infinite PSNR (equal pictures) is drawn at the top.
     fn y(&self, psnr_db: f64) -> f64 {
         let share = ((psnr_db - self.y[0]) / (self.y[1] - self.y[0])).min(1.0);
         AREA[3] - share * (AREA[3] - AREA[1])
@@ -147,25 +148,25 @@ fn axes(scales: &Scales, x_title: &str) -> String {
     svg
 }
 
-/// 1, 2 and 5 times the powers of ten between two logarithms.
+/// Tick values 1, 2 and 5 times powers of ten, between the decimal logarithms `low` and `high`.
 fn logarithmic_ticks([low, high]: [f64; 2]) -> Vec<f64> {
     let decades = low.floor() as i32..=high.ceil() as i32;
     let ticks = decades.flat_map(|decade| [1.0, 2.0, 5.0].map(|digit| digit * 10_f64.powi(decade)));
     ticks.filter(|tick| (low..=high).contains(&tick.log10())).collect()
 }
 
-/// Multiples of 1, 2, 5 or 10 that are at most nine.
+/// Tick values at the smallest step of 0.1, 0.2, 0.5, ... that divides the range into at most nine steps.
 fn linear_ticks([low, high]: [f64; 2]) -> Vec<f64> {
     let steps = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
     let step = steps.into_iter().find(|step| (high - low) / step <= 9.0).unwrap_or(100.0);
     let [first, last] = [(low / step).ceil() as i64, (high / step).floor() as i64];
-    // Multiples of a tenth are divided, not multiplied: 3 / 10 is written 0.3.
+    // Steps below 1 divide instead of multiplying, so that 3 / 10 prints as 0.3.
     (first..=last)
         .map(|i| if step < 1.0 { i as f64 / (1.0 / step).round() } else { i as f64 * step })
         .collect()
 }
 
-/// The points of the front in their order.
+/// Points of the front by increasing cost.
 fn on_front(marks: &[Mark]) -> Vec<Point> {
     let mut points: Vec<_> = marks.iter().filter(|m| m.front).map(|m| m.point).collect();
     points.sort_by(|a, b| a.cost.total_cmp(&b.cost));
@@ -178,7 +179,7 @@ fn front(scales: &Scales, marks: &[Mark]) -> String {
     format!("<polyline points=\"{}\" fill=\"none\" stroke=\"#d1495b\" stroke-width=\"2\"/>\n", line.join(" "))
 }
 
-/// Squares are baselines, dots are adaptive; those on the front have a ring.
+/// Draws a square for a baseline, a dot for an adaptive setting, with a ring if it is on the front.
 fn symbol(family: Family, x: f64, y: f64, front: bool) -> String {
     let ring = if front { " stroke=\"#d1495b\" stroke-width=\"2\"" } else { "" };
     let color = family.color;

@@ -1,4 +1,4 @@
-//! One measurement: a setting of a scene, its frames and its error.
+//! Stored measurements: a setting of a scene, its frame times and its error.
 
 use glimpse::metrics::ErrorReport;
 use glimpse::{FrameTime, Inspection, Missing};
@@ -7,45 +7,46 @@ use serde::{Deserialize, Serialize};
 
 use crate::work::Work;
 
-/// What is kept of one setting.
+/// Measurement of one setting, as it is stored.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Record {
-    /// [`crate::identity::Identity::line`].
+    /// Identity as text: [`crate::identity::Identity::line`].
     pub identity: String,
-    /// Pixels of the picture as it is shown.
+    /// Number of pixels of the shown picture.
     pub pixels: u64,
-    /// Rays of a frame, all kinds.
+    /// Number of rays of a frame, of all kinds.
     pub rays: u64,
-    /// Kim 2016's RT ratio.
+    /// RT ratio of Kim 2016: traced samples over all samples.
     pub rt_ratio: f64,
-    /// The part of the samples whose first hit is on a surface that reflects.
+    /// Share of samples whose first hit is on a reflective surface.
     pub reflective_share: f64,
-    /// Against the reference; none for a reference itself.
+    /// Error against the reference; `None` for the reference itself.
     pub error: Option<ErrorReport>,
-    /// Against the first setting's picture too; none where nobody asked.
+    /// Error against the picture of the first setting as well; `None` unless the job asks for it.
     pub error_of_first: Option<ErrorReport>,
-    /// What full tracing shows of objects and this does not; none where nobody asked.
+    /// Objects and pixels that full ray tracing shows and this setting loses; `None` unless the job counts
+    /// them.
     pub missing: Option<Missing>,
-    /// What it asks of a device; none where nobody asked.
+    /// Operations and bytes of the frame; `None` unless the job counts them.
     pub work: Option<Work>,
-    /// The warm frames.
+    /// Timed frames.
     pub frames: Vec<Frame>,
 }
 
-/// The time of a frame.
+/// Time of one frame.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Frame {
-    /// Milliseconds.
+    /// Milliseconds of the whole frame.
     pub ms: f64,
     /// Milliseconds of each pass, in order.
     pub passes: Vec<(String, f64)>,
-    /// Billions of operations a second that the device did at its best right after it; none where nobody asked, or without
-    /// timestamps.
+    /// Peak of the device measured right after the frame, in billions of operations per second; `None`
+    /// without timestamps or unless the job counts work.
     pub peak_gflops: Option<f64>,
 }
 
 impl Frame {
-    /// The time of a picture that takes so many.
+    /// Scales the time to a picture that accumulates `frames` such frames.
     pub fn times(self, frames: f64) -> Self {
         let passes = self.passes.into_iter().map(|(name, ms)| (name, frames * ms)).collect();
         Self { ms: frames * self.ms, passes, ..self }
@@ -60,7 +61,7 @@ impl From<FrameTime> for Frame {
 }
 
 impl Record {
-    /// Without a frame. `reflects` says of each object whether its surface reflects.
+    /// Creates a record without timed frames. `reflects` says for each object whether its surface reflects.
     pub fn new(
         identity: String,
         [width, height]: [u32; 2],
@@ -84,12 +85,12 @@ impl Record {
         }
     }
 
-    /// Milliseconds of a frame.
+    /// Median and 95th percentile of the frame times in milliseconds.
     pub fn time(&self) -> Spread {
         Spread::of(self.frames.iter().map(|f| f.ms))
     }
 
-    /// Milliseconds of each pass: medians, in the order of the first frame.
+    /// Median milliseconds of each pass, in the order of the first frame.
     pub fn passes(&self) -> Vec<(&str, f64)> {
         let Some(first) = self.frames.first() else { return Vec::new() };
         let times = |name| self.frames.iter().flat_map(move |f| f.passes.iter().filter(move |p| p.0 == name));
@@ -97,18 +98,18 @@ impl Record {
         names.map(|name| (name, Spread::of(times(name).map(|p| p.1)).median)).collect()
     }
 
-    /// All rays of a frame over the pixels that are shown.
+    /// Rays of all kinds per shown pixel.
     pub fn rays_per_pixel(&self) -> f64 {
         self.rays as f64 / self.pixels as f64
     }
 
-    /// In decibels, infinite for equal pictures; none for a reference.
+    /// PSNR in decibels, infinite for equal pictures; `None` for a reference.
     pub fn psnr_db(&self) -> Option<f64> {
         self.error.map(|error| error.psnr_db.unwrap_or(f64::INFINITY))
     }
 
-    /// 1 / (MSE x seconds), with the mean squared error of display values in [0, 1]: how much a method makes of its
-    /// time. Twice the time for half of the squared error leaves it as it is. Infinite for equal pictures.
+    /// Efficiency 1 / (MSE x seconds), with the mean squared error of display values in [0, 1]. Twice the
+    /// time for half the squared error leaves it unchanged; infinite for equal pictures.
     pub fn efficiency(&self) -> Option<f64> {
         self.error.map(|error| 1e3 / ((error.rmse / 255.0).powi(2) * self.time().median))
     }
@@ -120,7 +121,7 @@ pub mod tests {
 
     use super::*;
 
-    /// One frame of that many milliseconds with that PSNR, of 100 pixels and 340 rays.
+    /// A record with one frame of `ms` milliseconds, 100 pixels, 340 rays and the given PSNR.
     pub fn example(identity: &str, ms: f64, psnr_db: Option<f64>) -> Record {
         let error = |db: f64| ErrorReport {
             rmse: 255.0 * 10_f64.powf(-db / 20.0),

@@ -1,4 +1,4 @@
-//! Everything measured, as rows: report.csv.
+//! The rows of report.csv, one for each measurement.
 
 use anyhow::Context;
 use glimpse::Method;
@@ -8,88 +8,90 @@ use crate::bench::Measured;
 use crate::pareto::{self, Point};
 use crate::subject::Variant;
 
-/// One setting of one view of one scene.
+/// A measured setting of one view of one scene.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Row {
-    /// As it was named on the command line.
+    /// Name of the scene on the command line.
     pub scene: String,
-    /// `ladder` or `tables`.
+    /// Part of the report: `ladder` or `tables`.
     pub part: String,
-    /// What was changed in the scene or the view; empty where nothing was.
+    /// Change made to the scene or the view; empty for none.
     pub changed: String,
-    /// The setting's label.
+    /// Label of the setting.
     pub setting: String,
-    /// A method to beat.
+    /// Whether the setting belongs to a baseline family.
     pub baseline: bool,
-    /// Of the frame as it is shown.
+    /// Width of the shown frame in pixels.
     pub width: u32,
-    /// Of the frame as it is shown.
+    /// Height of the shown frame in pixels.
     pub height: u32,
-    /// Of the frame as it is rendered.
+    /// Width of the rendered frame in pixels.
     pub rendered_width: u32,
-    /// Of the frame as it is rendered.
+    /// Height of the rendered frame in pixels.
     pub rendered_height: u32,
-    /// Samples along a side of a pixel.
+    /// Samples along the side of a pixel.
     pub sampling: u32,
-    /// Side of the base block; 1 where there is none.
+    /// Side of the base block in pixels; 1 for methods without blocks.
     pub block: u32,
-    /// As it is typed.
+    /// Value of the postcorrection option; empty for methods without it.
     pub postcorrect: String,
-    /// Warm frames.
+    /// Number of timed frames.
     pub frames: usize,
-    /// Milliseconds.
+    /// Median frame time in milliseconds.
     pub median_ms: f64,
-    /// Milliseconds.
+    /// 95th percentile of the frame time in milliseconds.
     pub p95_ms: f64,
-    /// All kinds of rays over the pixels shown.
+    /// Rays of all kinds per shown pixel.
     pub rays_per_pixel: f64,
-    /// Kim 2016's.
+    /// RT ratio of Kim 2016: traced samples over all samples.
     pub rt_ratio: f64,
-    /// The converged frame, or full tracing with the same samples; empty for the latter.
+    /// Reference: the converged frame or full ray tracing with the same samples; empty for the latter's own
+    /// row.
     pub against: String,
-    /// In levels of 0 to 255.
+    /// RMSE in levels of 0 to 255.
     pub rmse: Option<f64>,
-    /// `inf` for equal pictures.
+    /// PSNR in decibels; `inf` for equal pictures.
     pub psnr_db: Option<f64>,
-    /// 1 for equal pictures.
+    /// SSIM; 1 for equal pictures.
     pub ssim: Option<f64>,
-    /// Mean of the error map.
+    /// Mean of the FLIP error map.
     pub flip_mean: Option<f64>,
-    /// 99th percentile of the error map.
+    /// 99th percentile of the FLIP error map.
     pub flip_p99: Option<f64>,
-    /// In levels of 0 to 255.
+    /// RMSE of the worst tile, in levels of 0 to 255.
     pub worst_tile_rmse: Option<f64>,
-    /// Objects that full tracing shows; where missing objects are counted, as what follows.
+    /// Number of objects that full ray tracing shows. This and the next four columns are empty unless missing
+    /// objects are counted.
     pub objects_shown: Option<u64>,
-    /// Those that no pixel shows.
+    /// Number of these objects that no pixel shows.
     pub objects_lost: Option<u64>,
-    /// Pixels in which full tracing shows an object.
+    /// Number of pixels in which full ray tracing shows an object.
     pub pixels_shown: Option<u64>,
-    /// Those that show another object, or none.
+    /// Number of these pixels that show another object or none.
     pub pixels_lost: Option<u64>,
-    /// The lost part of an object's pixels, averaged over objects.
+    /// Lost share of an object's pixels, averaged over the objects.
     pub mean_share_lost: Option<f64>,
-    /// 1 / (MSE x seconds).
+    /// Efficiency 1 / (MSE x seconds), MSE of values in [0, 1].
     pub efficiency: Option<f64>,
-    /// On the Pareto front of PSNR against time, of the ladder.
+    /// Whether the row is on the ladder's Pareto front of PSNR against time.
     pub front_time: bool,
-    /// On the Pareto front of PSNR against rays a pixel, of the ladder.
+    /// Whether the row is on the ladder's Pareto front of PSNR against rays per pixel.
     pub front_rays: bool,
 }
 
 impl Row {
-    /// What the front of PSNR against time sees.
+    /// Point for the Pareto front of PSNR against time.
     pub fn time_point(&self) -> Point {
         Point { cost: self.median_ms, psnr_db: self.psnr_db.unwrap_or(f64::NAN) }
     }
 
-    /// What the front of PSNR against rays sees.
+    /// Point for the Pareto front of PSNR against rays per pixel.
     pub fn rays_point(&self) -> Point {
         Point { cost: self.rays_per_pixel, ..self.time_point() }
     }
 }
 
-/// The rows of a scene, the ladder's with its fronts marked.
+/// Rows of a scene, with the Pareto fronts of the ladder marked.
 pub fn of(scene: &str, measured: &[Measured]) -> Vec<Row> {
     let mut rows = Vec::new();
     for measured in measured {
@@ -165,7 +167,7 @@ fn row(scene: &str, measured: &Measured, index: usize) -> Row {
     }
 }
 
-/// The rows as comma-separated values.
+/// Writes the rows as comma-separated values.
 pub fn csv(rows: &[&Row]) -> anyhow::Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for row in rows {
@@ -174,7 +176,8 @@ pub fn csv(rows: &[&Row]) -> anyhow::Result<Vec<u8>> {
     writer.into_inner().context("CSV")
 }
 
-/// Whether the adaptive settings are what is worth its time, in a sentence.
+/// States in one sentence which baselines are on the Pareto front and which adaptive settings a baseline
+/// beats.
 pub fn verdict(rows: &[Row]) -> String {
     let ladder = || rows.iter().filter(|row| row.part == "ladder");
     let named = |rows: Vec<&Row>| -> String {
@@ -205,7 +208,7 @@ pub mod tests {
     use crate::ladder;
     use crate::record::tests::example;
 
-    /// A ladder whose settings take 10, 20, ... ms at 30, 31, ... dB, the last one infinite.
+    /// A ladder whose settings take 10, 20, ... ms at 30, 31, ... dB; the last has infinite PSNR.
     pub fn ladder() -> Measured {
         let job = ladder::job(&Settings::default(), [10, 10]);
         let rungs = &job.rungs;

@@ -1,4 +1,4 @@
-//! A whole report: what is known is recalled, what is missing is measured, and everything is written.
+//! Makes a report: recalls stored results, measures what is missing, and writes the files.
 
 use std::path::{Path, PathBuf};
 
@@ -17,42 +17,43 @@ use crate::table::{Request, Table, plot_of};
 use crate::tables;
 use crate::{identity, rows};
 
-/// What a report is to show.
+/// Options of a report.
 pub struct Options {
-    /// Files, or `builtin:NAME`; one that is named twice is measured once.
+    /// Scene files or `builtin:NAME`; duplicates are measured once.
     pub scenes: Vec<String>,
-    /// The folder that everything is written into, and from which an interrupted run goes on.
+    /// Folder of all output and of the stored measurements, from which an interrupted run resumes.
     pub output: PathBuf,
-    /// Frame size of the ladder, and of the tables that have none of their own, in pixels.
+    /// Frame size in pixels of the ladder and of tables without a size of their own.
     pub size: [u32; 2],
-    /// A camera of each scene, by index or name; `None` is the first.
+    /// Camera of each scene by index or name; `None` selects the first.
     pub camera: Option<String>,
-    /// Recursion and features of every setting.
+    /// Recursion and features that all settings share.
     pub base: Settings,
-    /// Warm frames of each setting.
+    /// Number of timed frames of each setting.
     pub frames: usize,
-    /// The tables to measure.
+    /// Tables to measure.
     pub tables: Vec<&'static dyn Table>,
     /// Sides of the square frames of Kim 2016's table 5, in pixels.
     pub table5_sizes: Vec<u32>,
-    /// The program that makes the report.
+    /// The program, as the page names it.
     pub program: Program,
 }
 
-/// The program that makes a report, as the page names it.
+/// Version and command line of the program, as the page shows them.
 pub struct Program {
-    /// Its version.
+    /// Version.
     pub version: String,
-    /// The commit that it was built from.
+    /// Git commit.
     pub commit: String,
-    /// How it was called.
+    /// Command line.
     pub command: String,
 }
 
-/// Makes a report on the adapter whose name holds that text, or the best one.
+/// Makes a report on the best adapter, or the best whose name contains `adapter`.
 ///
 /// # Errors
-/// Settings, scenes or files that cannot be used, all of which are looked at first; then a device that fails.
+/// Fails for settings, scenes or files that cannot be used, all checked before measuring, and if the device
+/// fails.
 pub fn run(options: &Options, adapter: Option<&str>) -> anyhow::Result<()> {
     options.base.validate()?;
     options.scenes.iter().try_for_each(|name| scene_file::check(name))?;
@@ -158,7 +159,7 @@ fn header(program: &Program, gpu: &Gpu) -> Header {
     }
 }
 
-/// What the files of each scene are called: the scene's own name, numbered where two are alike.
+/// File stem of each scene: its own name without special characters, numbered where two are equal.
 fn stems(scenes: &[&String]) -> Vec<String> {
     let plain = |name: &&String| {
         let path = Path::new(name.strip_prefix("builtin:").unwrap_or(name));
@@ -174,7 +175,7 @@ fn stems(scenes: &[&String]) -> Vec<String> {
     stems
 }
 
-/// All files that will be written, by their names in the folder.
+/// Names of all files in the folder that the report writes.
 fn outputs(stems: &[String], tables: &[&dyn Table]) -> Vec<String> {
     let mut names = vec!["report.csv".to_owned(), "report.html".to_owned()];
     names.extend(tables.iter().filter_map(|table| table.csv()).map(|csv| csv.file.to_owned()));

@@ -1,71 +1,71 @@
-//! One setting that is measured, and the family that plots colour it by.
+//! A measured setting (a rung of the ladder) and the family that gives its colour in plots.
 
 use glimpse::{Method, Settings};
 
 /// One setting to measure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rung {
-    /// Its label.
+    /// Label of the setting.
     pub name: String,
-    /// What it belongs to.
+    /// Family of the setting in the plots.
     pub family: Family,
-    /// How it is rendered.
+    /// Settings of the renderer.
     pub settings: Settings,
-    /// The size at which it is rendered; what is smaller than the frame is upscaled before it is judged.
+    /// Size in pixels at which it is rendered; a smaller picture is upscaled before it is compared.
     pub rendered: [u32; 2],
-    /// Its picture is kept: the page shows it, or others are measured against it.
+    /// Whether the picture is stored, for the page or as a reference for other settings.
     pub keeps_picture: bool,
 }
 
-/// Settings that share a colour and a line of the legend.
+/// Settings that share a colour and an entry of the legend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Family {
-    /// Its name in the legend.
+    /// Name in the legend.
     pub name: &'static str,
-    /// An SVG colour: one of Okabe and Ito's, which colour-blind readers tell apart.
+    /// SVG colour, mostly from the palette of Okabe and Ito for colour-blind readers.
     pub color: &'static str,
-    /// Something to beat. Plots draw it as a square.
+    /// Whether it is a baseline for the adaptive methods, drawn as a square.
     pub is_baseline: bool,
 }
 
 impl Family {
-    /// Full ray tracing with fixed samples a pixel.
+    /// Full ray tracing with a fixed number of samples per pixel.
     pub const FIXED: Self = Self::baseline("full, fixed samples", "#333333");
-    /// A ray through every second pixel.
+    /// Checkerboard rendering: every second pixel is traced.
     pub const CHECKERBOARD: Self = Self::baseline("checkerboard", "#a6761d");
-    /// The adaptive method with other tolerances.
+    /// The adaptive method with scaled tolerances.
     pub const TOLERANCES: Self = Self::contender("adaptive, tolerances", "#0072b2");
     /// The adaptive method with larger base blocks.
     pub const BLOCKS: Self = Self::contender("adaptive, larger blocks", "#009e73");
     /// The adaptive method with other base blocks and no postcorrection.
     pub const UNCORRECTED: Self = Self::contender("adaptive, no postcorrection", "#e69f00");
-    /// Extra samples where neighbours differ, by their thresholds.
+    /// Supersampling where neighbours differ, by preset of thresholds.
     pub const SUPERSAMPLE: Self = Self::contender("supersample, thresholds", "#56b4e9");
-    /// Extra samples after the adaptive method.
+    /// Supersampling after the adaptive method.
     pub const COMBINED: Self = Self::contender("adaptive, extra samples", "#d55e00");
-    /// Quincunx sampling, by how much the ends of a quincunx may differ.
+    /// Quincunx sampling, by threshold.
     pub const QUINCUNX: Self = Self::contender("quincunx", "#882255");
 
-    /// A family that others are to beat.
+    /// A family of baselines.
     pub const fn baseline(name: &'static str, color: &'static str) -> Self {
         Self { name, color, is_baseline: true }
     }
 
-    /// A family that is to beat the baselines.
+    /// A family of methods that are compared with the baselines.
     pub const fn contender(name: &'static str, color: &'static str) -> Self {
         Self { name, color, is_baseline: false }
     }
 }
 
 impl Rung {
-    /// A setting of the whole frame in a job whose first rung is full ray tracing: that one's picture is kept, and the
-    /// others are compared with it.
+    /// A full-size setting in a job whose first rung is full ray tracing and serves as the reference: only
+    /// the pictures of [`Family::FIXED`] are stored.
     pub fn beside_full(name: impl Into<String>, family: Family, settings: Settings, size: [u32; 2]) -> Self {
         let keeps_picture = family == Family::FIXED;
         Self { keeps_picture, ..Self::beside_converged(name, family, settings, size) }
     }
 
-    /// A setting of the whole frame in a job that is compared with a converged frame: its own picture is not kept.
+    /// A full-size setting in a job with a converged reference: its picture is not stored.
     pub fn beside_converged(
         name: impl Into<String>,
         family: Family,
@@ -75,7 +75,7 @@ impl Rung {
         Self { name: name.into(), family, settings, rendered: size, keeps_picture: false }
     }
 
-    /// Frames that a picture takes: until it has its samples, or nothing of what was before them.
+    /// Number of frames until the picture has all its samples, or shows nothing older than the current view.
     pub fn frames(&self) -> u64 {
         match self.settings.method {
             Method::Path | Method::Vr => self.settings.paths.samples.into(),
@@ -84,13 +84,13 @@ impl Rung {
         }
     }
 
-    /// Frames whose time is that of a picture.
+    /// Number of frames that count towards the time of a picture: all for path tracing, else 1.
     pub fn timed_frames(&self) -> u64 {
         if self.settings.method.is_path_traced() { self.frames() } else { 1 }
     }
 
-    /// Samples that take the time of one frame: those that add some trace twice as many as there are, others half of them,
-    /// or what costs as much.
+    /// Estimated cost of one picture in samples, for the progress bar: supersampling, quincunx and path
+    /// tracing count twice the nominal samples, the adaptive and reprojecting methods half.
     pub fn samples(&self) -> u64 {
         let [width, height] = self.rendered.map(u64::from);
         let samples = width * height * u64::from(self.settings.sampling).pow(2) * self.frames();

@@ -1,28 +1,28 @@
-//! A scene with all that was measured of it.
+//! A scene with all its measurements.
 
 use crate::bench::Measured;
 use crate::rows::Row;
 use crate::subject::Prepared;
 
-/// A scene with all that was measured of it.
+/// A scene with all its measurements.
 pub struct SceneReport {
-    /// The scene.
+    /// Scene with its description and camera.
     pub prepared: Prepared,
-    /// The name of its files.
+    /// Stem of the scene's file names.
     pub stem: String,
-    /// By job: the ladder first.
+    /// Measurements by job, the ladder first.
     pub measured: Vec<Measured>,
-    /// The ladder's rows, then those of the tables.
+    /// Rows of report.csv: the ladder's, then those of the tables.
     pub rows: Vec<Row>,
 }
 
 impl SceneReport {
-    /// What was measured for the table of that name.
+    /// Measurements for the table of that name.
     pub fn of_table<'s>(&'s self, table: &'s str) -> impl Iterator<Item = &'s Measured> {
         self.measured.iter().filter(move |measured| measured.job.shows(table))
     }
 
-    /// Its name and the size of a frame, as the tables have it.
+    /// Name of the scene and size of the frame, the first cell of many tables.
     pub fn sized(&self, [width, height]: [u32; 2]) -> String {
         format!("{}, {width}x{height}", self.prepared.name)
     }

@@ -1,4 +1,4 @@
-//! What was measured, in files: an interrupted report goes on from them.
+//! Stores measurements in files, from which an interrupted report resumes.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,19 +10,19 @@ use glimpse_measure::{files, output};
 use crate::identity::Fingerprint;
 use crate::record::Record;
 
-/// The folder inside of the report's folder.
+/// Subfolder of the report's folder.
 const FOLDER: &str = "measured";
 
-/// Records and pictures by identity.
+/// Records and pictures in files named by the fingerprints of their identities.
 pub struct Store {
     folder: PathBuf,
 }
 
 impl Store {
-    /// In the report's folder, which is made where it is not there.
+    /// Opens the store in the report's folder and creates the folders if necessary.
     ///
     /// # Errors
-    /// It is a file, or nothing can be written there.
+    /// Fails if the path is a file or is not writable.
     pub fn open(report: &Path) -> anyhow::Result<Self> {
         let folder = report.join(FOLDER);
         for path in [report, &folder] {
@@ -36,7 +36,8 @@ impl Store {
         Ok(Self { folder })
     }
 
-    /// What was kept under that identity. A file that does not hold it is as good as none.
+    /// Reads the record of an identity. A file that is damaged or belongs to another identity counts as
+    /// missing.
     pub fn record(&self, identity: &str) -> Option<Record> {
         let path = self.path(identity, "json");
         let parse = |bytes: Vec<u8>| {
@@ -47,12 +48,12 @@ impl Store {
         kept(&path, parse)
     }
 
-    /// Keeps a record under its identity.
+    /// Stores a record under its identity.
     pub fn keep(&self, record: &Record) -> anyhow::Result<()> {
         files::write(&self.path(&record.identity, "json"), output::json(record)?.as_bytes())
     }
 
-    /// The picture of that identity, which has that size.
+    /// Reads the picture of an identity; a picture of another size counts as missing.
     pub fn picture(&self, identity: &str, [width, height]: [u32; 2]) -> Option<DisplayImage> {
         let path = self.path(identity, "png");
         let parse = |bytes: Vec<u8>| {
@@ -68,7 +69,7 @@ impl Store {
         kept(&path, parse)
     }
 
-    /// Keeps a picture.
+    /// Stores a picture under an identity.
     pub fn keep_picture(&self, identity: &str, picture: &DisplayImage) -> anyhow::Result<()> {
         files::write(&self.path(identity, "png"), &to_png(picture)?)
     }

@@ -1,4 +1,4 @@
-//! The scenes of a report: what is known of each, and each on the device, changed where a table asks for it.
+//! The scenes of a report: their descriptions, and their uploads with the changes that tables ask for.
 
 use anyhow::Context;
 use glimpse::scene::{Material, Weights};
@@ -8,41 +8,41 @@ use glimpse_measure::statistics::SceneStatistics;
 
 use crate::identity::Fingerprint;
 
-/// The side of the frames of tables 3.
+/// Side in pixels of the square frames of tables 3 of Kim 2016.
 pub const TABLE_SIDE: u32 = 1024;
 
-/// The shares of reflective pixels that table 3(b) aims at, in percent.
+/// Target shares of reflective pixels in table 3(b), in percent.
 pub const SHARES: [u64; 5] = [20, 40, 60, 80, 100];
 
-/// The part of the light that a reflective surface of table 3(b) mirrors.
+/// Mirror weight of the reflective surfaces of table 3(b).
 pub const MIRROR: f32 = 0.3;
 
-/// What is changed in a scene.
+/// Change made to a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variant {
-    /// Nothing.
+    /// The unchanged scene.
     AsIs,
-    /// So many percent of the pixels show reflective surfaces, and no other surface reflects.
+    /// Up to this percentage of the pixels show reflective surfaces, and no other surface reflects.
     Reflective(u64),
 }
 
-/// A scene that has been read once, to check it.
+/// A scene that was read once, which checks it before the measurements.
 pub struct Prepared {
-    /// As it was named on the command line.
+    /// Name of the scene on the command line.
     pub name: String,
-    /// Of everything that was read.
+    /// Fingerprint of all files read.
     pub content: Fingerprint,
-    /// The view.
+    /// Selected camera.
     pub camera: Camera,
-    /// What it holds.
+    /// Contents of the scene.
     pub statistics: SceneStatistics,
 }
 
 impl Prepared {
-    /// Reads the scene.
+    /// Reads and describes the scene.
     ///
     /// # Errors
-    /// It cannot be used, or has no such camera.
+    /// Fails if the scene cannot be loaded or has no camera of that name.
     pub fn new(name: &str, camera: Option<&str>) -> anyhow::Result<Self> {
         let mut content = Fingerprint::new();
         let scene = scene_file::load_seen(name, &mut |bytes| content = content.and(bytes))?;
@@ -52,11 +52,11 @@ impl Prepared {
     }
 }
 
-/// A scene on the device.
+/// A scene uploaded to the device.
 pub struct Subject {
-    /// There.
+    /// The scene in device buffers.
     pub scene: GpuScene,
-    /// Of each object, whether its surface reflects.
+    /// Whether the surface of each object reflects.
     pub reflects: Vec<bool>,
 }
 
@@ -68,26 +68,26 @@ impl Subject {
     }
 }
 
-/// The variants of a scene, one at a time on the device.
+/// The variants of a scene, of which one at a time is on the device.
 pub struct Subjects<'s> {
     gpu: &'s Gpu,
     prepared: &'s Prepared,
     current: Option<(Variant, Subject)>,
-    /// The pixels that show each object, once they are known.
+    /// Number of pixels that show each object; counted when first needed.
     visible: Option<Vec<u64>>,
 }
 
 impl<'s> Subjects<'s> {
-    /// None of them yet.
+    /// Creates the set without uploading anything.
     pub fn new(gpu: &'s Gpu, prepared: &'s Prepared) -> Self {
         Self { gpu, prepared, current: None, visible: None }
     }
 
-    /// The scene so changed.
+    /// Returns the scene with that change, uploading it unless it is the current one.
     pub fn get(&mut self, variant: Variant) -> anyhow::Result<&Subject> {
         if self.current.as_ref().is_none_or(|(current, _)| *current != variant) {
             let changed = self.changed(variant)?;
-            // The device may not hold both.
+            // Free the current scene first: the device may not hold both.
             self.current = None;
             self.current = Some((variant, Subject::upload(self.gpu, changed, &self.prepared.name)?));
         }
@@ -119,8 +119,8 @@ impl<'s> Subjects<'s> {
     }
 }
 
-/// The objects that are made reflective: for each share up to the wanted one, the largest that do not exceed it together
-/// with those that are there already, so that a larger share holds every smaller one. All of them at 100 %.
+/// Selects the objects made reflective. For each share up to the wanted one, adds the largest objects that
+/// keep the sum within that share, so that a larger share contains every smaller one; at 100 % all objects.
 fn chosen(visible: &[u64], pixels: u64, percent: u64) -> Vec<bool> {
     let mut order: Vec<usize> = (0..visible.len()).collect();
     order.sort_by_key(|i| std::cmp::Reverse(visible[*i]));
@@ -137,7 +137,8 @@ fn chosen(visible: &[u64], pixels: u64, percent: u64) -> Vec<bool> {
     chosen
 }
 
-/// Gives every object a surface of its own with constant shares: opaque, and either a mirror to [`MIRROR`] or none.
+/// Gives every object an opaque material of its own with constant weights, with mirror weight [`MIRROR`] or
+/// 0.
 fn reflect(scene: &mut Scene, reflective: &[bool]) {
     let surface = |material: &Material, reflective: bool| {
         let mirror = if reflective { MIRROR } else { 0.0 };
@@ -153,7 +154,7 @@ fn reflect(scene: &mut Scene, reflective: &[bool]) {
     }
 }
 
-/// The camera turned about the world's vertical axis, where it stands.
+/// Rotates the camera about the world's vertical axis, in place.
 pub fn turned(camera: &Camera, degrees: f32) -> Camera {
     let (sin, cos) = degrees.to_radians().sin_cos();
     let mut turned = *camera;

@@ -1,4 +1,4 @@
-//! What a table of a paper is: what is measured for it, and what the page shows of that.
+//! The interface of a table: what is measured for it and what the page shows.
 
 use glimpse::Settings;
 use maud::{Markup, html};
@@ -14,85 +14,85 @@ use crate::subject::Prepared;
 
 /// A table or figure of a paper, or one like it, for any scene.
 pub trait Table: Sync {
-    /// The name by which it is asked for.
+    /// Name on the command line.
     fn name(&self) -> &'static str;
 
-    /// What it measures, in one line of help.
+    /// What the table measures, as one line of help.
     fn summary(&self) -> &'static str;
 
-    /// What is measured for it in a scene; nothing where the table does not concern the scene.
+    /// Jobs to measure for a scene; none if the table does not apply to it.
     fn jobs(&self, request: &Request<'_>) -> Vec<Job>;
 
-    /// What the page shows of it.
+    /// Content of the table's section of the page.
     fn content(&self, scenes: &[SceneReport]) -> Content;
 
-    /// A plot of PSNR against the time of a picture, for each scene.
+    /// Plot of PSNR against the time of a picture, drawn for each scene.
     fn plot(&self) -> Option<Plot> {
         None
     }
 
-    /// A file beside the page, of all scenes.
+    /// CSV file with data of all scenes, written beside the page.
     fn csv(&self) -> Option<Csv> {
         None
     }
 }
 
-/// What a report is to measure of a scene.
+/// Settings and scene that a table makes jobs for.
 pub struct Request<'r> {
-    /// Recursion and features.
+    /// Recursion and features that all settings share.
     pub base: &'r Settings,
-    /// The size of the frame where a table has none of its own.
+    /// Frame size in pixels for tables without a size of their own.
     pub size: [u32; 2],
-    /// The sides of the square frames of Kim 2016's table 5.
+    /// Sides in pixels of the square frames of Kim 2016's table 5.
     pub table5_sizes: &'r [u32],
-    /// The scene.
+    /// Scene to measure.
     pub scene: &'r Prepared,
 }
 
-/// What the page shows of a table.
+/// Content of a table's section of the page.
 pub enum Content {
-    /// Nothing was measured for it.
+    /// No section, as nothing was measured.
     Nothing,
-    /// Rows measured here above those printed in the paper.
+    /// Measured rows above the rows printed in the paper.
     Rows(Rows),
-    /// A section of its own kind.
+    /// A section with its own markup.
     Section(Markup),
 }
 
-/// A table as it is read.
+/// Rows of a table, measured and published.
 pub struct Rows {
-    /// What it shows.
+    /// Title of the section.
     pub title: &'static str,
-    /// How it came about.
+    /// Conditions of the measurement.
     pub note: String,
-    /// Column heads.
+    /// Column headings.
     pub head: Vec<&'static str>,
-    /// Measured here, by scene.
+    /// Measured rows, by scene.
     pub measured: Vec<Vec<String>>,
-    /// Printed in the paper; empty where it has no such figures.
+    /// Rows as printed in the paper; empty if it has none.
     pub published: Vec<Vec<String>>,
-    /// How the paper is cited.
+    /// Citation of the paper.
     pub citation: &'static str,
 }
 
-/// What is plotted of a table's job: PSNR against milliseconds, for each setting that has an error.
+/// A plot of a table's job: PSNR against milliseconds, for each setting with an error.
 pub struct Plot {
-    /// What the name of the file ends in, before `.svg`.
+    /// End of the file name, before `.svg`.
     pub file: &'static str,
-    /// What stands beside the point of a setting.
+    /// Label of a setting's point.
     pub label: fn(&Rung) -> String,
 }
 
-/// A file of comma-separated values.
+/// A CSV file.
 pub struct Csv {
-    /// Its name.
+    /// File name.
     pub file: &'static str,
-    /// What it holds of all scenes.
+    /// Makes the file's content from all scenes.
     pub bytes: fn(&[SceneReport]) -> anyhow::Result<Vec<u8>>,
 }
 
 impl Content {
-    /// Its section of the page, where something was measured.
+    /// Section of the page, if anything was measured.
     pub fn section(self) -> Option<Markup> {
         match self {
             Self::Nothing => None,
@@ -132,13 +132,13 @@ fn cells(row: &[String]) -> Markup {
 }
 
 impl Plot {
-    /// The name of its file of a scene.
+    /// File name of the plot for a scene's file stem.
     pub fn name(&self, stem: &str) -> String {
         format!("{stem}-{}.svg", self.file)
     }
 }
 
-/// The plot of a scene, where the table has one and was measured.
+/// Draws the plot of a scene, if the table has one and was measured.
 pub fn plot_of(table: &dyn Table, scene: &SceneReport) -> Option<String> {
     let plot = table.plot()?;
     let measured = scene.of_table(table.name()).next()?;
@@ -148,7 +148,7 @@ pub fn plot_of(table: &dyn Table, scene: &SceneReport) -> Option<String> {
 fn marks(measured: &Measured, label: fn(&Rung) -> String) -> Vec<Mark> {
     let point =
         |record: &Record| Point { cost: record.time().median, psnr_db: record.psnr_db().unwrap_or(f64::NAN) };
-    // What others are compared with has no error of its own.
+    // A reference has no error and therefore no point.
     let judged = settings(measured).filter(|(_, record)| record.error.is_some());
     let (rungs, points): (Vec<_>, Vec<_>) = judged.map(|(rung, record)| (rung, point(record))).unzip();
     let front = pareto::front(&points);
@@ -158,7 +158,7 @@ fn marks(measured: &Measured, label: fn(&Rung) -> String) -> Vec<Mark> {
         .collect()
 }
 
-/// The scenes' measurements for the table of that name.
+/// Measurements of all scenes for the table of that name.
 pub fn measured<'s>(
     scenes: &'s [SceneReport],
     table: &'s str,
@@ -166,7 +166,7 @@ pub fn measured<'s>(
     scenes.iter().flat_map(move |scene| scene.of_table(table).map(move |measured| (scene, measured)))
 }
 
-/// The settings of a job with their records.
+/// Settings of a job with their records.
 pub fn settings(measured: &Measured) -> impl Iterator<Item = (&Rung, &Record)> {
     measured.job.rungs.iter().zip(&measured.records)
 }

@@ -1,11 +1,11 @@
-//! Bilinear upscaling: what a display does with a frame of reduced resolution.
+//! Bilinear upscaling of frames of reduced resolution, as a display does it.
 
 use std::array;
 
 use glimpse::{DisplayImage, LinearImage, encode_display};
 
-/// A picture at another size, interpolated in linear radiance between pixel centres, as a texture unit does with an sRGB
-/// texture that is clamped at its edge.
+/// Resizes a picture, interpolating linear radiance between pixel centres, as a texture unit does for an sRGB
+/// texture with clamped edges.
 pub fn bilinear(picture: &DisplayImage, [width, height]: [u32; 2]) -> DisplayImage {
     let linear: [f32; 256] = array::from_fn(|code| decoded(code as u8));
     let columns = taps(picture.width(), width);
@@ -23,7 +23,8 @@ pub fn bilinear(picture: &DisplayImage, [width, height]: [u32; 2]) -> DisplayIma
     encode_display(&upscaled)
 }
 
-/// For each pixel of a line the two that it lies between, and how far from the first.
+/// For each target pixel of a line, the two source pixels around it and the interpolation weight of the
+/// second.
 fn taps(from: u32, to: u32) -> Vec<([u32; 2], f32)> {
     let last = from - 1;
     let place = |i: u32| {
@@ -33,7 +34,7 @@ fn taps(from: u32, to: u32) -> Vec<([u32; 2], f32)> {
     (0..to).map(place).collect()
 }
 
-/// sRGB (IEC 61966-2-1) to linear.
+/// Decodes an sRGB code (IEC 61966-2-1) to linear.
 fn decoded(code: u8) -> f32 {
     let v = f32::from(code) / 255.0;
     if v <= 0.040_45 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) }
@@ -56,8 +57,8 @@ mod tests {
 
     #[test]
     fn between_black_and_white_lie_quarters_of_the_radiance() {
-        // Centres of four pixels over two: at -0.25, 0.25, 0.75, 1.25 of the way, held at the ends. A quarter of white is
-        // code 137, three quarters are 225 (sRGB).
+        // The centres of four pixels over two are at -0.25, 0.25, 0.75 and 1.25, clamped at the ends. In sRGB a quarter
+        // of white is code 137, three quarters are 225.
         assert_eq!(bilinear(&grey(2, &[0, 255]), [4, 1]), grey(4, &[0, 137, 225, 255]));
         assert_eq!(bilinear(&grey(1, &[0, 255]), [1, 4]), grey(1, &[0, 137, 225, 255]));
     }

@@ -1,9 +1,9 @@
-//! What a frame asks of a device: its counters, times what each counted thing takes.
+//! The work of a frame: its counters times the demand of each counted item.
 
 use glimpse::{Demand, Demands, Inspection, Origin, Tracing};
 use serde::{Deserialize, Serialize};
 
-/// What passes of a class do, as the page has it.
+/// Name of a class of passes on the page.
 pub fn class_name(class: Tracing) -> &'static str {
     match class {
         Tracing::Neighbours => "traced neighbours",
@@ -12,22 +12,22 @@ pub fn class_name(class: Tracing) -> &'static str {
     }
 }
 
-/// The work of a frame.
+/// Counted work of a frame.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Work {
-    /// Visited nodes of the acceleration structure.
+    /// Number of visited nodes of the acceleration structure.
     pub node_visits: u64,
-    /// Tested triangles and spheres.
+    /// Number of intersection tests with triangles and spheres.
     pub primitive_tests: u64,
-    /// By class, in the order of [`Tracing::ALL`].
+    /// Operations and bytes by class of passes, in the order of [`Tracing::ALL`].
     pub loads: [Demand; 3],
 }
 
 impl Work {
-    /// Of an inspected frame with one sample a pixel, of a scene with so many lights.
+    /// Computes the work of an inspected frame with one sample per pixel, of a scene with `lights` lights.
     ///
-    /// The counters are of the whole frame. Nodes and primitives are known of each pixel too: by them rays and visits are
-    /// divided between the base and the lists.
+    /// The counters cover the whole frame. The cost of each pixel divides rays and visits between the base
+    /// samples and the traced lists.
     pub fn of(inspection: &Inspection, demands: &Demands, lights: usize) -> Self {
         let counts = &inspection.counts;
         let lights = lights as f64;

@@ -52,7 +52,8 @@ pub fn drag(harness: &mut Harness, from: [f32; 2], to: [f32; 2], moves: u32) {
 /// One finger whose moves all arrive in one event.
 pub fn drag_in_a_batch(harness: &mut Harness, from: [f32; 2], to: [f32; 2]) {
     let along = |t: f32| [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * t);
-    let places: Vec<Pointer> = [0.0, 0.25, 0.5, 0.75, 1.0].iter().map(|t| at(harness, 0, along(*t))).collect();
+    let places: Vec<Pointer> =
+        [0.0, 0.25, 0.5, 0.75, 1.0].iter().map(|t| at(harness, 0, along(*t))).collect();
     let history: Vec<Vec<Pointer>> = places[1..4].iter().map(|finger| vec![*finger]).collect();
     touch(harness, action::DOWN, &places[..1], &[]);
     touch(harness, action::MOVE, &places[4..], &history);

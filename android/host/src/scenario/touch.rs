@@ -27,8 +27,9 @@ pub fn play(harness: &mut Harness) -> Outcome {
         changes(harness, |harness| hand::drag(harness, [0.4, 0.5], [0.6, 0.4], 4))
     })?;
     harness.step("all events were handed back", |harness| {
-        match pump(Duration::from_secs(2), || harness.activity.as_ref().is_none_or(Activity::input_is_finished))
-        {
+        match pump(Duration::from_secs(2), || {
+            harness.activity.as_ref().is_none_or(Activity::input_is_finished)
+        }) {
             true => Ok(()),
             false => Err("AInputQueue_finishEvent was not called for all of them".to_owned()),
         }

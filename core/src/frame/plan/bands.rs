@@ -1,14 +1,16 @@
-//! A frame in bands of rows, so that what is stored of its samples stays small however fine the grid.
+//! Divides a frame into bands of rows, which bounds the memory for samples however fine their grid.
 //!
-//! A band ends on a row of base samples, and the next one begins with it: it is traced once and kept. Rows are stored
-//! folded like a strip of paper, every second band backwards, so that this row has the same place in both.
+//! A band ends with a row of base samples and the next one begins with the same row, which is traced once and
+//! kept. Rows are stored like a folded strip of paper, every second band in reverse, so that the shared row has
+//! the same storage location in both bands.
 
 use super::Rows;
 
-/// Rows of a band are a multiple of this: base blocks of every size end with it, on an even row.
+/// Bands have a multiple of this many rows, so that base blocks of every size end with the band, on an even row.
 const STEP: u32 = 16;
 
-/// The most rows that a band may have of which `most` and the shared one fit, but at least as few as it can have.
+/// Rows of a band when `most` rows fit into its buffers, the shared row included; at least the smallest possible
+/// band.
 pub fn band_rows(sampling: u32, most: u64) -> u32 {
     let shared =
         (1..=STEP).filter(|n| STEP.is_multiple_of(*n) && sampling.is_multiple_of(*n)).max().unwrap_or(1);
@@ -17,24 +19,24 @@ pub fn band_rows(sampling: u32, most: u64) -> u32 {
     (most / step).max(1).saturating_mul(step)
 }
 
-/// A band of rows of samples.
+/// A band of consecutive rows of samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Band {
-    /// The first row, which the band before may have made.
+    /// First row; it may already be there from the band before.
     pub first: u32,
-    /// The rows that are this band's and no other's: from, until before.
+    /// Start and end of the rows that belong to this band alone.
     pub own: [u32; 2],
-    /// Behind the last row, which is a base row unless the frame ends.
+    /// Row after the last one. The last row is a base row, except at the end of the frame.
     pub end: u32,
-    /// Row y is stored in row |y - turn|.
+    /// Row y is stored as row |y - turn| of the buffers.
     pub turn: u32,
-    /// Is the first row there already?
+    /// Whether the band before has already made the first row.
     follows: bool,
 }
 
-/// The bands of a frame of so many rows, `rows` each besides the shared one.
+/// The bands of a frame of `height` rows; each has `rows` rows besides the shared one.
 pub fn bands(height: u32, rows: u32) -> impl Iterator<Item = Band> {
-    // A band of one row is not worth its passes: the last band may be a row longer.
+    // A last band of a single row would not be worth its passes, so the last band may be one row longer.
     let count = height.saturating_sub(1).div_ceil(rows).max(1);
     (0..count).map(move |index| {
         let first = index * rows;
@@ -50,8 +52,8 @@ pub fn bands(height: u32, rows: u32) -> impl Iterator<Item = Band> {
 }
 
 impl Band {
-    /// Its own rows in a frame of that height, and all rows that are stored when bands share none: with so many rows above and
-    /// below, which their neighbours are in.
+    /// The band's own rows in a frame of `height` rows, and these with `apron` more rows above and below, which
+    /// neighbouring pixels lie in. For methods whose bands share no row.
     pub fn alone(&self, height: u32, apron: u32) -> (Rows, Rows) {
         let [first, end] = self.own;
         let turn = first.saturating_sub(apron);
@@ -59,23 +61,23 @@ impl Band {
         (rows(first, end), rows(turn, (end + apron).min(height)))
     }
 
-    /// Every `stride`-th of these rows.
+    /// Every `stride`-th row of `row..end` in this band.
     pub fn rows(&self, stride: u32, [row, end]: [u32; 2]) -> Rows {
         Rows { stride, row, end, turn: self.turn }
     }
 
-    /// The rows of references at that distance.
+    /// The rows of references that are `stride` rows apart.
     pub fn base(&self, stride: u32) -> Rows {
         let row = if self.follows { self.first + stride } else { self.first };
         self.rows(stride, [row, self.end])
     }
 
-    /// The rows half way between them.
+    /// The rows half way between references that are `stride` rows apart.
     pub fn between(&self, stride: u32) -> Rows {
         self.rows(stride, [self.first + stride / 2, self.end])
     }
 
-    /// The rows of pixels whose samples are there.
+    /// The rows of pixels, each `sampling` rows of samples high, that belong to this band.
     pub fn pixels(&self, sampling: u32) -> Rows {
         self.rows(1, self.own.map(|row| row / sampling))
     }

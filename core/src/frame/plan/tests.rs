@@ -18,7 +18,7 @@ const SIZES: [[u32; 2]; 10] = [
     [32_768, 8],
 ];
 
-/// A frame to plan.
+/// A frame size and the settings that its plan depends on.
 #[derive(Clone, Copy, Debug)]
 struct Shape {
     grid: [u32; 2],
@@ -40,7 +40,7 @@ impl Shape {
     }
 }
 
-/// Frames of all sizes and blocks, in one band and in as many as there can be.
+/// Frames of many sizes and block sizes, in one band and in the smallest bands.
 fn shapes() -> impl Iterator<Item = Shape> {
     let of_size = |grid| {
         [(2, 1, u32::MAX), (2, 1, 16), (4, 1, 48), (8, 1, 16), (8, 2, 1024), (2, 4, 64), (4, 3, 48)].map(
@@ -157,7 +157,8 @@ fn dispatches_have_the_shape_that_their_stage_says() {
     }
 }
 
-/// The rows that a stage of a plan treats, in order; for the adaptive steps those of references at one distance.
+/// The rows that a stage processes, in order of execution; for the adaptive steps only at one distance of
+/// references.
 fn rows_of(plan: &Plan, stage: &Stage, stride: u32) -> Vec<u32> {
     let parts = plan.parts.iter().filter(|part| *part.stage == *stage && part.bounds[0]);
     let rows = parts.map(|part| part.rows).filter(|rows| rows.stride == stride);
@@ -198,7 +199,7 @@ fn every_row_is_made_once_and_stored_once_at_a_time() {
     }
 }
 
-/// Each level reads what the one before wrote, and the first what is begun with.
+/// Each level reads the buffer that the level before wrote; the first one reads what the preparing pass wrote.
 #[test]
 fn levels_of_a_filter_take_turns() {
     for shape in shapes() {
@@ -213,7 +214,7 @@ fn levels_of_a_filter_take_turns() {
     }
 }
 
-/// So many threads begin and end with a tile, whatever share of it is renewed.
+/// The number of threads in a tile follows its share, so dispatches begin and end with whole tiles.
 #[test]
 fn every_tile_is_renewed_once() {
     for (shape, plan) in plans() {
@@ -229,7 +230,7 @@ fn every_tile_is_renewed_once() {
     }
 }
 
-/// The row that two bands share has one place in both.
+/// The row that two bands share has the same storage location in both.
 #[test]
 fn bands_fold_where_they_meet() {
     for (height, rows) in [(1, 16), (16, 16), (17, 16), (18, 16), (100, 16), (1440, 512), (5760, 512)] {

@@ -1,4 +1,4 @@
-//! Samples from elsewhere in a frame of paths.
+//! Adds path samples that the CPU has traced to a frame.
 
 use super::Renderer;
 use crate::{
@@ -9,11 +9,11 @@ use crate::{
 };
 
 impl Renderer {
-    /// Adds what cores have finished of the last frame's view to what it shows; has them work on that view if it is new to
-    /// them. Waits for no core.
+    /// Adds the samples that CPU threads have finished for the last frame's view to that frame, and starts them
+    /// on the view if it has changed. Does not wait for any thread.
     ///
     /// # Errors
-    /// Settings that do not [take planes](crate::Settings::accepts_cpu_samples); a device that failed.
+    /// The settings do not [accept CPU samples](crate::Settings::accepts_cpu_samples), or the device failed.
     pub fn accumulate(&mut self, accumulator: &mut Accumulator) -> Result<()> {
         if !self.settings.accepts_cpu_samples() {
             let expected = "path or vr where samples are merged, without stereo-reuse paper";
@@ -39,12 +39,12 @@ impl Renderer {
         self.passes.denoise(&self.gpu, &self.targets, &constants, &self.settings.tolerances)
     }
 
-    /// The last frame in linear radiance, from the sums that are there: cores' samples cannot be made again.
+    /// The last frame in linear radiance, read from its accumulated sums, as CPU samples cannot be traced again.
     pub(super) fn accumulated_image(&mut self, camera: &Camera) -> Result<LinearImage> {
         let constants = self.constants(camera, &self.sequence.again(camera))?;
         if self.settings.denoise() == Denoise::Off {
             let target = texture(&self.gpu, "linear", self.targets.size, wgpu::TextureFormat::Rgba32Float)?;
-            // The buffer of planes is new, and zero.
+            // The buffer of planes has just been created and holds zeros.
             self.accumulate_pass(Output::Linear, &target)?.run(&self.gpu, &constants, &[])?;
             return self.read_linear(&target);
         }

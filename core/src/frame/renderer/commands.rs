@@ -1,4 +1,4 @@
-//! A frame as command buffers that anybody may submit.
+//! A frame as a series of command buffers for the caller to submit.
 
 use std::iter::FusedIterator;
 
@@ -7,8 +7,8 @@ use crate::{
     frame::sequence::{Sequence, Step},
 };
 
-/// The command buffers of one frame in the order in which they must be submitted: see
-/// [`Renderer::frame`](crate::Renderer::frame). Its length is how many are still to come.
+/// The command buffers of one frame, in the order in which they must be submitted; see
+/// [`Renderer::frame`](crate::Renderer::frame). The iterator's length is the number of remaining command buffers.
 #[must_use = "a frame is rendered by submitting its command buffers"]
 pub struct FrameCommands<'r> {
     commands: Box<dyn ExactSizeIterator<Item = wgpu::CommandBuffer> + 'r>,

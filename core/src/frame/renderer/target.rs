@@ -1,19 +1,21 @@
-//! Frames in a texture of the caller's.
+//! Renders frames into a texture of the caller.
 
 use super::Renderer;
 use crate::{Error, Result, passes::FrameSpec};
 
 impl Renderer {
-    /// Frames go into this texture of the caller's from here on, which [`Renderer::display`] then gives, instead of one of the
-    /// renderer's own. It is of this renderer's device, of the frame's size and of the format
-    /// [`Rgba8Unorm`](wgpu::TextureFormat::Rgba8Unorm), with one mip level, layer and sample; its usages have
-    /// [`STORAGE_BINDING`](wgpu::TextureUsages::STORAGE_BINDING), and [`COPY_SRC`](wgpu::TextureUsages::COPY_SRC) if
-    /// [`Renderer::display_image`] is to read it back. Texels hold sRGB-encoded values: a view in
-    /// [`Rgba8UnormSrgb`](wgpu::TextureFormat::Rgba8UnormSrgb) decodes them. All passes are bound anew, so this is no call for
-    /// each frame. A [change](Renderer::change) of the size ends it.
+    /// Makes `target`, a texture of the caller, the destination of all following frames in place of the
+    /// renderer's own texture; [`Renderer::display`] returns it from then on. It must be of this renderer's
+    /// device, of the frame's size and of the format [`Rgba8Unorm`](wgpu::TextureFormat::Rgba8Unorm), with one
+    /// mip level, layer and sample. Its usages must contain
+    /// [`STORAGE_BINDING`](wgpu::TextureUsages::STORAGE_BINDING), and [`COPY_SRC`](wgpu::TextureUsages::COPY_SRC)
+    /// for [`Renderer::display_image`]. Texels are sRGB-encoded; a view in
+    /// [`Rgba8UnormSrgb`](wgpu::TextureFormat::Rgba8UnormSrgb) decodes them. Binds all passes again, so do not
+    /// call it for every frame. A [change](Renderer::change) of the size returns to the renderer's own texture.
     ///
     /// # Errors
-    /// [`Error::Setting`] says what of the texture is not so; a device that failed. Frames then go where they went before.
+    /// [`Error::Setting`] names the property of the texture that does not fit; or the device failed. The
+    /// destination is then unchanged.
     pub fn set_target(&mut self, target: &wgpu::Texture) -> Result<()> {
         check(target, self.targets.size)?;
         let spec = FrameSpec::new(&self.scene, &self.settings);
@@ -25,7 +27,7 @@ impl Renderer {
     }
 }
 
-/// Whether kernels can write frames of that size into a texture.
+/// Checks that kernels can write frames of this size into the texture.
 fn check(target: &wgpu::Texture, [width, height]: [u32; 2]) -> Result<()> {
     let found = target.size();
     let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
@@ -45,7 +47,7 @@ fn check(target: &wgpu::Texture, [width, height]: [u32; 2]) -> Result<()> {
     Err(refused(&expected, found))
 }
 
-/// Whether the display image can be read back, which one of the caller's may not allow.
+/// Checks that the display image can be read back; a texture of the caller may lack the usage.
 pub(super) fn check_readback(display: &wgpu::Texture) -> Result<()> {
     if display.usage().contains(wgpu::TextureUsages::COPY_SRC) {
         return Ok(());

@@ -1,4 +1,4 @@
-//! The pictures of a scene and their errors, as data URIs.
+//! Embeds the pictures of a scene and their error maps as data URIs.
 
 use anyhow::Context;
 use base64::Engine;
@@ -8,18 +8,18 @@ use glimpse::{DisplayImage, to_png};
 use crate::scene::SceneReport;
 use crate::store::Store;
 
-/// Error maps show so many times the difference.
+/// Factor on the absolute differences in the error maps.
 const GAIN: u8 = 8;
 
-/// A picture with its caption.
+/// A picture of the page with its caption.
 pub struct Figure {
-    /// A data URI.
+    /// Data URI of a PNG.
     pub source: String,
-    /// What it shows.
+    /// Caption, also the alternative text.
     pub caption: String,
 }
 
-/// The converged frame, what the kept settings make of it, and how far they are from it.
+/// The converged frame, then each stored picture of the ladder with its error map.
 pub fn of(store: &Store, scene: &SceneReport) -> anyhow::Result<Vec<Figure>> {
     let mut figures = Vec::new();
     for measured in scene.measured.iter().filter(|measured| measured.job.is_ladder()) {
@@ -49,7 +49,7 @@ fn figure(picture: &DisplayImage, caption: String) -> anyhow::Result<Figure> {
     Ok(Figure { source, caption })
 }
 
-/// By channel; black where the pictures are equal.
+/// Absolute difference per channel, times [`GAIN`]; black where the pictures are equal.
 fn error_map(a: &DisplayImage, b: &DisplayImage) -> DisplayImage {
     let mut map = a.clone();
     for (pixel, reference) in map.pixels_mut().zip(b.pixels()) {

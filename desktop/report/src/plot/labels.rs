@@ -1,37 +1,38 @@
-//! Labels beside their points, where they cover the least.
+//! Places labels beside their points, where they cover the least.
 
-/// Of bold text of 11 units; digits and small letters of common fonts are no wider.
+/// Width of a character in SVG units: that of bold text of size 11, whose digits and small letters are no
+/// wider in common fonts.
 const CHARACTER: f64 = 6.7;
 const ASCENT: f64 = 9.0;
 const DESCENT: f64 = 3.0;
-/// Half of a symbol's side.
+/// Half the side of a symbol.
 const SYMBOL: f64 = 6.0;
 
-/// A box: left, top, right, bottom.
+/// An axis-aligned box: left, top, right, bottom.
 type Area = [f64; 4];
 
-/// From this distance on a line leads from the point to its label.
+/// Distance from which a leader line connects the point with its label.
 const FAR: f64 = 26.0;
-/// From one taken place along a line to the next.
+/// Spacing of the boxes that occupy a line.
 const STEP: f64 = 5.0;
 
-/// Where a label goes.
+/// Position of a label.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Label {
-    /// The left end of its base line.
+    /// Left end of the baseline.
     pub at: [f64; 2],
-    /// The end of the line that leads to it, where it is far off.
+    /// End of the leader line at the label, if the label is far from its point.
     pub leader: Option<[f64; 2]>,
 }
 
-/// What is taken.
+/// Places labels one by one and keeps track of the occupied boxes.
 pub struct Labels {
     area: Area,
     taken: Vec<Area>,
 }
 
 impl Labels {
-    /// Around points and beside a line inside an area.
+    /// Starts with the symbols of the points and a polyline occupied, inside an area.
     pub fn around(points: &[[f64; 2]], line: &[[f64; 2]], area: Area) -> Self {
         let around = |[x, y]: [f64; 2], reach: f64| [x - reach, y - reach, x + reach, y + reach];
         let mut taken: Vec<_> = points.iter().map(|point| around(*point, SYMBOL)).collect();
@@ -45,7 +46,7 @@ impl Labels {
         Self { area, taken }
     }
 
-    /// A place for the label of that point, which is taken from now on.
+    /// Finds the best position for the label of a point and marks it occupied.
     pub fn place(&mut self, [x, y]: [f64; 2], text: &str) -> Label {
         let width = CHARACTER * text.chars().count() as f64;
         let mut best = (f64::INFINITY, [x, y], 0.0);
@@ -63,7 +64,7 @@ impl Labels {
                 [left, below],
             ];
             for place in around {
-                // Near the point, unless something is there already.
+                // The cost is the covered area, plus a term that prefers positions near the point.
                 let cost = self.covered(&Self::extent(place, width)) + 0.5 * distance;
                 if cost < best.0 {
                     best = (cost, place, distance);
@@ -81,7 +82,7 @@ impl Labels {
         [x, y - ASCENT, x + width, y + DESCENT]
     }
 
-    /// The area of what is taken, or outside, that a box covers.
+    /// Area of a box that is occupied or outside the plot area; overlaps count repeatedly.
     fn covered(&self, label: &Area) -> f64 {
         let size = |a: &Area| (a[2] - a[0]) * (a[3] - a[1]);
         let outside = size(label) - overlap(label, &self.area);

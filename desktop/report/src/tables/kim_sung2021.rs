@@ -1,4 +1,5 @@
-//! Paths for two eyes, plain and with what Kim & Sung 2021 add, part by part: error against time.
+//! Path tracing for two eyes, plain and with the techniques of Kim & Sung 2021, alone and combined: error
+//! against time.
 
 use glimpse::{
     Denoise, DirectLight, Foveation, LightSelection, Method, Paths, Roulette, Settings, StereoReuse,
@@ -11,26 +12,26 @@ use crate::scene::SceneReport;
 use crate::subject::Prepared;
 use crate::table::{Content, Plot, Request, Rows, Table, measured, settings};
 
-/// How the paper is cited.
+/// Citation of the paper.
 const CITATION: &str = "Kim, Sung, \"Efficient Path Tracer for the Presence of Mobile Virtual Reality\", Human-centric \
                         Computing and Information Sciences 11, 2021 (Galaxy S10+)";
 
-/// What an eye sees, as in the paper.
+/// Size of one eye's picture in pixels, as in the paper.
 const EYE: [u32; 2] = [640, 480];
 
-/// Both eyes.
+/// Size of both eyes' pictures side by side, in pixels.
 const SIZE: [u32; 2] = [2 * EYE[0], EYE[1]];
 
-/// Samples of a pixel.
+/// Samples per pixel that are measured.
 const SAMPLES: [u32; 3] = [1, 4, 16];
 
-/// Of the picture that errors are measured against.
+/// Samples per pixel of the reference picture.
 const CONVERGED: u32 = 256;
 
-/// Of the one that the paper's are measured against.
+/// Samples per pixel of the paper's own reference.
 const REFERENCE_SAMPLES: u32 = 100;
 
-/// Path tracing for two eyes, plain and with what the paper adds.
+/// Path tracing for two eyes, plain and with the paper's techniques.
 pub struct TwoEyes;
 
 impl Table for TwoEyes {
@@ -91,13 +92,14 @@ fn published() -> Vec<Vec<String>> {
     rows.collect()
 }
 
-/// Plain path tracing as by the authors' program: up to six vertices, both triangles of the light sampled at each of them.
+/// Plain path tracing as in the authors' program: up to six vertices, both triangles of the light sampled at
+/// each.
 fn plain(base: &Settings, scene: &Prepared) -> Settings {
     let emits = !scene.statistics.left_out.contains(&"emission");
     let paths = Paths {
         direct_light: DirectLight::Nee,
         light_samples: 2,
-        // Their lights are emitters; the files repeat them as punctual ones.
+        // The lights of their scenes are emitters; the files repeat them as point lights.
         lights: if emits { LightSelection::Emitters } else { LightSelection::All },
         roulette: Roulette::Off,
         stereo_reuse: StereoReuse::Off,
@@ -106,8 +108,9 @@ fn plain(base: &Settings, scene: &Prepared) -> Settings {
     Settings { method: Method::Vr, depth: 6, paths, ..*base }
 }
 
-/// The picture that errors are measured against: independent of those that are measured. Rays to points on emitters alone
-/// have no finite variance where a surface is as near to one as the ceiling is to its lamp; with the path's own steps they do.
+/// Settings of the reference, with independent random numbers. It uses multiple importance sampling: sampling
+/// emitters alone has infinite variance where a surface is as near to an emitter as the ceiling is to its
+/// lamp.
 fn converged(base: &Settings, scene: &Prepared) -> Settings {
     let plain = plain(base, scene);
     let paths = Paths {
@@ -119,10 +122,10 @@ fn converged(base: &Settings, scene: &Prepared) -> Settings {
     Settings { seed: base.seed.wrapping_add(1), paths, ..plain }
 }
 
-/// What is added to plain paths.
+/// The three techniques added to plain path tracing.
 type Parts = (Foveation, StereoReuse, Denoise);
 
-/// Ours, which leave the mean as it is, and the paper's.
+/// Unbiased variants of the techniques; [`PAPERS`] has those of the paper, and [`NONE`] none.
 const OURS: Parts = (Foveation::Compensated, StereoReuse::Weighted, Denoise::Atrous);
 const PAPERS: Parts = (Foveation::Paper, StereoReuse::Paper, Denoise::Median);
 const NONE: Parts = (Foveation::Off, StereoReuse::Off, Denoise::Off);
@@ -137,7 +140,7 @@ const UNFILTERED: Family = Family::contender("without filter", "#882255");
 const TOGETHER: Family = Family::contender("together", "#d55e00");
 const AS_PUBLISHED: Family = Family::contender("as in the paper", "#cc79a7");
 
-/// None, each part alone, all but each, all together, and as in the paper.
+/// No technique, each alone, all but each, all together, and as in the paper.
 const PARTS: [(Family, Parts); 9] = [
     (PLAIN, NONE),
     (STOPPED, (OURS.0, NONE.1, NONE.2)),
@@ -150,7 +153,7 @@ const PARTS: [(Family, Parts); 9] = [
     (AS_PUBLISHED, PAPERS),
 ];
 
-/// What the paper compares with; then all of [`PARTS`] with growing numbers of samples.
+/// The paper's reference, then all of [`PARTS`] with increasing numbers of samples.
 fn rungs(base: &Settings, scene: &Prepared) -> Vec<Rung> {
     let plain = plain(base, scene);
     let parts = PARTS.map(|(family, (foveation, stereo_reuse, denoise))| {
@@ -162,12 +165,12 @@ fn rungs(base: &Settings, scene: &Prepared) -> Vec<Rung> {
         Rung { keeps_picture, ..Rung::beside_converged(name, family, settings, SIZE) }
     };
     let measured = SAMPLES.into_iter().flat_map(|samples| parts.map(|part| rung(part, samples, false)));
-    // Of numbers of its own, as all others are compared with it.
+    // Independent random numbers, as all other pictures are compared with it.
     let published = (PLAIN, Settings { seed: base.seed.wrapping_add(2), ..plain });
     std::iter::once(rung(published, REFERENCE_SAMPLES, true)).chain(measured).collect()
 }
 
-/// The columns of a number, and of it over plain 1's.
+/// Headings of each number and of its ratio to that of plain path tracing with 1 sample.
 const NUMBERS: [[&str; 2]; 5] = [
     ["ms", "ms / plain 1"],
     ["MSE", "MSE / plain 1"],
@@ -176,14 +179,14 @@ const NUMBERS: [[&str; 2]; 5] = [
     ["SSIM of 100", "SSIM of 100 / plain 1"],
 ];
 
-/// Milliseconds; MSE in levels of 0 to 255 and SSIM, against each reference.
+/// Median milliseconds; then MSE (levels of 0 to 255) and SSIM against each of the two references.
 fn numbers(record: &Record) -> [f64; 5] {
     let [[mse, ssim], [mse_of_first, ssim_of_first]] = [record.error, record.error_of_first]
         .map(|error| error.map_or([f64::NAN; 2], |error| [error.rmse * error.rmse, error.ssim]));
     [record.time().median, mse, ssim, mse_of_first, ssim_of_first]
 }
 
-/// What is not known is left out.
+/// Makes a row; unknown numbers (NaN) give empty cells.
 fn row(scene: &str, setting: &str, [own, plain]: [[f64; 5]; 2]) -> Vec<String> {
     let text = |number: f64, digits| {
         if number.is_nan() { String::new() } else { format!("{number:.digits$}") }
@@ -193,16 +196,16 @@ fn row(scene: &str, setting: &str, [own, plain]: [[f64; 5]; 2]) -> Vec<String> {
     [scene.to_owned(), setting.to_owned()].into_iter().chain(cells).collect()
 }
 
-/// A scene of [`PUBLISHED`]: plain path tracing, then the paper's.
+/// Figures of a scene in [`PUBLISHED`]: plain path tracing, then the paper's method.
 #[derive(Clone, Copy, Debug)]
 struct Line {
-    /// What was rendered.
+    /// Name of the scene.
     scene: &'static str,
-    /// Against the mean of 100 samples, after one.
+    /// MSE of one sample against 100, in levels of 0 to 255.
     mse: [f64; 2],
-    /// As MSE.
+    /// SSIM of one sample against 100.
     ssim: [f64; 2],
-    /// Milliseconds of a frame.
+    /// Frame time in milliseconds.
     ms: [f64; 2],
 }
 
@@ -210,7 +213,7 @@ const fn line(scene: &'static str, mse: [f64; 2], ssim: [f64; 2], ms: [f64; 2]) 
     Line { scene, mse, ssim, ms }
 }
 
-/// As printed, 640x480 an eye.
+/// As printed for 640x480 per eye.
 #[rustfmt::skip]
 const PUBLISHED: [Line; 5] = [
     line("Teapot", [2157.72, 1994.47], [0.13, 0.18], [236.0, 210.39]),
@@ -224,7 +227,7 @@ const PUBLISHED: [Line; 5] = [
 mod tests {
     use super::*;
 
-    /// "7.57 % decrease of MSE, 38.46 % increase of SSIM, 10.85 % less time" of the teapot.
+    /// Printed for the teapot: "7.57 % decrease of MSE, 38.46 % increase of SSIM, 10.85 % less time".
     #[test]
     fn the_papers_rows_say_what_it_prints() {
         let line = PUBLISHED[0];

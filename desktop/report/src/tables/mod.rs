@@ -1,5 +1,5 @@
-//! The tables and figures of papers, measured for other scenes. Each is one file with its jobs, its rows, the published
-//! figures and what is plotted; [`TABLES`] lists them, and the command line and the page follow from it.
+//! The tables and figures of papers, measured for other scenes. Each file has the jobs, rows, published
+//! figures and plot of one table; [`TABLES`] lists them for the command line and the page.
 
 mod jin2009;
 mod kim2016;
@@ -14,7 +14,7 @@ use crate::ladder;
 use crate::subject::Variant;
 use crate::table::{Request, Table};
 
-/// Every table, in the order of the page.
+/// All tables, in the order of the page.
 pub static TABLES: [&dyn Table; 11] = [
     &kim2016::table5::Resolutions,
     &kim2016::table3a::Kernels,
@@ -29,13 +29,13 @@ pub static TABLES: [&dyn Table; 11] = [
     &phones::Phones,
 ];
 
-/// The table of that name, in small letters or capitals.
+/// Finds a table by its name, ignoring case.
 pub fn named(name: &str) -> Option<&'static dyn Table> {
     TABLES.into_iter().find(|table| table.name().eq_ignore_ascii_case(name))
 }
 
-/// The ladder of a scene, then what these tables show, each measurement once. What leaves the scene as it is comes first, as
-/// each change of it costs an upload.
+/// Jobs of a scene: the ladder, then those of the tables, without duplicates. Jobs with the unchanged scene
+/// come first, as each variant needs an upload.
 pub fn jobs(tables: &[&dyn Table], request: &Request<'_>) -> Vec<Job> {
     let mut jobs = vec![ladder::job(request.base, request.size)];
     for job in tables.iter().flat_map(|table| table.jobs(request)) {

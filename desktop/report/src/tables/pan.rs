@@ -1,4 +1,4 @@
-//! A camera that turns: methods that keep something of the frame before, beside those that do not.
+//! A panning camera: methods that reuse the previous frame against those that do not.
 
 use glimpse::{Method, Settings};
 
@@ -7,16 +7,16 @@ use crate::rung::{Family, Rung};
 use crate::scene::SceneReport;
 use crate::table::{Content, Plot, Request, Rows, Table, measured, settings};
 
-/// Degrees by which the camera turns to the right from one frame to the next.
+/// Angle in degrees by which the camera pans to the right per frame.
 const DEGREES: f64 = 0.25;
 
-/// Of the pixels that are traced anew.
+/// Shares of pixels traced anew in each frame.
 const SHARES: [f32; 4] = [0.05, 0.1, 0.25, 0.5];
 
 const FRAMELESS: Family = Family::contender("frameless", "#e69f00");
 const REPROJECTED: Family = Family::contender("reproject", "#d55e00");
 
-/// Methods that keep something of the frame before, beside those that do not, while the camera turns.
+/// Methods that reuse the previous frame against those that do not, while the camera pans.
 pub struct Pan;
 
 impl Table for Pan {
@@ -72,7 +72,8 @@ impl Table for Pan {
     }
 }
 
-/// Full ray tracing, and the adaptive method; then those that keep something, by their share.
+/// Full ray tracing and the adaptive method; then the methods that reuse the previous frame, by refresh
+/// fraction.
 fn rungs(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
     let rung = |name, family, settings| Rung::beside_full(name, family, settings, size);
     let of = |method| Settings { method, ..*base };
@@ -100,7 +101,7 @@ mod tests {
         assert_eq!(rungs.len(), 2 + 2 * SHARES.len());
         assert!(rungs.iter().all(|rung| rung.settings.validate().is_ok() && rung.settings.depth == 7));
         assert!(rungs.iter().all(|rung| rung.keeps_picture == (rung.settings.method == Method::Full)));
-        // In so many frames every pixel is traced anew.
+        // Number of frames in which every pixel is traced anew.
         let frames: Vec<_> = rungs.iter().map(Rung::frames).collect();
         assert_eq!(frames, [1, 1, 20, 10, 4, 2, 20, 10, 4, 2]);
     }

@@ -1,4 +1,4 @@
-//! Figure 7: one threshold for everything against thresholds by attribute.
+//! Jin 2009, Figure 7: one threshold for all attributes against thresholds by attribute.
 
 use glimpse::{Method, Preset, Settings, Thresholds};
 
@@ -9,7 +9,7 @@ use crate::rung::{Family, Rung};
 use crate::scene::SceneReport;
 use crate::table::{Content, Request, Rows, Table, measured, settings};
 
-/// Extra samples by the colour alone, and by the colour beside geometry and shadows.
+/// Supersampling by colour alone, and by colour with separate thresholds for geometry and shadows.
 pub struct SingleAndMultiple;
 
 impl Table for SingleAndMultiple {
@@ -56,10 +56,10 @@ fn published() -> Vec<Vec<String>> {
     PUBLISHED.iter().map(|&(name, share, psnr_db)| row("Figure 7", name, share, psnr_db)).collect()
 }
 
-/// The values of tau_col.
+/// Colour thresholds tau_col.
 const COLORS: [f32; 4] = [0.1, 0.2, 0.3, 0.4];
 
-/// Every tau_col, alone and beside the thresholds of geometry and shadows.
+/// Each tau_col as the only threshold, then with the default thresholds of geometry and shadows.
 fn rungs(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
     let rung = |name, thresholds| {
         let settings = Settings { method: Method::Supersample, thresholds, ..*base };
@@ -77,7 +77,7 @@ fn row(scene: &str, thresholds: &str, share: f64, psnr_db: f64) -> Vec<String> {
     vec![scene, thresholds, format!("{:.2} %", 100.0 * share), format!("{psnr_db:.2}")]
 }
 
-/// The captions as printed: thresholds, samples over those of 16 a pixel, PSNR in decibels.
+/// Captions as printed: thresholds, samples as a share of 16 per pixel, PSNR in decibels.
 const PUBLISHED: [(&str, f64, f64); 8] = [
     ("single 0.1", 0.2262, 46.20),
     ("single 0.2", 0.1609, 44.17),
@@ -109,7 +109,7 @@ mod tests {
         }
     }
 
-    /// "(g) tau_col = 0.1: Sample Ratio = 15.75%, PSNR = 46.17".
+    /// The caption is "(g) tau_col = 0.1: Sample Ratio = 15.75%, PSNR = 46.17".
     #[test]
     fn the_papers_rows_say_what_it_prints() {
         assert_eq!(published()[4], ["Figure 7", "multiple 0.1", "15.75 %", "46.17"]);

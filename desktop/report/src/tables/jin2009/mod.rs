@@ -1,4 +1,4 @@
-//! Where extra samples go, and what they give for what they cost: Jin 2009's comparisons for other scenes.
+//! Tables of Jin 2009: the quality and cost of adaptive supersampling, for other scenes.
 
 pub mod figure7;
 pub mod table2;
@@ -6,11 +6,11 @@ pub mod table2;
 use crate::record::Record;
 use crate::rung::Rung;
 
-/// How the tables are cited.
+/// Citation of the paper.
 const CITATION: &str = "Jin, Ihm, Chang, Park, Lee, Jung, \"Selective and Adaptive Supersampling for Real-Time Ray \
                         Tracing\", High Performance Graphics 2009 (GeForce GTX 280)";
 
-/// Traced samples over the pixels of the frame.
+/// Traced samples per pixel of the frame.
 fn samples_a_pixel(rung: &Rung, record: &Record) -> f64 {
     record.rt_ratio * f64::from(rung.settings.sampling).powi(2)
 }

@@ -1,4 +1,4 @@
-//! Table 2: fixed densities against extra samples where neighbours differ.
+//! Jin 2009, Table 2: fixed sampling densities against supersampling where neighbours differ.
 
 use glimpse::{Method, Settings};
 
@@ -11,7 +11,7 @@ use crate::rung::{Family, Rung};
 use crate::scene::SceneReport;
 use crate::table::{Content, Request, Rows, Table, measured, settings};
 
-/// Fixed densities beside extra samples, alone and after the adaptive method.
+/// Fixed densities against supersampling, alone and after the adaptive method.
 pub struct Supersampling;
 
 impl Table for Supersampling {
@@ -56,7 +56,7 @@ impl Table for Supersampling {
     }
 }
 
-/// 1 to 16 fixed samples a pixel, extra samples alone and after the adaptive method, and quincunxes.
+/// 1 to 16 fixed samples per pixel, supersampling alone and after the adaptive method, and quincunx sampling.
 fn rungs(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
     let adaptive = Settings { method: Method::Adaptive, ..*base };
     let quincunx = Settings { method: Method::Quincunx, ..*base };
@@ -77,13 +77,13 @@ const HEAD: [&str; 8] = [
     "frame rate / fixed 9",
 ];
 
-/// What one setting costs and gives.
+/// Cost and quality of one setting.
 struct Line<'l> {
     name: &'l str,
     psnr_db: f64,
     samples: f64,
     ms: f64,
-    /// Time over that of one sample a pixel.
+    /// Frame time over that of one sample per pixel.
     overhead: f64,
 }
 
@@ -131,15 +131,15 @@ fn rows(scene: &str, lines: &[Line<'_>]) -> Vec<Vec<String>> {
 /// A row of [`PUBLISHED`].
 #[derive(Clone, Copy, Debug)]
 struct PrintedLine {
-    /// What was rendered.
+    /// Label of the setting.
     sampling: &'static str,
-    /// Decibels against 256 samples a pixel.
+    /// PSNR in decibels against 256 samples per pixel.
     psnr_db: f64,
-    /// Samples a pixel; those of theirs are printed as a share of 9.
+    /// Samples per pixel; the paper prints those of its method as a share of 9.
     samples: f64,
-    /// Frames a second.
+    /// Frames per second.
     fps: f64,
-    /// Frame time over that of one sample a pixel.
+    /// Frame time over that of one sample per pixel.
     overhead: f64,
 }
 
@@ -157,7 +157,7 @@ const fn ours(
     PrintedLine { sampling, psnr_db, samples: 9.0 * percent_of_9 / 100.0, fps, overhead }
 }
 
-/// As printed: scene, thousands of triangles, and its rows, 1024x1024.
+/// As printed for 1024x1024: scene, thousands of triangles, and the rows.
 #[rustfmt::skip]
 const PUBLISHED: [(&str, u32, &[PrintedLine]); 5] = [
     ("Bathroom", 268, &[
@@ -233,7 +233,7 @@ mod tests {
         assert_eq!(rows[1][3..], ["9.00", "100.0 %", "80.0", "8.00", "1.00"]);
     }
 
-    /// Bathroom: "44.03 (24.6%) 2.14 (3.22)".
+    /// Printed for the Bathroom: "44.03 (24.6%) 2.14 (3.22)".
     #[test]
     fn the_papers_rows_say_what_it_prints() {
         let (_, _, lines) = PUBLISHED[0];
@@ -248,7 +248,8 @@ mod tests {
         assert!((samples(2) - 9.0 * 0.34).abs() < 1e-12 && (samples(4) - 0.34).abs() < 1e-12);
     }
 
-    /// The paper's own columns check the copy: its overheads are ratios of its frame rates, both rounded.
+    /// Checks the transcription against the paper itself: its overheads are ratios of its frame rates, both
+    /// rounded.
     #[test]
     fn overheads_are_ratios_of_frame_rates() {
         for (scene, _, lines) in &PUBLISHED {

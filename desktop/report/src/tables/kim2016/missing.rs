@@ -1,4 +1,5 @@
-//! Missing objects (Kim 2016, section 4): what full tracing shows and the adaptive method does not, by its base block.
+//! Missing objects (Kim 2016, section 4): objects that full ray tracing shows and the adaptive method loses,
+//! by base block.
 
 use glimpse::{Method, Missing, Postcorrect, Settings};
 use glimpse_measure::output::grouped;
@@ -9,7 +10,7 @@ use crate::rung::{Family, Rung};
 use crate::scene::SceneReport;
 use crate::table::{Content, Request, Rows, Table, measured, settings};
 
-/// Base blocks without and with postcorrection.
+/// Each base block without and with postcorrection.
 pub struct MissingObjects;
 
 impl Table for MissingObjects {

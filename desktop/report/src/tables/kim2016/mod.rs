@@ -1,5 +1,5 @@
-//! The tables of Kim, Seo, Kim, Lim, Nah, Ihm, "Adaptive Undersampling for Efficient Mobile Ray Tracing", The Visual
-//! Computer 32, 2016 (Adreno 420; table 4: AMD Radeon R9 Fury X), with their figures as printed.
+//! Tables of Kim, Seo, Kim, Lim, Nah, Ihm, "Adaptive Undersampling for Efficient Mobile Ray Tracing", The
+//! Visual Computer 32, 2016 (Adreno 420; table 4: AMD Radeon R9 Fury X), beside the figures as printed.
 
 pub mod missing;
 pub mod table3a;
@@ -14,14 +14,14 @@ use crate::bench::Measured;
 use crate::job::Job;
 use crate::rung::{Family, Rung};
 
-/// How the tables are cited.
+/// Citation of the paper.
 pub const CITATION: &str = "Kim, Seo, Kim, Lim, Nah, Ihm, \"Adaptive Undersampling for Efficient Mobile Ray Tracing\", \
                             The Visual Computer 32, 2016";
 
-/// The rates of sampling of tables 4 and 5: samples along a side of a pixel.
+/// Sampling rates of tables 4 and 5: samples along the side of a pixel.
 const SAMPLINGS: [u32; 3] = [1, 2, 4];
 
-/// A job of full ray tracing and the adaptive method with the same samples.
+/// A job of full ray tracing and the adaptive method at the same sampling rate.
 fn pair_job(table: &'static str, base: &Settings, size: [u32; 2], sampling: u32) -> Job {
     let rung =
         |name, family, method| Rung::beside_full(name, family, Settings { method, sampling, ..*base }, size);
@@ -32,29 +32,29 @@ fn pair_job(table: &'static str, base: &Settings, size: [u32; 2], sampling: u32)
 /// Full ray tracing and the adaptive method, measured or as printed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair {
-    /// Samples along a side of a pixel.
+    /// Samples along the side of a pixel.
     pub sampling: u32,
-    /// Full ray tracing, milliseconds.
+    /// Frame time of full ray tracing in milliseconds.
     pub full_ms: f64,
-    /// The adaptive method, milliseconds.
+    /// Frame time of the adaptive method in milliseconds.
     pub adaptive_ms: f64,
-    /// Traced samples over all samples.
+    /// RT ratio: traced samples over all samples.
     pub rt_ratio: f64,
-    /// Decibels against full ray tracing of the same sampling.
+    /// PSNR in decibels against full ray tracing at the same sampling rate.
     pub psnr_db: f64,
 }
 
-/// As printed.
+/// Makes a pair from the printed figures.
 const fn pair(sampling: u32, full_ms: f64, adaptive_ms: f64, rt_ratio: f64, psnr_db: f64) -> Pair {
     Pair { sampling, full_ms, adaptive_ms, rt_ratio, psnr_db }
 }
 
 impl Pair {
-    /// The heads of the cells that [`Pair::row`] adds.
+    /// Headings of the cells that [`Pair::row`] appends.
     const HEAD: [&str; 7] =
         ["sampling", "full ms", "adaptive ms", "speedup", "RT ratio", "efficiency", "PSNR dB"];
 
-    /// Of a [`pair_job`].
+    /// Reads the pair from the measurements of a [`pair_job`].
     fn of(measured: &Measured) -> Self {
         let [full, adaptive] = [0, 1].map(|i| &measured.records[i]);
         Self {
@@ -70,7 +70,7 @@ impl Pair {
         self.full_ms / self.adaptive_ms
     }
 
-    /// A row that begins with these cells.
+    /// Makes a row of the given first cells and those of the pair.
     fn row(&self, first: impl IntoIterator<Item = String>) -> Vec<String> {
         let cells = [
             format!("{0}x{0}", self.sampling),
@@ -85,7 +85,7 @@ impl Pair {
     }
 }
 
-/// A row of tables 3(b) and 3(c): what was varied, as a share, and the times.
+/// A row of tables 3(b) and 3(c): the varied share and the times.
 fn varied(scene: &str, share: f64, full_ms: f64, adaptive_ms: f64) -> Vec<String> {
     vec![
         scene.to_owned(),
@@ -107,7 +107,7 @@ mod tests {
         assert_eq!(varied("s", 0.199, 813.3, 454.0)[1..], ["19.9 %", "813.3", "454.0", "1.79"]);
     }
 
-    /// The paper's own columns check the copy: table 3(a) sums to table 5's time.
+    /// Checks the transcription: the steps of table 3(a) sum to the time in table 5.
     #[test]
     fn the_steps_sum_to_the_frame() {
         for ((name, steps), (same, _, sizes)) in table3a::PUBLISHED.iter().zip(&table5::PUBLISHED) {

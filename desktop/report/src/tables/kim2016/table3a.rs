@@ -1,4 +1,4 @@
-//! Table 3(a): milliseconds by kernel.
+//! Table 3(a): milliseconds of each kernel.
 
 use super::{CITATION, pair_job};
 use crate::job::Job;
@@ -7,7 +7,7 @@ use crate::scene::SceneReport;
 use crate::subject::TABLE_SIDE;
 use crate::table::{Content, Request, Rows, Table, measured};
 
-/// The adaptive method's time by the steps of the paper.
+/// Time of the adaptive method by the steps of the paper.
 pub struct Kernels;
 
 impl Table for Kernels {
@@ -39,7 +39,7 @@ impl Table for Kernels {
     }
 }
 
-/// The steps of the paper, and what the names of the passes that do them hold.
+/// Steps of the paper, with the text that the names of their passes contain.
 const STEPS: [(&str, &str); 8] = [
     ("I", "base"),
     ("II-a", "similarity_a1"),
@@ -51,7 +51,7 @@ const STEPS: [(&str, &str); 8] = [
     ("IV", "postcorrect"),
 ];
 
-/// Milliseconds of the paper's steps, and of what belongs to none.
+/// Median milliseconds of each step, then of everything else in the frame.
 fn by_step(record: &Record) -> [f64; 9] {
     let mut steps = [0.0; 9];
     for (pass, ms) in record.passes() {
@@ -69,7 +69,7 @@ fn row(scene: &str, steps: &[f64; 9]) -> Vec<String> {
     std::iter::once(scene.to_owned()).chain(cells).collect()
 }
 
-/// As printed: milliseconds by step, and all else, 1024x1024.
+/// As printed for 1024x1024: milliseconds by step, then all else.
 pub const PUBLISHED: [(&str, [f64; 9]); 6] = [
     ("Café", [284.3, 25.9, 10.4, 53.7, 38.5, 11.1, 94.6, 60.8, 11.8]),
     ("Ben", [329.8, 25.4, 11.5, 40.2, 36.8, 10.7, 66.7, 44.3, 9.8]),
@@ -83,6 +83,14 @@ pub const PUBLISHED: [(&str, [f64; 9]); 6] = [
 mod tests {
     use super::*;
     use crate::record::tests::example;
+
+    /// The time of a renamed pass would count among all else.
+    #[test]
+    fn every_step_names_a_stage() {
+        for (step, name) in STEPS {
+            assert!(glimpse::Tracing::of_pass(name).is_some(), "step {step}: no stage is named {name}");
+        }
+    }
 
     #[test]
     fn passes_belong_to_the_papers_steps() {
@@ -102,7 +110,7 @@ mod tests {
         ]
         .map(|(name, ms)| (name.to_owned(), ms))
         .to_vec();
-        // What is left of the frame's 20 ms is not in any pass.
+        // The rest of the frame's 20 ms is in no pass.
         assert_eq!(by_step(&record), [8.0, 1.0, 0.5, 2.0, 1.5, 0.25, 3.0, 1.75, 2.0]);
     }
 }

@@ -1,4 +1,4 @@
-//! Table 3(b): share of reflective pixels varied.
+//! Table 3(b): times by share of reflective pixels.
 
 use super::{CITATION, Pair, pair_job, varied};
 use crate::job::Job;
@@ -6,7 +6,7 @@ use crate::scene::SceneReport;
 use crate::subject::{SHARES, TABLE_SIDE, Variant};
 use crate::table::{Content, Request, Rows, Table, measured};
 
-/// The scene with growing sets of objects that reflect.
+/// The scene with growing sets of reflective objects.
 pub struct Reflective;
 
 impl Table for Reflective {
@@ -47,7 +47,8 @@ impl Table for Reflective {
     }
 }
 
-/// As printed, of the Bathroom: share of reflective pixels, milliseconds of full ray tracing and of the paper's method.
+/// As printed for the Bathroom: share of reflective pixels, milliseconds of full ray tracing and of the
+/// paper's method.
 const PUBLISHED: [(f64, f64, f64); 5] = [
     (0.199, 813.3, 454.0),
     (0.411, 870.2, 451.8),

@@ -1,4 +1,4 @@
-//! Table 3(c): RT ratio varied.
+//! Table 3(c): times by RT ratio.
 
 use super::{CITATION, Pair, pair_job, varied};
 use crate::job::Job;
@@ -6,10 +6,10 @@ use crate::scene::SceneReport;
 use crate::subject::TABLE_SIDE;
 use crate::table::{Content, Request, Rows, Table};
 
-/// The views, in degrees about the vertical.
+/// Rotations of the camera about the vertical, in degrees.
 const TURNS: [f32; 5] = [0.0, 72.0, 144.0, 216.0, 288.0];
 
-/// The camera turned where it stands.
+/// Views with different RT ratios, from rotating the camera in place.
 pub struct Views;
 
 impl Table for Views {
@@ -51,7 +51,7 @@ impl Table for Views {
     }
 }
 
-/// As printed, of the Conference: RT ratio, milliseconds of full ray tracing and of the paper's method.
+/// As printed for the Conference: RT ratio, milliseconds of full ray tracing and of the paper's method.
 const PUBLISHED: [(f64, f64, f64); 5] = [
     (0.259, 944.6, 362.1),
     (0.266, 884.7, 414.4),

@@ -1,11 +1,11 @@
-//! Table 4: the hairball.
+//! Table 4: sampling rates of the hairball.
 
 use super::{CITATION, Pair, SAMPLINGS, pair, pair_job};
 use crate::job::Job;
 use crate::scene::SceneReport;
 use crate::table::{Content, Request, Rows, Table, measured};
 
-/// Several rates of sampling of a scene that is named hairball.
+/// Several sampling rates of a scene whose name contains "hairball".
 pub struct Hairball;
 
 impl Table for Hairball {
@@ -40,7 +40,7 @@ impl Table for Hairball {
     }
 }
 
-/// As printed, 3840x2160.
+/// As printed for 3840x2160.
 const PUBLISHED: [Pair; 5] = [
     pair(1, 5200.0, 2600.0, 0.390, 31.72),
     pair(2, 18900.0, 9400.0, 0.378, 37.73),

@@ -1,4 +1,4 @@
-//! Table 5: resolution and sampling.
+//! Table 5: resolutions and sampling rates.
 
 use glimpse_measure::output::grouped;
 
@@ -7,7 +7,7 @@ use crate::job::Job;
 use crate::scene::SceneReport;
 use crate::table::{Content, Request, Rows, Table, measured};
 
-/// Square frames of several sizes, each with several rates of sampling.
+/// Square frames of several sizes, each at several sampling rates.
 pub struct Resolutions;
 
 impl Table for Resolutions {
@@ -50,10 +50,10 @@ impl Table for Resolutions {
     }
 }
 
-/// The side of a square frame, and three rates of sampling.
+/// Side of a square frame in pixels, and its pairs for three sampling rates.
 pub type Size = (u32, [Pair; 3]);
 
-/// As printed: scene, triangles, and three sizes.
+/// As printed: scene, number of triangles, and three sizes.
 #[rustfmt::skip]
 #[allow(clippy::approx_constant, reason = "0.318 is a ratio of rays")]
 pub const PUBLISHED: [(&str, u32, [Size; 3]); 6] = [
@@ -93,7 +93,7 @@ pub const PUBLISHED: [(&str, u32, [Size; 3]); 6] = [
 mod tests {
     use super::*;
 
-    /// A grid of twice the side has the samples of a frame of twice the side.
+    /// Halving the sample spacing gives the samples of a frame of twice the side.
     #[test]
     fn ratios_of_equal_grids_agree() {
         for (name, _, [(_, small), (_, middle), (_, large)]) in &PUBLISHED {

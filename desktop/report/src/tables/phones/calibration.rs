@@ -1,5 +1,5 @@
-//! The shares of its peak that this device reaches, from the times of its passes; and how well they predict a scene that
-//! they were not taken from.
+//! Calibrates the cost model: the shares of its peak that this device reaches in the timed passes, and how
+//! well they predict a scene left out of the calibration.
 
 use glimpse::{Demand, Tracing};
 use glimpse_measure::statistics::Spread;
@@ -8,29 +8,29 @@ use crate::bench::Measured;
 use crate::record::Frame;
 use crate::work::class_name;
 
-/// A frame that was counted and timed.
+/// A frame whose work was counted and timed.
 #[derive(Clone, Debug)]
 pub struct Cell {
-    /// The scene's name.
+    /// Name of the scene.
     pub scene: String,
-    /// The setting's label.
+    /// Label of the setting.
     pub method: String,
-    /// By [`Tracing`].
+    /// Operations and bytes by class of passes ([`Tracing`]).
     pub loads: [Demand; 3],
-    /// The timed ones.
+    /// Timed frames.
     pub frames: Vec<Timed>,
-    /// All of them.
+    /// Number of rays of all kinds.
     pub rays: u64,
-    /// Of the acceleration structure.
+    /// Number of visited nodes of the acceleration structure.
     pub node_visits: u64,
-    /// Of triangles and spheres.
+    /// Number of intersection tests with triangles and spheres.
     pub primitive_tests: u64,
-    /// Of the frame.
+    /// Number of pixels of the frame.
     pub pixels: u64,
 }
 
 impl Cell {
-    /// The frames of a measurement whose work was counted.
+    /// Cells of all settings of a measurement whose work was counted.
     pub fn all(scene: &str, measured: &Measured) -> Vec<Self> {
         let counted = measured.job.rungs.iter().zip(&measured.records);
         let counted = counted.filter_map(|(rung, record)| {
@@ -49,13 +49,14 @@ impl Cell {
         counted.collect()
     }
 
-    /// Of the whole frame.
+    /// Operations of the whole frame.
     pub fn operations(&self) -> f64 {
         self.loads.iter().map(|load| load.operations).sum()
     }
 
-    /// The share of the peak that a class of passes reaches: the median over frames, each against the peak of its own moment, so
-    /// that what else the device does counts on both sides. None where nothing was timed.
+    /// Share of the peak that a class of passes reaches: the median over frames, each against the peak
+    /// measured right after it, so that other load of the device affects both alike. `None` if nothing was
+    /// timed.
     fn share(&self, class: Tracing) -> Option<f64> {
         let operations = self.loads[class as usize].operations;
         let shares = self.frames.iter().filter_map(|frame| {
@@ -65,7 +66,8 @@ impl Cell {
         median(shares)
     }
 
-    /// Median milliseconds of all passes, and the device's peak at the time.
+    /// Median milliseconds of all passes, and the median peak of the device in billions of operations per
+    /// second.
     fn measured(&self) -> Option<(f64, f64)> {
         let ms = self.frames.iter().map(|frame| frame.ms.iter().sum()).filter(positive);
         median(ms).zip(median(self.peaks()))
@@ -76,12 +78,12 @@ impl Cell {
     }
 }
 
-/// The time of a frame.
+/// Pass times of one frame.
 #[derive(Clone, Debug)]
 pub struct Timed {
-    /// Milliseconds by [`Tracing`]; zero where nothing was timed.
+    /// Milliseconds by class of passes ([`Tracing`]); zero if nothing was timed.
     pub ms: [f64; 3],
-    /// Billions of operations a second, measured right after it.
+    /// Peak of the device measured right after the frame, in billions of operations per second.
     pub peak_gflops: Option<f64>,
 }
 
@@ -104,20 +106,20 @@ fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
     (!values.is_empty()).then(|| Spread::of(values).median)
 }
 
-/// What this device reaches.
+/// Peak of this device and the shares of it that passes reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Calibration {
-    /// Measured, billions of operations a second.
+    /// Measured peak in billions of operations per second.
     pub peak_gflops: f64,
-    /// Shares of it by [`Tracing`], medians over frames.
+    /// Shares of the peak by class of passes ([`Tracing`]), medians over frames.
     pub shares: [f64; 3],
 }
 
 impl Calibration {
-    /// From these frames.
+    /// Calibrates from the given frames.
     ///
     /// # Errors
-    /// Says what is missing where they do not tell: never a number that nothing was measured for.
+    /// Fails with the missing measurement, if the peak or the times of a class are unknown.
     pub fn of<'c>(cells: impl Iterator<Item = &'c Cell> + Clone) -> Result<Self, String> {
         let peak_gflops = median(cells.clone().flat_map(Cell::peaks))
             .ok_or("the device's peak could not be measured, as it has no timestamps")?;
@@ -129,34 +131,34 @@ impl Calibration {
         Ok(Self { peak_gflops, shares })
     }
 
-    /// What a frame would take on this device while its peak is that.
+    /// Predicted milliseconds of a frame on this device at the given peak.
     fn ms(&self, cell: &Cell, peak_gflops: f64) -> f64 {
         let parts = cell.loads.iter().zip(self.shares);
         parts.map(|(load, share)| load.operations / (share * peak_gflops) * 1e-6).sum()
     }
 }
 
-/// A frame of a scene that the calibration has not seen.
+/// A frame predicted from the other scenes, and its measured time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
-    /// The scene's name.
+    /// Name of the scene.
     pub scene: String,
-    /// The setting's label.
+    /// Label of the setting.
     pub method: String,
-    /// From the other scenes.
+    /// Milliseconds predicted from the other scenes.
     pub predicted_ms: f64,
-    /// The sum of its passes.
+    /// Measured milliseconds, the sum of the passes.
     pub measured_ms: f64,
 }
 
 impl Check {
-    /// How many times too long or too short, at least 1.
+    /// Ratio of prediction and measurement, whichever way is at least 1.
     pub fn factor(&self) -> f64 {
         (self.predicted_ms / self.measured_ms).max(self.measured_ms / self.predicted_ms)
     }
 }
 
-/// Every timed frame, predicted from the frames of the other scenes; none where there is one scene.
+/// Predicts every timed frame from the frames of the other scenes; empty with one scene.
 pub fn leave_one_out(cells: &[Cell]) -> Vec<Check> {
     let checks = cells.iter().filter_map(|cell| {
         let (measured_ms, peak_gflops) = cell.measured()?;
@@ -176,7 +178,8 @@ pub fn leave_one_out(cells: &[Cell]) -> Vec<Check> {
 pub mod tests {
     use super::*;
 
-    /// A frame of so many operations and milliseconds, with bytes to match, on a device of 100 billion a second.
+    /// A frame with the given operations, proportional bytes, and milliseconds by class, on a device with a
+    /// peak of 100 billion operations per second.
     pub fn cell(scene: &str, method: &str, operations: [f64; 3], ms: [f64; 3]) -> Cell {
         let load = |operations: f64| Demand {
             operations,
@@ -195,7 +198,7 @@ pub mod tests {
         }
     }
 
-    /// Two scenes, the second of which takes twice as long for its work.
+    /// Two scenes, of which the second takes twice the time for its work.
     pub fn scenes() -> Vec<Cell> {
         vec![
             cell("a", "full", [40e9, 0.0, 0.0], [2000.0, 0.0, 0.0]),
@@ -209,7 +212,7 @@ pub mod tests {
     fn shares_are_rates_over_the_peak() {
         let cells = scenes();
         let calibration = Calibration::of(cells[..2].iter()).expect("calibrated");
-        // 20, 10 and 40 billion a second of 100.
+        // 20, 10 and 40 billion operations per second of 100.
         assert_eq!(calibration, Calibration { peak_gflops: 100.0, shares: [0.2, 0.1, 0.4] });
     }
 
@@ -223,7 +226,7 @@ pub mod tests {
         assert_eq!(leave_one_out(&scenes()[..2]), [], "nothing was left to predict from");
     }
 
-    /// A frame that took twice as long while the device did half as much says the same.
+    /// A frame that takes twice the time at half the peak gives the same share.
     #[test]
     fn each_frame_counts_against_the_peak_of_its_own_moment() {
         let mut cells = scenes()[..2].to_vec();

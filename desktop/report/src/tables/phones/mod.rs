@@ -1,4 +1,4 @@
-//! "Will it be real time?": what phones would need for a frame, predicted from counted work and published peaks.
+//! "Will it be real time?": predicted frame times of phones, from counted work and published peak rates.
 
 mod calibration;
 mod model;
@@ -18,7 +18,7 @@ use calibration::{Calibration, Cell, Check, leave_one_out};
 use model::{Bound, Device, Reach, milliseconds};
 use rates::PUBLISHED;
 
-/// What phones would need for a frame.
+/// Predicted frame times of phones.
 pub struct Phones;
 
 impl Table for Phones {
@@ -50,18 +50,18 @@ impl Table for Phones {
     }
 }
 
-/// The frame that is asked about.
+/// Size of the predicted frame in pixels.
 const SIZE: [u32; 2] = [2560, 1440];
 
-/// The shares of a phone's peak bandwidth that are reached, and the parts of the scene's bytes that its caches do not spare:
-/// assumed, fast to slow.
+/// Assumed shares of a phone's peak bandwidth that are reached, from the fast case to the slow; [`MISSED`]
+/// has the shares of the scene's bytes that miss its caches.
 const BANDWIDTH: [f64; 3] = [0.8, 0.7, 0.5];
 const MISSED: [f64; 3] = [0.05, 0.15, 0.4];
 
-/// The label of full ray tracing.
+/// Label of full ray tracing.
 const FULL: &str = "full";
 
-/// The methods that are asked about, full ray tracing first.
+/// Predicted methods, full ray tracing first.
 fn rungs(base: &Settings) -> Vec<Rung> {
     let rung = |name: &str, family, method, block| {
         Rung::beside_full(name, family, Settings { method, block, ..*base }, SIZE)
@@ -74,57 +74,57 @@ fn rungs(base: &Settings) -> Vec<Rung> {
     ]
 }
 
-/// A frame of a scene on a phone: a prediction, which nobody has measured.
+/// Predicted time of a scene's frame on a phone, not a measurement.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 struct Prediction {
-    /// As it was named on the command line.
+    /// Name of the scene on the command line.
     pub scene: String,
-    /// The setting's label.
+    /// Label of the setting.
     pub method: String,
-    /// As the emulator is asked for it.
+    /// Name of the phone, as the emulator takes it.
     pub phone: String,
-    /// Its graphics device.
+    /// Name of the graphics device.
     pub gpu: String,
-    /// Of the frame.
+    /// Width of the frame in pixels.
     pub width: u32,
-    /// Of the frame.
+    /// Height of the frame in pixels.
     pub height: u32,
-    /// If all that is uncertain goes well.
+    /// Milliseconds in the fast case.
     pub predicted_low_ms: f64,
-    /// In between.
+    /// Milliseconds in the middle case.
     pub predicted_mid_ms: f64,
-    /// If all of it goes badly.
+    /// Milliseconds in the slow case.
     pub predicted_high_ms: f64,
-    /// Frames a second of the time in between.
+    /// Frames per second in the middle case.
     pub predicted_mid_fps: f64,
-    /// What most of the time in between is spent on: `arithmetic` or `memory`.
+    /// What limits the middle case: `arithmetic` or `memory`.
     pub waits_for: String,
 }
 
-/// Everything that the section of the page says.
+/// Everything that the section of the page shows.
 struct Predictions {
-    /// Of this device.
+    /// Calibration of this device.
     pub calibration: Calibration,
-    /// Each frame from the other scenes.
+    /// Each frame predicted from the other scenes.
     pub checks: Vec<Check>,
-    /// How far the worst of them is off, at least 1; 1 where there is one scene.
+    /// The largest ratio between prediction and measurement among the checks, at least 1; 1 with one scene.
     pub factor: f64,
-    /// The shares of peak operations that are known, for traced neighbours: of this device, then the published ones.
+    /// Known shares of peak operations of traced neighbours: of this device, then the published ones.
     pub known: Vec<f64>,
-    /// Of those the largest, the median and the smallest.
+    /// Largest, median and smallest of the known shares.
     pub arithmetic: [f64; 3],
-    /// The frames that were counted.
+    /// Frames whose work was counted.
     pub cells: Vec<Cell>,
-    /// With their sources.
+    /// Phones with the sources of their peak rates.
     pub phones: Vec<Phone>,
-    /// By scene, method and phone.
+    /// Predictions by scene, method and phone.
     pub rows: Vec<Prediction>,
 }
 
-/// What is predicted of the scenes; `None` where it was not asked for.
+/// Predictions for the scenes; `None` if the table was not measured.
 ///
 /// # Errors
-/// The phones' file, or what the calibration lacks.
+/// Fails if the file of phones is damaged or the calibration lacks measurements.
 fn of(scenes: &[SceneReport]) -> Option<Result<Predictions, String>> {
     let cells: Vec<_> = measured(scenes, Phones.name())
         .flat_map(|(scene, measured)| Cell::all(&scene.prepared.name, measured))
@@ -171,12 +171,13 @@ impl Predictions {
         pairs.map(row).collect()
     }
 
-    /// Milliseconds of a frame on a phone, fast, in between or slow, and what most of them are spent on.
+    /// Milliseconds of a frame on a phone in the fast, middle or slow `case` (0 to 2), and what limits most
+    /// of it.
     fn frame(&self, cell: &Cell, phone: &Phone, case: usize) -> (f64, Bound) {
         let device = Device { gflops: phone.gflops.value, gigabytes: phone.gigabytes.value };
         let mut by_bound = [0.0; 2];
         for (load, share) in cell.loads.iter().zip(self.calibration.shares) {
-            // Classes of passes are to each other as on this device.
+            // Classes of passes keep the ratios that they have on this device.
             let arithmetic = self.arithmetic[case] * share / self.calibration.shares[0];
             let reach = Reach { arithmetic, bandwidth: BANDWIDTH[case], missed: MISSED[case] };
             let (ms, bound) = milliseconds(load, device, reach);
@@ -187,14 +188,14 @@ impl Predictions {
     }
 }
 
-/// The largest, the median and the smallest.
+/// Largest, median and smallest value.
 fn extremes(values: &[f64]) -> [f64; 3] {
     let mut sorted = values.to_vec();
     sorted.sort_by(|a, b| b.total_cmp(a));
     [sorted[0], sorted[sorted.len() / 2], sorted[sorted.len() - 1]]
 }
 
-/// The rows as comma-separated values.
+/// Writes the predictions as comma-separated values.
 fn csv(rows: &[Prediction]) -> anyhow::Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for row in rows {
@@ -208,7 +209,7 @@ pub mod tests {
     use super::*;
     use calibration::tests::{cell, scenes};
 
-    /// Of two scenes, for every phone.
+    /// Predictions of two scenes for every phone.
     pub(super) fn predictions() -> Predictions {
         Predictions::new(scenes(), Phone::all().expect("the file")).expect("calibrated")
     }

@@ -1,4 +1,5 @@
-//! The cost model: a roofline (Williams, Waterman, Patterson 2009, "Roofline: an insightful visual performance model").
+//! The cost model: a roofline (Williams, Waterman, Patterson 2009, "Roofline: an insightful visual
+//! performance model").
 //!
 //! A pass takes the longer of the times for its arithmetic and for its memory traffic:
 //!
@@ -11,35 +12,35 @@ use glimpse::Demand;
 /// Peak rates of a device.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Device {
-    /// Billions of operations a second.
+    /// Billions of operations per second.
     pub gflops: f64,
-    /// Billions of bytes a second.
+    /// Billions of bytes per second.
     pub gigabytes: f64,
 }
 
-/// How much of its peaks a device reaches.
+/// Shares of its peak rates that a device reaches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reach {
-    /// Share of the peak operations.
+    /// Share of the peak operations that is reached.
     pub arithmetic: f64,
-    /// Share of the peak bandwidth.
+    /// Share of the peak bandwidth that is reached.
     pub bandwidth: f64,
-    /// The part of the bytes read of the scene that comes from memory, not from caches.
+    /// Share of the scene bytes that miss the caches and come from memory.
     pub missed: f64,
 }
 
-/// What a pass waits for.
+/// What limits a pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound {
-    /// Its operations.
+    /// Arithmetic throughput.
     Arithmetic,
-    /// Its bytes.
+    /// Memory bandwidth.
     Memory,
 }
 
-/// Milliseconds of a pass, and what it waits for.
+/// Milliseconds of a pass, and what limits it.
 pub fn milliseconds(load: &Demand, device: Device, reach: Reach) -> (f64, Bound) {
-    // Billions a second are millions a millisecond.
+    // Billions per second are millions per millisecond.
     let arithmetic = load.operations / (device.gflops * reach.arithmetic) * 1e-6;
     let bytes = load.frame_bytes + reach.missed * load.scene_bytes;
     let memory = bytes / (device.gigabytes * reach.bandwidth) * 1e-6;

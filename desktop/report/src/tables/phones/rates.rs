@@ -1,31 +1,31 @@
-//! What graphics devices without ray tracing units were published to reach, as shares of their peaks.
+//! Published ray tracing rates of graphics devices without ray tracing units, as shares of their peaks.
 
 use glimpse_measure::statistics::Spread;
 
 use super::calibration::Cell;
 use crate::tables::kim2016::table5;
 
-/// A published rate.
+/// A published ray tracing rate.
 #[derive(Clone, Copy, Debug)]
 pub struct Published {
-    /// What ran where.
+    /// Program and device.
     pub what: &'static str,
-    /// Where it is from.
+    /// Source of the rate and of the peak.
     pub source: &'static str,
-    /// Peak of the device, billions of operations a second.
+    /// Peak of the device in billions of operations per second.
     pub gflops: f64,
     rate: Rate,
 }
 
 #[derive(Clone, Copy, Debug)]
 enum Rate {
-    /// Rays a second.
+    /// Rays per second.
     Rays(f64),
-    /// The median frame of Kim 2016's table 5 at 1024x1024, one sample a pixel, fully ray traced.
+    /// Median frame of Kim 2016's table 5: full ray tracing at 1024x1024 with one sample per pixel.
     Paper,
 }
 
-/// All of them.
+/// All published rates.
 pub const PUBLISHED: [Published; 2] = [
     Published {
         what: "RTX 4070 Ti, the same kind of tree in a shader: 2.75 ms for 1920x1080 primary rays and as many of ambient \
@@ -43,8 +43,8 @@ pub const PUBLISHED: [Published; 2] = [
 ];
 
 impl Published {
-    /// The share of the peak operations that this is, if a ray and a pixel took as many operations as in these frames of
-    /// full ray tracing.
+    /// Share of the peak operations that the rate amounts to, if a ray or a pixel takes as many operations as
+    /// in the given frames of full ray tracing.
     pub fn share(&self, full: &[&Cell]) -> f64 {
         let median = |per: fn(&Cell) -> f64| Spread::of(full.iter().map(|cell| per(cell))).median;
         let operations_a_second = match self.rate {

@@ -1,4 +1,4 @@
-//! "Will it be real time?": the section with the predictions for phones, and all that they rest on.
+//! "Will it be real time?": the section of the page with the predictions for phones and their assumptions.
 
 use glimpse::Tracing;
 use maud::{Markup, html};
@@ -7,7 +7,7 @@ use super::{BANDWIDTH, Cell, MISSED, PUBLISHED, Prediction, Predictions, SIZE};
 use crate::tables::kim2016;
 use crate::work::class_name;
 
-/// The section; without a calibration it says what is missing.
+/// Renders the section; without a calibration it states what is missing.
 pub fn section(predictions: &Result<Predictions, String>) -> Markup {
     let [width, height] = SIZE;
     html! {
@@ -63,7 +63,7 @@ fn times(predictions: &Predictions) -> Markup {
     }
 }
 
-/// As `118 ms (51 to 310), 8.5 fps`.
+/// Formats a prediction: `118 ms (51 to 310), 8.5 fps`.
 fn time(row: &Prediction) -> String {
     let short = |value: f64| if value < 9.95 { format!("{value:.1}") } else { format!("{value:.0}") };
     let [low, mid, high, fps] =
