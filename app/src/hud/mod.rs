@@ -60,7 +60,7 @@ pub struct Hud<'a> {
     pub scenes: &'a [String],
     /// Rectangle of the picture, in points.
     pub picture: Rect,
-    /// Whether the device has a touch screen, so that every control must be large enough for a finger.
+    /// Whether input comes from fingers, so that every control must be large enough for them.
     pub touch: bool,
 }
 

@@ -8,7 +8,7 @@ use egui::{
 
 /// Colour of measurements and selected values.
 pub const ACCENT: Color32 = Color32::from_rgb(110, 190, 245);
-/// Colour of frame times over the limit, warnings and errors.
+/// Colour of frame times over the limit, warnings, errors and the marks of sliders.
 pub const WARNING: Color32 = Color32::from_rgb(250, 170, 90);
 /// Least side in points of a control for fingers.
 pub const TOUCH_TARGET: f32 = 44.0;
