@@ -36,12 +36,12 @@ pub struct App {
 }
 
 impl App {
-    /// Creates the app without a device: it renders nothing before [`App::attach`]. `recent` are names of files that
-    /// were opened before; `scene` is opened as soon as there is a device.
+    /// Creates the app without a device: it renders nothing before [`App::attach`]. `recent` are the names of
+    /// recently opened files; `scene` is opened once a device is attached.
     #[must_use]
     pub fn new(files: Files, wake: Wake, scene: &str, recent: Vec<String>, choices: Choices) -> Self {
         let context = egui::Context::default();
-        // Gestures are read once an update, so egui may not run a second pass in one.
+        // Gestures are read once per update, so egui must not run a second pass within one.
         context.options_mut(|options| options.max_passes = 1.try_into().unwrap_or(options.max_passes));
         Self {
             context,
@@ -65,15 +65,15 @@ impl App {
         &self.context
     }
 
-    /// The whole texture of the overlay's fonts, for a painter that is created late: an update holds changes of the
-    /// texture only. `None` before the first update, which holds the whole texture.
+    /// The complete font texture of the overlay, for a painter created after the first update: later updates
+    /// contain only its changes. `None` before the first update, which contains the complete texture.
     #[must_use]
     pub fn fonts(&self) -> Option<egui::ColorImage> {
         (self.context.cumulative_pass_nr() > 0).then(|| self.context.fonts(|fonts| fonts.image()))
     }
 
-    /// Takes a device, the first one or a replacement of a lost one, and the format of the targets to draw on. Loads
-    /// the scene onto it and requests its frame.
+    /// Attaches a device, the first one or the replacement of a lost one, and the format of the render
+    /// targets. Loads the scene onto it and requests its frame.
     pub fn attach(&mut self, gpu: Arc<Gpu>, format: wgpu::TextureFormat) {
         let facts = gpu.facts();
         let on_cpu = facts.info.device_type == wgpu::DeviceType::Cpu;
@@ -90,7 +90,7 @@ impl App {
         self.load(&wanted);
     }
 
-    /// Opens a scene. The present one is shown until it is loaded.
+    /// Opens a scene. The current one stays on screen until the new one is loaded.
     pub fn open(&mut self, name: &str) {
         self.scenes.want(name);
         self.hud_state.problem = None;
@@ -104,12 +104,14 @@ impl App {
         self.clock.loading_began();
     }
 
-    /// Advances the app to the time `now`: handles messages of the worker and input, moves the camera, requests the
-    /// next frame, and returns what to show. `now` counts from any fixed moment and never decreases.
+    /// Advances the app to the time `now`: handles messages of the worker and input, moves the camera,
+    /// requests the next frame, and returns what to show. `now` is measured from an arbitrary fixed moment
+    /// and never decreases.
     pub fn update(&mut self, input: egui::RawInput, now: Duration) -> Update {
         let passed = self.clock.advance(now);
         self.poll_worker();
-        // The device is asked here because a view at rest requests nothing, so the worker would not notice a loss.
+        // A view at rest requests no frames, so the worker would not notice a lost device: the app checks it
+        // here.
         if let Some(reason) = self.device.lost().map(str::to_owned) {
             self.lost(&reason);
         }
@@ -140,8 +142,8 @@ impl App {
         }
     }
 
-    /// Draws a painting on a target of `size` pixels. Without a target, only the painting's changes of textures are
-    /// applied.
+    /// Draws a painting on a target of `size` pixels. Without a target, only the painting's texture changes
+    /// are applied.
     pub fn paint(&mut self, painting: &mut Painting, target: Option<&wgpu::TextureView>, size: [u32; 2]) {
         self.device.paint(painting, target, size);
     }
@@ -151,12 +153,12 @@ impl App {
         self.view.frame_size = pixels;
     }
 
-    /// Sets whether the view is hidden: no frame at rest is rendered while it is.
+    /// Sets whether the view is hidden: while it is, no frames at rest are rendered.
     pub fn set_hidden(&mut self, hidden: bool) {
         self.device.worker().into_iter().for_each(|worker| worker.set_hidden(hidden));
     }
 
-    /// The present choices.
+    /// Current choices.
     #[must_use]
     pub fn choices(&self) -> &Choices {
         &self.choices
@@ -170,7 +172,7 @@ impl App {
     /// Applies one change of the choices.
     ///
     /// # Errors
-    /// A value that is invalid together with the other choices.
+    /// Fails if the value is invalid together with the other choices.
     pub fn change(&mut self, change: &Change) -> Result<(), String> {
         if matches!(change, Change::Governor(_)) {
             self.pacing.reset_tally();
@@ -178,8 +180,8 @@ impl App {
         change.apply(&mut self.choices)
     }
 
-    /// Replaces the measured frame time by that many nanoseconds a pixel, so that what the governor does is
-    /// reproducible.
+    /// Replaces measured frame times by a fixed cost in nanoseconds per pixel, which makes the governor's
+    /// behaviour reproducible.
     pub fn set_cost(&mut self, nanoseconds: f64) {
         self.pacing.set_fixed_cost(nanoseconds);
     }
@@ -189,7 +191,8 @@ impl App {
         self.pacing.set_thermal(factor);
     }
 
-    /// Closes the error message and the help, or else reduces the full overlay; false where none was open.
+    /// Closes the error message and the help, or reduces the full overlay to the brief one; returns false if
+    /// none was open.
     pub fn back(&mut self) -> bool {
         let closed = self.hud_state.problem.take().is_some() || self.choices.help;
         self.choices.help = false;
@@ -206,13 +209,13 @@ impl App {
         (self.pacing.frames(), self.hud_state.frame_ms.back().copied())
     }
 
-    /// The name of the scene that was requested last; the present one where that failed.
+    /// Name of the scene that was requested last, or of the current one if that request failed.
     #[must_use]
     pub fn scene_wanted(&self) -> &str {
         self.scenes.wanted()
     }
 
-    /// The error message that is shown.
+    /// The error message on display.
     #[must_use]
     pub fn problem(&self) -> Option<&str> {
         self.hud_state.problem.as_deref()
@@ -224,7 +227,7 @@ impl App {
         self.pacing.trim();
     }
 
-    /// Saves the present frame under that name; the shell chooses one where it is `None`.
+    /// Saves the current frame under that name; with `None` the shell chooses a name.
     pub fn screenshot(&mut self, file: Option<PathBuf>) {
         if let (Some(job), Some(worker)) = (self.still_job(), self.device.ready_worker()) {
             worker.capture(job);
@@ -245,8 +248,8 @@ impl App {
         self.hud_state.problem = Some(text);
     }
 
-    /// The camera does not move, the overlay is not animated, all requests are answered, and the frame at rest is shown
-    /// or failed.
+    /// Whether the camera is still, the overlay is not animated, all requests are answered, and the frame at
+    /// rest is shown or has failed.
     #[must_use]
     pub fn rests(&self) -> bool {
         let idle = !self.delivery.is_waiting() && !self.is_moving() && !self.view.animated;
@@ -262,7 +265,7 @@ impl App {
         }
     }
 
-    /// The picture changes without input: updates must follow each other without a pause.
+    /// Whether the picture changes without input, so that updates must follow each other without a pause.
     fn is_live(&self) -> bool {
         self.is_moving() || self.pacing.is_moving() && !self.delivery.is_frame_requested()
     }
@@ -271,7 +274,7 @@ impl App {
         self.control.as_ref().is_some_and(CameraControl::is_moving)
     }
 
-    /// The job of the frame at rest, at the quality that was chosen.
+    /// Job of the frame at rest, at the chosen quality.
     pub(crate) fn still_job(&self) -> Option<Job> {
         self.job(&self.pacing.quality_at_rest(&self.choices))
     }

@@ -16,20 +16,20 @@ use self::{
 };
 use crate::{Motion, Navigation};
 
-/// A camera that motions move.
+/// A camera moved by user input.
 ///
-/// [`CameraControl::apply`] takes motions; [`CameraControl::advance`] carries them out, with a lag of about 60 ms.
-/// Until the first motion the camera is the scene's own, bit for bit, which may have properties that no [`LookAt`] has (a
-/// shifted lens, a mirrored picture); from then on it is that of a pose.
+/// [`CameraControl::apply`] takes motions; [`CameraControl::advance`] carries them out, with a lag of about
+/// 60 ms. Until the first motion the camera is the scene's own, bit for bit, which may have properties that
+/// no [`LookAt`] has (a shifted lens, a mirrored picture); from then on it is that of a pose.
 #[derive(Clone, Debug)]
 pub struct CameraControl {
     extent: Extent,
-    /// The scene's camera that was chosen last.
+    /// Camera of the scene chosen last.
     base: Camera,
     orbit_state: OrbitState,
-    /// The camera differs from `base`.
+    /// Whether the camera differs from `base`.
     moved: bool,
-    /// The animation back to `base`: the stance where it began, and the share that is left.
+    /// Animation back to `base`: the state where it began, and the remaining share.
     glide: Option<(OrbitState, f64)>,
     /// Rotation: yaw and pitch in radians.
     turn: Damped,
@@ -57,7 +57,7 @@ const MAX_SPEED_EXPONENT: f64 = 6.0;
 /// Rotation of the orbit for a drag over the height of the picture.
 const ORBIT_RADIANS: f64 = std::f64::consts::PI;
 
-/// Limit of a motion between two frames, in picture heights or exponents, as faulty devices report larger ones.
+/// Limit of a motion per frame, in picture heights or exponents: faulty devices report larger ones.
 const LARGEST: f32 = 100.0;
 
 /// Step in seconds in which motions that depend on each other are integrated alternately.
@@ -66,7 +66,7 @@ const TURN_TAKING: f64 = 1.0 / 240.0;
 /// Limit of the time between two frames in seconds: after a longer one, the program was suspended.
 const LONGEST: f64 = 1.0;
 
-/// The share of the animation to a scene's camera at which it jumps to the end.
+/// Remaining share at which the animation to a scene's camera jumps to its end.
 const ARRIVED: f64 = 1e-6;
 
 impl CameraControl {
@@ -161,16 +161,16 @@ impl CameraControl {
         }
     }
 
-    /// Whether the next frame will differ. False for good after a finite time without motions.
+    /// Whether the next frame will differ from this one. Becomes false within a finite time without input.
     #[must_use]
     pub fn is_moving(&self) -> bool {
         self.glide.is_some() || self.is_steered()
     }
 
-    /// The present camera.
+    /// Current camera.
     #[must_use]
     pub fn camera(&self) -> Camera {
-        // A stance can always be converted, as its values are bounded.
+        // The conversion cannot fail, as the values of an orbit state are bounded.
         if self.moved { self.orbit_state.look_at().camera().unwrap_or(self.base) } else { self.base }
     }
 
@@ -189,7 +189,7 @@ impl CameraControl {
         })
     }
 
-    /// A motion other than the animation to `base` is in progress.
+    /// Whether a motion other than the animation to `base` is in progress.
     fn is_steered(&self) -> bool {
         let damped = [&self.turn, &self.pan, &self.slide, &self.dolly];
         damped.into_iter().any(Damped::is_moving) || self.flight.is_moving()

@@ -1,4 +1,4 @@
-//! A choice as text: what scripts and start intents set.
+//! Changes of the choices as text, for scripts and start intents.
 
 use std::str::FromStr;
 
@@ -7,30 +7,30 @@ use glimpse::options::{self, OptionSpec};
 
 use crate::{Choices, FrameRate, Lenses, Overlay, SCALES};
 
-/// One thing that is chosen.
+/// A change of one of the [`Choices`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
-    /// An option of a frame's settings, and its value as text.
+    /// Sets an option of the frame's settings to a value given as text.
     Option(&'static OptionSpec, String),
-    /// What the picture shows.
+    /// Sets the quantity that the picture shows.
     Show(Show),
-    /// Full ray tracing beside it.
+    /// Splits the view at this share of the width, with full ray tracing to the right; `None` ends the split.
     Split(Option<f32>),
-    /// What two eyes look through.
+    /// Sets the lenses in front of the pictures for two eyes.
     Lenses(Lenses),
-    /// The resolution while nothing governs it.
+    /// Sets the resolution scale that applies while the governor is off.
     Scale(f32),
-    /// What holds the frame time.
+    /// Sets the frame rate that the governor holds; `None` turns it off.
     Governor(Option<FrameRate>),
-    /// The overlay.
+    /// Sets how much of the overlay is shown.
     Overlay(Overlay),
 }
 
 impl Change {
-    /// Makes it.
+    /// Applies the change.
     ///
     /// # Errors
-    /// A setting that does not go with the others; nothing is changed then.
+    /// Fails if the setting is invalid together with the others; the choices are then unchanged.
     pub fn apply(&self, choices: &mut Choices) -> Result<(), String> {
         match self {
             Self::Option(option, value) => {
@@ -79,7 +79,8 @@ impl FromStr for Change {
     }
 }
 
-/// An option with a value that some frame can have: whether it goes with other choices shows when it is made.
+/// A change of an option to a value that is valid for some frame; whether it fits the other choices is
+/// checked when it is applied.
 fn option(name: &str, value: &str) -> glimpse::Result<Change> {
     let option = options::find(name)?;
     let mut settings = Choices::default().settings;

@@ -1,43 +1,45 @@
-//! What a person has chosen: everything that the overlay changes and a frame is made by.
+//! The user's choices: everything that the overlay changes and that determines a frame.
 
 use glimpse::{Paths, Settings, Show};
 
 use crate::Lenses;
 
-/// Everything that can be chosen while a scene is shown.
+/// Everything that the user can choose while a scene is shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Choices {
-    /// How frames are made.
+    /// Rendering settings.
     pub settings: Settings,
-    /// What the picture shows.
+    /// Quantity that the picture shows.
     pub show: Show,
-    /// Full ray tracing to the right of this share of the width, 0 to 1.
+    /// Position of the split, as a share of the width from 0 to 1: full ray tracing is shown to the right of
+    /// it.
     pub split: Option<f32>,
-    /// What two eyes' pictures are looked at through.
+    /// Lenses in front of the pictures for two eyes, against whose distortion they are distorted.
     pub lenses: Lenses,
-    /// Pixels of a frame along a side, over those of the view, while nothing governs it: [`SCALES`].
+    /// Ratio of the frame's side to the view's while the governor is off, within [`SCALES`].
     pub scale: f32,
-    /// Holds a frame time by scale, block and tolerances while the camera moves.
+    /// Frame rate that the governor holds while the camera moves, by scale, block size and tolerances; `None`
+    /// turns it off.
     pub governor: Option<FrameRate>,
-    /// What dragging does.
+    /// Navigation mode: the meaning of a drag.
     pub navigation: Navigation,
-    /// When a picture goes to the screen.
+    /// Presentation mode of the display.
     pub vsync: Vsync,
     /// How much of the overlay is shown.
     pub overlay: Overlay,
-    /// The page of keys and gestures is open.
+    /// Whether the help page is open.
     pub help: bool,
-    /// Size of the overlay's text and controls, over the system's: [`TEXT_SCALES`].
+    /// Ratio of the size of text and controls to the system's, within [`TEXT_SCALES`].
     pub text_scale: f32,
 }
 
-/// Samples of paths that a resting picture is to have.
+/// Samples per pixel of a path traced picture at rest.
 const SAMPLES: u32 = 64;
 
-/// The least and the largest [`Choices::scale`].
+/// Least and largest [`Choices::scale`].
 pub const SCALES: [f32; 2] = [0.125, 1.0];
 
-/// The least and the largest [`Choices::text_scale`].
+/// Least and largest [`Choices::text_scale`].
 pub const TEXT_SCALES: [f32; 2] = [0.75, 2.0];
 
 impl Default for Choices {
@@ -62,25 +64,25 @@ impl Default for Choices {
 }
 
 impl Choices {
-    /// Splits the view in the middle, or no longer.
+    /// Splits the view in the middle, or ends the split.
     pub fn toggle_split(&mut self) {
         self.split = if self.split.is_some() { None } else { Some(0.5) };
     }
 }
 
-/// Frames a second that the governor holds.
+/// Frame rate that the governor holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrameRate {
-    /// 66.7 ms a frame: for devices that are CPUs.
+    /// 66.7 ms per frame, for devices that are CPUs.
     Fifteen,
-    /// 33.3 ms a frame.
+    /// 33.3 ms per frame.
     Thirty,
-    /// 16.7 ms a frame.
+    /// 16.7 ms per frame.
     Sixty,
 }
 
 impl FrameRate {
-    /// The time of a frame in milliseconds.
+    /// Time of a frame in milliseconds.
     #[must_use]
     pub fn budget_ms(self) -> f64 {
         match self {
@@ -91,39 +93,39 @@ impl FrameRate {
     }
 }
 
-/// What dragging does.
+/// Navigation mode: the meaning of a drag.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Navigation {
-    /// Turns the camera around a point.
+    /// A drag rotates the camera around a point.
     Orbit,
-    /// Turns the camera around itself; keys move it.
+    /// A drag rotates the camera around itself; keys move it.
     Fly,
 }
 
-/// When a picture goes to the screen.
+/// Presentation mode of the display.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Vsync {
-    /// With the display's refresh, each in turn.
+    /// Each picture is shown at a refresh, in order.
     On,
-    /// With the display's refresh, the newest.
+    /// The newest picture is shown at each refresh.
     Newest,
-    /// At once; pictures may tear.
+    /// Pictures are shown immediately and may tear.
     Off,
 }
 
 /// How much of the overlay is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overlay {
-    /// The picture alone.
+    /// Nothing but the picture.
     Hidden,
-    /// A line with the frame time.
+    /// One line with the frame time.
     Brief,
-    /// Everything.
+    /// All controls and readings.
     Full,
 }
 
 impl Overlay {
-    /// The one that follows, in a circle.
+    /// The next state, in a circle.
     #[must_use]
     pub fn next(self) -> Self {
         match self {

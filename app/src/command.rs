@@ -1,10 +1,11 @@
-//! The `glimpse render` command that makes a frame again.
+//! The `glimpse render` command that reproduces a frame.
 
 use glimpse::{Settings, Show};
 
 use crate::Job;
 
-/// The command for this frame of a scene. `camera` are options of the command line.
+/// The command that renders the job's frame of a scene. `camera` contains the camera's options of the command
+/// line.
 pub fn command(scene: &str, camera: &str, job: &Job) -> String {
     let [width, height] = job.settings.method.eye(job.size);
     let mut words = vec![format!("glimpse render {} -o glimpse.png --size {width}x{height}", quoted(scene))];
@@ -18,13 +19,13 @@ pub fn command(scene: &str, camera: &str, job: &Job) -> String {
     words.join(" ")
 }
 
-/// The options that make these settings, of those that change the frame.
+/// Options that differ from their defaults and affect the frame.
 fn options(settings: &Settings) -> Vec<String> {
     let told = settings.differences().into_iter().filter(|(option, _)| option.applies(settings));
     told.map(|(option, value)| format!("--{}={value}", option.name)).collect()
 }
 
-/// As a shell takes it for one word.
+/// Quotes a word for the shell if necessary.
 fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "-_./:".contains(c);
     if !word.is_empty() && word.chars().all(plain) {
@@ -66,7 +67,7 @@ mod tests {
             command("it's my scene.glb", "--camera 2", &job),
             r"glimpse render 'it'\''s my scene.glb' -o glimpse.png --size 64x32 --camera 2 --t-norm=-0.5 --show check:pos"
         );
-        // Full tracing has no tolerances.
+        // Full ray tracing has no tolerances.
         job.settings.method = Method::Full;
         assert!(command("a", "", &job).ends_with("--size 64x32 --method=full --show check:pos"));
     }

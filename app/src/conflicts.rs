@@ -1,24 +1,24 @@
-//! What cannot be chosen together.
+//! Choices that exclude each other, with the reasons shown to the user.
 
 use glimpse::Method;
 
 use crate::{Choices, FrameRate, Lenses};
 
 impl Choices {
-    /// Why no frame can be made like this, for people; `None` if one can.
+    /// Reason why no frame can be rendered with these choices; `None` if one can.
     #[must_use]
     pub fn conflict(&self) -> Option<String> {
         let settings = self.settings.validate().err().map(|error| error.to_string());
         settings.or_else(|| self.show.conflict(&self.settings).map(str::to_owned))
     }
 
-    /// The rate that the governor holds, where it has a say.
+    /// Frame rate that the governor holds; `None` if it is off or does not apply to the method.
     #[must_use]
     pub fn governed(&self) -> Option<FrameRate> {
         self.governor.filter(|_| self.governor_rests().is_none())
     }
 
-    /// Why nothing can be governed; `None` if it can.
+    /// Reason why the governor does not apply; `None` if it does.
     #[must_use]
     pub fn governor_rests(&self) -> Option<&'static str> {
         let keeps = self.settings.method.has_history();
@@ -27,7 +27,7 @@ impl Choices {
         )
     }
 
-    /// Why nothing is bent for lenses; `None` if it is.
+    /// Reason why pictures are not distorted for lenses; `None` if lenses apply.
     #[must_use]
     pub fn lenses_inapplicable(&self) -> Option<&'static str> {
         match (self.settings.method, self.split) {
@@ -37,13 +37,13 @@ impl Choices {
         }
     }
 
-    /// Are pictures bent for lenses?
+    /// Whether pictures are distorted for lenses.
     #[must_use]
     pub fn bends(&self) -> bool {
         self.lenses != Lenses::None && self.lenses_inapplicable().is_none()
     }
 
-    /// Why the scale changes nothing; `None` if it does.
+    /// Reason why the scale has no effect; `None` if it has one.
     #[must_use]
     pub fn scale_inapplicable(&self) -> Option<&'static str> {
         self.governed().map(|_| "The governor chooses the scale: switch it off first.")

@@ -1,10 +1,10 @@
 //! Converts touch, mouse, trackpad and keys into camera motions.
 //!
-//! | hand | motion |
+//! | input | motion |
 //! | --- | --- |
 //! | one finger, primary button | turn |
 //! | secondary or middle button, shift and primary button | pan |
-//! | two fingers | pan by where they go, dolly by how far apart they are, at once |
+//! | two fingers | pan by their midpoint and dolly by their distance, simultaneously |
 //! | wheel, two fingers on a trackpad | dolly; speed while flying |
 //! | ctrl and wheel, pinch on a trackpad | dolly |
 //! | double tap, double click | focus |
@@ -22,9 +22,9 @@ use glam::{Vec2, Vec3};
 
 use crate::Navigation;
 
-/// A motion of the camera that input asks for.
+/// A camera motion derived from input.
 ///
-/// Lengths are in heights of the view, x to the right and y up, so that they are independent of the screen.
+/// Lengths are in view heights, x right and y up, so that they are independent of the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Motion {
     /// Rotates about the orbit's centre, or about the eye while flying, so that the picture follows the hand.
@@ -44,7 +44,7 @@ pub enum Motion {
         /// The position that stays fixed, in view heights from the centre of the view; `None` for the centre.
         at: Option<Vec2>,
     },
-    /// Flies, until the next frame.
+    /// Flies until the next frame.
     Fly {
         /// Velocity right, up and forward; 1 is full speed.
         along: Vec3,
@@ -61,13 +61,13 @@ pub enum Motion {
     },
 }
 
-/// An arrow key rotates or pans by this many view heights a second.
+/// Speed of an arrow key's rotation or pan, in view heights per second.
 const KEY_DRAG: f32 = 0.5;
 
-/// Exponent a second of a key that moves nearer or changes the flying speed.
+/// Exponent per second of a key for the dolly or the flying speed.
 const KEY_DOLLY: f32 = 1.5;
 
-/// Exponent of a point of scrolling; a notch of a mouse wheel has 40 points.
+/// Exponent per point of scrolling; a notch of a mouse wheel is 40 points.
 const WHEEL: f32 = 1.0 / 200.0;
 
 /// Flying speed without shift, as a share of full speed.
@@ -76,14 +76,15 @@ const STROLL: f32 = 0.25;
 /// Recognises motions in the input of a view.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Gestures {
-    /// Two fingers have been down since the first touched: a single finger that is left does not rotate.
+    /// Whether two fingers have been down since the first touched: a single remaining finger then does not
+    /// rotate.
     pinched: bool,
 }
 
 impl Gestures {
-    /// The motions of this frame. `response` is that of the whole view and must sense clicks and drags; `picture` is
-    /// the part in which positions are measured; `time` has passed since the last call. Keys are ignored while a widget
-    /// has the focus.
+    /// Motions of this frame. `response` belongs to the whole view and must sense clicks and drags; positions
+    /// are measured in `picture`; `time` is the time since the last call. Keys are ignored while a widget has
+    /// the focus.
     pub fn read(
         &mut self,
         response: &Response,

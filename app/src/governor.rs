@@ -1,11 +1,11 @@
 //! The governor holds a frame time by lowering resolution, raising the block size and relaxing tolerances, without
 //! visible oscillation.
 //!
-//! It estimates the cost of the scene from finished frames: each report is converted into the time a pixel of a frame
-//! at the best level, and a level's frame takes a known share of that. It lowers the level at once, as far as needed,
-//! and raises it by one at a time, once even the slowest of the last frames would have fitted at the better level for a
-//! while. A level that was tried and left again is not tried until frames become cheaper or a waiting time is over,
-//! which doubles with each failure; so a constant load settles.
+//! It estimates the cost of the scene from finished frames: each report is converted into the time per pixel
+//! at the best level, of which each level takes a known share. It lowers the level immediately, as far as
+//! needed, and raises it one step at a time, once even the slowest recent frame would have fitted at the
+//! better level for a while. A level that was tried and left again is not retried until frames become cheaper
+//! or a waiting time has passed, which doubles with each failure; so a constant load settles.
 
 mod ladder;
 #[cfg(test)]
@@ -40,25 +40,26 @@ const SAFE: f64 = 0.88;
 /// A frame slower than expected by this factor is an outlier, caused by something else, unless the next is slow too.
 const HICCUP: f64 = 1.7;
 
-/// How long frames must have fitted at the better level before the level is raised.
+/// Time for which frames must have fitted at the better level before the level is raised.
 const OBSERVATION: Duration = Duration::from_millis(1000);
 
-/// The same where frames would take less than half of the limit there, as after a demanding scene.
+/// Shorter time that applies if frames would take less than half of the limit there, as after a demanding
+/// scene.
 const HURRY: Duration = Duration::from_millis(250);
 
 /// Raising the level has failed if it is lowered again within this time.
 const TRIAL: Duration = Duration::from_secs(5);
 
-/// How long a failed level is not tried again: at first, and at most, as the time doubles with each failure.
+/// Time for which a failed level is not retried: initial value and maximum, as it doubles with each failure.
 const PENANCE: [Duration; 2] = [Duration::from_secs(20), Duration::from_secs(160)];
 
-/// Frames whose cost fell below this share are a new load: failed levels may be tried again.
+/// If the cost falls below this share, the load is new and failed levels may be retried.
 const CHEAPER: f64 = 0.85;
 
-/// How long the camera must have been at rest before a frame at full quality is rendered.
+/// Time for which the camera must have been at rest before a frame at full quality is rendered.
 const REST: Duration = Duration::from_millis(200);
 
-/// A level that failed.
+/// A level that was tried and failed.
 #[derive(Clone, Copy, Debug)]
 struct FailedAttempt {
     level: usize,
@@ -68,7 +69,7 @@ struct FailedAttempt {
     penance: Duration,
 }
 
-/// Chooses the quality of every frame.
+/// Chooses the quality of each frame.
 ///
 /// A new level changes the frame's size, and thus its targets; between levels 4 and 5 also the block size, and thus its
 /// kernels. Callers should keep both, and create them ahead of the frame where that is slow.
@@ -76,10 +77,10 @@ struct FailedAttempt {
 pub struct Governor {
     budget_ms: f64,
     thermal: f64,
-    /// The largest scale of any frame.
+    /// Largest scale of any frame.
     largest: f32,
     level: usize,
-    /// When the level was chosen.
+    /// Time at which the level was chosen.
     since: Duration,
     /// Cost of a pixel at the best level when this level was raised to, in ms; `None` where it was lowered to.
     climbed: Option<f64>,
@@ -88,14 +89,14 @@ pub struct Governor {
     view: f64,
     /// Times of the last frames and their costs of a pixel at the best level, in ms.
     costs: VecDeque<(Duration, f64)>,
-    /// The last frame may have been an outlier.
+    /// Whether the last frame may have been an outlier.
     doubtful: bool,
-    /// When the camera moved last.
+    /// Time of the camera's last motion.
     moved: Option<Duration>,
 }
 
 impl Governor {
-    /// Creates a governor for that frame time in milliseconds.
+    /// Creates a governor for a frame time in milliseconds.
     #[must_use]
     pub fn new(budget_ms: f64) -> Self {
         Self {
@@ -121,7 +122,7 @@ impl Governor {
         }
     }
 
-    /// Sets the share of the frame time that may be used: 1 while the device is cool, less so that a hot device does
+    /// Sets the usable share of the frame time: 1 while the device is cool, less so that a hot device does
     /// not lower its clocks. Clamped to 0.1 to 1; values that are not finite are ignored.
     pub fn set_thermal(&mut self, factor: f32) {
         if factor.is_finite() {
@@ -136,9 +137,9 @@ impl Governor {
         self.level = self.level.max(self.best());
     }
 
-    /// The quality of the frame that is rendered at `now`, on any monotonic clock. `last` is the report of a frame that
-    /// was finished since the last call; `moving` tells whether the camera or anything else changes. Until the first
-    /// motion, the camera counts as at rest.
+    /// Quality of the frame rendered at `now`, on any monotonic clock. `last` is the report of a frame
+    /// finished since the last call; `moving` tells whether the camera or anything else changes. Until the
+    /// first motion, the camera counts as at rest.
     pub fn next(&mut self, now: Duration, last: Option<FrameReport>, moving: bool) -> Quality {
         if moving {
             self.moved = Some(now);
@@ -156,13 +157,13 @@ impl Governor {
         }
     }
 
-    /// The largest scale of any frame: 1 unless memory was scarce.
+    /// Largest scale of any frame: 1 unless memory was scarce.
     #[must_use]
     pub fn largest(&self) -> f32 {
         self.largest
     }
 
-    /// The time limit of a frame in milliseconds.
+    /// Time limit of a frame in milliseconds.
     #[must_use]
     pub fn limit_ms(&self) -> f64 {
         self.budget_ms * self.thermal
@@ -224,8 +225,8 @@ impl Governor {
             self.failed_attempt =
                 Some(FailedAttempt { level: self.level, cost, until: now + penance, penance });
         }
-        // The level before held its limit, so the estimate is right there: it is this level that is more expensive than
-        // estimated.
+        // The previous level held its limit, so the estimate is right there: this level is more expensive
+        // than estimated.
         let cost = tried.unwrap_or(cost);
         let fits = |&level: &usize| self.time(level, cost) <= SAFE * self.limit_ms();
         let level = (self.level + 1..LADDER.len()).find(fits).unwrap_or(LADDER.len() - 1);

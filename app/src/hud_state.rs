@@ -4,21 +4,21 @@ use std::collections::VecDeque;
 
 use glimpse::{Counts, Memory, PassTime};
 
-/// The number of frame times that are kept.
+/// Number of frame times that are kept.
 pub const HISTORY: usize = 240;
 
 /// Everything that the overlay displays.
 #[derive(Clone, Debug, Default)]
 pub struct HudState {
-    /// The name of the scene.
+    /// Name of the scene.
     pub scene: String,
     /// Number of triangles and spheres.
     pub primitives: u64,
     /// Names of the scene's cameras.
     pub cameras: Vec<String>,
-    /// Index of the camera that was chosen last.
+    /// Index of the camera chosen last.
     pub camera: usize,
-    /// One line for each thing that the importer left out or replaced.
+    /// One line for each element that the importer left out or replaced.
     pub warnings: Vec<String>,
     /// Features that the scene needs.
     pub features: Vec<&'static str>,
@@ -41,26 +41,26 @@ pub struct HudState {
     pub psnr_db: Option<f64>,
     /// Device memory in use, in bytes.
     pub memory: Memory,
-    /// The legend of the quantity shown.
+    /// Legend of the quantity shown.
     pub legend: String,
-    /// What the governor does, in words; empty while it is off.
+    /// Description of what the governor does; empty while it is off.
     pub governor: String,
-    /// The task that is being waited for.
+    /// The long task in progress.
     pub busy: Option<Busy>,
-    /// An error message, until a person closes it.
+    /// The error message, until the user closes it.
     pub problem: Option<String>,
-    /// A confirmation that is shown for a few seconds.
+    /// A confirmation, shown for a few seconds.
     pub notice: Option<String>,
 }
 
 /// A long task and its progress.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Busy {
-    /// A description, as `reading x.glb`.
+    /// Description, such as `reading x.glb`.
     pub what: String,
     /// Seconds since the task began.
     pub seconds: f64,
-    /// The present step, from 1, and the number of steps.
+    /// Current step, from 1, and number of steps.
     pub step: [u32; 2],
 }
 

@@ -1,4 +1,4 @@
-//! Distorts the picture against the distortion of a headset's lenses.
+//! Predistorts the picture to cancel the distortion of a headset's lenses.
 
 use egui::{Color32, Mesh, Pos2, Rect, TextureId, Vec2, epaint::Vertex, pos2, vec2};
 use glimpse::Camera;
@@ -12,14 +12,14 @@ pub enum Lenses {
     Cardboard,
 }
 
-/// The mesh of an eye's picture has this many squares along each side.
+/// Number of squares along each side of the mesh of an eye's picture.
 const SQUARES: u16 = 32;
 
 impl Lenses {
     /// All kinds of lenses.
     pub const ALL: [Self; 2] = [Self::None, Self::Cardboard];
 
-    /// The name in the overlay and in scripts.
+    /// Name in the overlay and in scripts.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -50,15 +50,15 @@ impl Lenses {
     /// Inverts the distortion: the tangent on the screen of a point that is seen at the tangent `seen`.
     fn placed(self, seen: f32) -> f32 {
         let [a, b] = self.coefficients();
-        // Newton's method starting above the root, where the function is convex: it decreases to the root and does not
-        // pass it.
+        // Newton's method from above the root: the function is convex there, so the iteration decreases to
+        // the root without passing it.
         let above = seen.min((seen / b).powf(0.2));
         (0..8).fold(above, |r, _| r - (self.seen(r) - seen) / (1.0 + r * r * (3.0 * a + r * r * 5.0 * b)))
     }
 }
 
-/// The distorted pictures of two eyes, side by side. Each is centred in its half of the undistorted picture and as
-/// large as fits there.
+/// The distorted pictures of two eyes, side by side. Each is centred in its half of the undistorted picture,
+/// as large as fits there.
 pub struct Bent {
     lenses: Lenses,
     picture: Rect,
@@ -72,7 +72,7 @@ impl Bent {
     pub fn new(lenses: Lenses, picture: Rect, camera: &Camera) -> Self {
         let half = 0.5 * vec2(0.5 * picture.width(), picture.height());
         let flat = half.y * camera.forward.length() / camera.up.length();
-        // The side that is nearer to the centre keeps its place.
+        // The side nearer to the centre keeps its position.
         let nearer = half.min_elem();
         Self { lenses, picture, flat, bent: nearer / lenses.placed(nearer / flat) }
     }
@@ -80,7 +80,7 @@ impl Bent {
     /// A mesh that shows the texture of both eyes, of `texels` width and height, distorted.
     pub fn mesh(&self, texture: TextureId, texels: [u32; 2]) -> Mesh {
         let mut mesh = Mesh::with_texture(texture);
-        // Half a texel from the border, so that interpolation does not mix the eyes.
+        // Texture coordinates stay half a texel from the border, so that interpolation does not mix the eyes.
         let inset = vec2(0.5, 0.5) / vec2(0.5 * texels[0] as f32, texels[1] as f32);
         for (left, eye) in [(0.0, self.eye(0)), (0.5, self.eye(1))] {
             let first = mesh.vertices.len() as u32;
@@ -99,7 +99,7 @@ impl Bent {
         mesh
     }
 
-    /// The point of the undistorted picture that is seen at a point of the screen, within the same eye's half.
+    /// Point of the undistorted picture that is seen at a point of the screen, within the same eye's half.
     pub fn without(&self, at: Pos2) -> Pos2 {
         let eye = self.eye(usize::from(at.x >= self.picture.center().x));
         let away = at - eye.center();
@@ -107,7 +107,7 @@ impl Bent {
         eye.clamp(eye.center() + magnified * self.flat / self.bent * away)
     }
 
-    /// Where a point of an eye's undistorted picture lies on the screen.
+    /// Position on the screen of a point of an eye's undistorted picture.
     fn on_screen(&self, eye: Rect, at: Pos2) -> Pos2 {
         let away = at - eye.center();
         let magnified = self.lenses.magnified(self.lenses.placed(away.length() / self.flat));
@@ -172,7 +172,7 @@ mod tests {
             let found = bent.without(vertex.pos);
             assert!(found.distance(flat) < 0.75, "{found} {flat}");
         }
-        // The nearer sides touch the borders, the corners are drawn in, the centre is magnified.
+        // The nearer sides touch the borders, the corners are drawn inward, the centre is magnified.
         let bounds = mesh.calc_bounds();
         let upright = 2.0 * bent.bent * Lenses::Cardboard.placed(1.0);
         assert!((bounds.width() - PICTURE.width()).abs() < 1e-2 && (bounds.height() - upright).abs() < 1e-2);

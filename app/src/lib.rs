@@ -42,7 +42,7 @@ pub use phones::{Phone, Sourced};
 pub use scene_renderer::{Counted, Job, RenderedFrame};
 pub use worker::{Files, Wake, Worker, WorkerEvent};
 
-/// The names of the built-in scenes, as `builtin:NAME`, in the order in which they are offered.
+/// Names of the built-in scenes, as `builtin:NAME`, in the order of the overlay's list.
 pub fn scenes() -> impl Iterator<Item = String> {
     glimpse::scene::BUILTIN_NAMES.iter().map(|name| format!("builtin:{name}"))
 }

@@ -8,17 +8,17 @@ use crate::{Files, WorkerEvent, worker::EventSender};
 /// Properties of a loaded scene.
 #[derive(Clone, Debug)]
 pub struct SceneFacts {
-    /// The name under which it was requested.
+    /// Name under which it was requested.
     pub name: String,
     /// Number of triangles and spheres.
     pub primitives: u64,
-    /// Names and cameras of the scene; at least one.
+    /// Cameras of the scene with their names; at least one.
     pub cameras: Vec<(String, Camera)>,
     /// Lowest and highest corner of the bounding box, in world space.
     pub bounds: (Vec3, Vec3),
-    /// One line for each thing that the importer left out or replaced.
+    /// One line for each element that the importer left out or replaced.
     pub warnings: Vec<String>,
-    /// The name of every optional feature, and whether the scene needs it.
+    /// All optional features, each with whether the scene needs it.
     pub features: Vec<(&'static str, bool)>,
 }
 
@@ -28,7 +28,7 @@ pub(crate) struct Loaded {
     pub facts: SceneFacts,
 }
 
-/// Reads the scene of a name, uploads it, and reports the progress. The error is a message of one line.
+/// Reads the named scene, uploads it, and reports the progress. An error is a message of one line.
 pub(crate) fn load(
     gpu: &Gpu,
     files: &Files,

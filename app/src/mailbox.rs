@@ -13,11 +13,10 @@ pub(crate) struct Slots {
     pub job: Option<(u64, Job)>,
     pub capture: Option<Job>,
     pub pick: Option<(Camera, [f32; 2])>,
-    /// The number of the last scene that was requested: a loader that finishes with an older number discards its
-    /// result.
+    /// Number of the last requested scene: a loader that finishes with an older number discards its result.
     pub asked: u64,
     pub stop: bool,
-    /// The view is hidden: frames at rest are cancelled.
+    /// Whether the view is hidden, so that frames at rest are cancelled.
     pub hidden: bool,
 }
 
@@ -33,7 +32,7 @@ pub(crate) enum Order {
     Frame(u64, Job),
     Capture(Job),
     Pick(Camera, [f32; 2]),
-    /// Another scene is waiting, or the thread has to end.
+    /// Leave the scene: another one is waiting, or the thread must end.
     Leave,
 }
 
@@ -43,7 +42,7 @@ impl Mailbox {
         self.slots.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Waits for a loaded scene; `None` when the thread has to end.
+    /// Waits for a loaded scene; `None` when the thread must end.
     pub fn scene(&self) -> Option<Loaded> {
         let mut slots = self.slots();
         loop {
@@ -51,7 +50,7 @@ impl Mailbox {
                 return None;
             }
             if let Some(loaded) = slots.scene.take() {
-                // A job that is still waiting is one for the scene before.
+                // A waiting job belongs to the previous scene.
                 slots.job = None;
                 return Some(loaded);
             }
@@ -59,7 +58,7 @@ impl Mailbox {
         }
     }
 
-    /// Waits for a request. Points are picked before pictures are captured, and those before frames are rendered.
+    /// Waits for a request. Picking takes precedence over captures, and these over frames.
     pub fn next(&self) -> Order {
         let mut slots = self.slots();
         loop {

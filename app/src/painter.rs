@@ -8,7 +8,7 @@ pub struct Painting {
     pub jobs: Vec<egui::ClippedPrimitive>,
     /// Changes of the overlay's textures since the last update.
     pub textures: egui::TexturesDelta,
-    /// Pixels of the target for a point of the overlay.
+    /// Pixels of the target per point of the overlay.
     pub pixels_per_point: f32,
 }
 
@@ -18,7 +18,7 @@ pub struct Painter {
 }
 
 impl Painter {
-    /// Creates the pipelines for targets of that format, whose values are taken as sRGB-encoded.
+    /// Creates the pipelines for targets of that format, whose values are interpreted as sRGB-encoded.
     #[must_use]
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat) -> Self {
         // Without dithering, so that the frame's pixels reach the screen unchanged.
@@ -26,14 +26,14 @@ impl Painter {
         Self { renderer: egui_wgpu::Renderer::new(gpu.device(), format, options) }
     }
 
-    /// Uploads the whole texture of the overlay's fonts.
+    /// Uploads the complete font texture of the overlay.
     pub fn load_fonts(&mut self, gpu: &Gpu, image: egui::ColorImage) {
         let whole = egui::epaint::ImageDelta::full(image, egui::TextureOptions::LINEAR);
         self.renderer.update_texture(gpu.device(), gpu.queue(), egui::TextureId::default(), &whole);
     }
 
-    /// Registers a picture as a texture of the overlay, under the id `known` where that is given. Filters by the
-    /// nearest texel where the picture is `exact`, shown at one texel a pixel, and linearly elsewhere.
+    /// Registers a picture as a texture of the overlay, under the id `known` if given. Uses nearest filtering
+    /// if the picture is `exact`, that is, shown at one texel per pixel, and linear filtering otherwise.
     pub fn register(
         &mut self,
         gpu: &Gpu,
@@ -52,13 +52,13 @@ impl Painter {
         }
     }
 
-    /// Removes a texture that is not shown any more.
+    /// Removes a texture that is no longer shown.
     pub fn forget(&mut self, texture: egui::TextureId) {
         self.renderer.free_texture(&texture);
     }
 
-    /// Applies the changes of the overlay's textures. To be called with every painting, drawn or not, as each holds
-    /// changes only.
+    /// Applies the changes of the overlay's textures. Must be called with every painting, drawn or not, as
+    /// each contains only changes.
     pub fn update(&mut self, gpu: &Gpu, painting: &mut Painting) {
         let textures = std::mem::take(&mut painting.textures);
         for (id, deltas) in &textures.set {

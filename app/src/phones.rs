@@ -10,9 +10,9 @@ const FILE: &str = include_str!("phones.toml");
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sourced<T> {
-    /// The figure itself.
+    /// The figure.
     pub value: T,
-    /// A report, a page, `estimate` or `WebGPU default`.
+    /// Source: a report, a page, `estimate` or `WebGPU default`.
     pub source: String,
 }
 
@@ -26,17 +26,17 @@ pub struct Phone {
     pub model: String,
     /// Name of the graphics device.
     pub gpu: String,
-    /// Similar devices that it represents.
+    /// Similar devices that it stands for.
     pub family: String,
     /// Width and height of the display in pixels, in portrait.
     pub size: Sourced<[u32; 2]>,
     /// Refresh rate of the display in Hz.
     pub refresh_hz: Sourced<u32>,
-    /// Pixels for a point.
+    /// Pixels per point.
     pub scale: Sourced<f32>,
-    /// Insets at the top, right, bottom and left in points, in portrait, that cutouts or system bars cover.
+    /// Insets at the top, right, bottom and left in points, in portrait: the area of cutouts and system bars.
     pub insets: Sourced<[f32; 4]>,
-    /// Score in 3DMark Wild Life Extreme, where one was published, to compare the speed of phones.
+    /// Published score in 3DMark Wild Life Extreme, if any, to compare the speed of phones.
     pub wild_life_extreme: Option<Sourced<u32>>,
     /// Peak rate of 32-bit floating point operations in GFLOP/s; a multiply-add counts as two.
     pub gflops: Sourced<f64>,
@@ -56,15 +56,15 @@ impl Phone {
     /// All phones, in the order of the file.
     ///
     /// # Errors
-    /// The table, which is part of the program, is invalid.
+    /// Fails if the table, which is part of the program, is invalid.
     pub fn all() -> Result<Vec<Self>, String> {
         parse(FILE)
     }
 
-    /// The phone of a name.
+    /// Finds a phone by its name.
     ///
     /// # Errors
-    /// The name is unknown; the message lists all names.
+    /// Fails if the name is unknown; the message lists all names.
     pub fn named(name: &str) -> Result<Self, String> {
         let all = Self::all()?;
         let names: Vec<_> = all.iter().map(|phone| phone.name.as_str()).collect();
@@ -72,7 +72,7 @@ impl Phone {
         all.into_iter().find(|phone| phone.name == name).ok_or(error)
     }
 
-    /// The limits of its graphics device; the WebGPU default where the table has none.
+    /// Limits of the graphics device; the WebGPU default for limits not in the table.
     #[must_use]
     pub fn limits(&self) -> wgpu::Limits {
         let mut limits = wgpu::Limits::default();
@@ -83,7 +83,7 @@ impl Phone {
         limits
     }
 
-    /// The figures behind [`Phone::limits`], by the names of wgpu.
+    /// Figures of [`Phone::limits`] with their sources, by the names of wgpu.
     pub fn limit_sources(&self) -> impl Iterator<Item = (&str, &Sourced<u64>)> {
         self.limits.iter().map(|(name, figure)| (name.as_str(), figure))
     }
@@ -195,7 +195,7 @@ mod tests {
         }
     }
 
-    /// Every peak is in the range of phones, and names a page or what it is estimated from.
+    /// Every peak is in the range of phones, and names its source or the basis of the estimate.
     #[test]
     fn peaks_are_published_or_say_what_they_are_estimated_from() {
         let phones = Phone::all().expect("the file");

@@ -26,15 +26,15 @@ pub struct Job {
     pub settings: Settings,
     /// The quantity that the picture shows.
     pub show: Show,
-    /// Also renders the frame by full ray tracing, for comparison.
+    /// Whether to render the frame by full ray tracing as well, for comparison.
     pub split: bool,
-    /// The governor's level while the camera moves; `None` for a frame at rest. Only a frame at rest is counted, and
-    /// only that can be cancelled.
+    /// The governor's level while the camera moves; `None` for a frame at rest. Only frames at rest are
+    /// counted, and only they can be cancelled.
     pub level: Option<usize>,
 }
 
 impl Job {
-    /// The frame is one at rest.
+    /// Whether the job is for a frame at rest.
     #[must_use]
     pub fn is_still(&self) -> bool {
         self.level.is_none()
@@ -43,25 +43,25 @@ impl Job {
 
 /// A rendered frame.
 pub struct RenderedFrame {
-    /// The number of the request.
+    /// Number of the request.
     pub number: u64,
-    /// The job that it was rendered for.
+    /// Job that it was rendered for.
     pub job: Job,
-    /// The picture: sRGB-encoded RGBA, 8 bits a channel.
+    /// The picture: sRGB-encoded RGBA, 8 bits per channel.
     pub picture: Arc<wgpu::Texture>,
-    /// The same frame by full ray tracing, where the job asks for it.
+    /// The same frame by full ray tracing, if the job asks for it.
     pub full: Option<Arc<wgpu::Texture>>,
     /// Rendering time on the device in milliseconds.
     pub ms: f64,
-    /// Rendering the job again would give the same picture.
+    /// Whether rendering the job again would give the same picture.
     pub settled: bool,
-    /// Kernels were compiled during the frame, so its time says nothing about other frames.
+    /// Whether kernels were compiled during the frame, so that its time is not representative.
     pub compiled: bool,
-    /// The time of each pass.
+    /// Time of each pass.
     pub passes: Vec<PassTime>,
     /// Device memory in use, in bytes.
     pub memory: Memory,
-    /// The legend of the quantity shown; empty for the final picture.
+    /// Legend of the quantity shown; empty for the final picture.
     pub legend: String,
 }
 
@@ -70,7 +70,7 @@ pub struct RenderedFrame {
 pub struct Counted {
     /// Numbers of rays, samples and failed checks.
     pub counts: Counts,
-    /// PSNR in dB against full ray tracing, where the job asks for both; infinite where the pictures are equal.
+    /// PSNR in dB against full ray tracing, if the job asks for both; infinite if the pictures are equal.
     pub psnr_db: Option<f64>,
 }
 
@@ -80,7 +80,7 @@ pub(crate) struct SceneRenderer<'a> {
     scene: &'a GpuScene,
     shown: Option<Renderer>,
     full: Option<Renderer>,
-    /// Textures that were given to the app. One that the app has dropped is used again.
+    /// Textures given to the app. Those that the app has dropped are reused.
     pictures: Vec<Arc<wgpu::Texture>>,
 }
 
@@ -89,9 +89,10 @@ impl<'a> SceneRenderer<'a> {
         Self { gpu, scene, shown: None, full: None, pictures: Vec::new() }
     }
 
-    /// Serves requests until another scene is waiting or the thread has to end.
-    /// || # Errors
-    /// The device was lost.
+    /// Serves requests until another scene is waiting or the thread must end.
+    ///
+    /// # Errors
+    /// Fails if the device is lost.
     pub fn serve(mut self, mailbox: &Mailbox, event_sender: &EventSender) -> std::result::Result<(), String> {
         loop {
             let result = match mailbox.next() {
@@ -164,7 +165,8 @@ impl<'a> SceneRenderer<'a> {
         Ok(())
     }
 
-    /// Counts rays, samples and checks of the last frame, and compares it with full ray tracing where `split` is set.
+    /// Counts rays, samples and failed checks of the last frame, and compares it with full ray tracing if
+    /// `split` is set.
     fn count(&mut self, camera: &Camera, split: bool) -> Result<Counted> {
         let psnr_db = match (&self.shown, &self.full) {
             (Some(shown), Some(full)) if split => {
@@ -207,7 +209,7 @@ impl<'a> SceneRenderer<'a> {
         Ok(hit.map(|hit| origin + hit.t * direction))
     }
 
-    /// A copy of the last picture of one of the renderers.
+    /// Copies the last picture of one of the renderers into a texture for the app.
     fn handed_out(&mut self, full: bool) -> Result<Arc<wgpu::Texture>> {
         let Some(renderer) = (if full { &self.full } else { &self.shown }) else {
             return Err(Error::Device("no frame was made".to_owned()));
@@ -235,7 +237,7 @@ impl<'a> SceneRenderer<'a> {
         picture
     }
 
-    /// A texture for a picture that the app does not hold.
+    /// A texture that the app does not hold, reused or new.
     fn picture(&mut self, width: u32, height: u32) -> Arc<wgpu::Texture> {
         self.pictures.retain(|p| (p.width(), p.height()) == (width, height));
         if let Some(free) = self.pictures.iter().find(|p| Arc::strong_count(p) == 1) {
@@ -256,7 +258,7 @@ impl<'a> SceneRenderer<'a> {
     }
 }
 
-/// The renderer with that size and those settings; created where there is none yet.
+/// The renderer for that size and those settings, created or changed as needed.
 fn changed<'r>(
     renderer: &'r mut Option<Renderer>,
     gpu: &Gpu,

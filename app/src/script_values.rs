@@ -1,11 +1,12 @@
-//! Values of the app that scripts can read, and the command line of the present frame.
+//! Values of the app that scripts can read, and the command line of the current frame.
 
 use glimpse::options;
 
 use crate::{App, command::command, script::Value};
 
 impl App {
-    /// The value of a name, for `expect` and `print` in scripts; `None` where the name is unknown or has no value yet.
+    /// Value of a name, for `expect` and `print` in scripts; `None` if the name is unknown or has no value
+    /// yet.
     #[must_use]
     pub fn look(&self, name: &str) -> Option<Value> {
         let hud_state = &self.hud_state;
@@ -39,7 +40,7 @@ impl App {
         }
     }
 
-    /// The command line that renders the present frame; `None` before a scene is shown.
+    /// Command line that renders the current frame; `None` before a scene is shown.
     #[must_use]
     pub fn command(&self) -> Option<String> {
         let job = self.still_job()?;

@@ -7,25 +7,25 @@ use glimpse::{Foveation, Method};
 
 use crate::{App, CameraControl, Hud, Motion, RenderedFrame, Request, UserRequest, lenses::Bent};
 
-/// The gaze is rounded to this many steps across a picture, as each change of it starts accumulation again.
+/// Number of steps to which the gaze is rounded across a picture, as each change of it restarts accumulation.
 const GAZE_STEPS: f32 = 32.0;
 
 /// State of the view, as the shell and the last update left it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct View {
-    /// Pixels of a frame at rest, where they are not the window's.
+    /// Pixels of a frame at rest, if they are not the window's.
     pub frame_size: Option<[u32; 2]>,
-    /// Pixels of the screen that the picture takes.
+    /// Pixels of the screen that the picture covers.
     picture: [u32; 2],
-    /// There was a touch: the overlay is made for fingers.
+    /// Whether there was a touch: the overlay is then made for fingers.
     pub touch: bool,
-    /// The overlay fades or moves something.
+    /// Whether the overlay is animated.
     pub animated: bool,
 }
 
 impl App {
-    /// Shows picture and overlay, and moves the camera; returns the actions that were chosen in the overlay. `passed`
-    /// is the time since the last update.
+    /// Shows picture and overlay, and moves the camera; returns the user's requests. `passed` is the time
+    /// since the last update.
     pub(crate) fn show(&mut self, ui: &mut Ui, passed: Duration) -> Vec<UserRequest> {
         let context = ui.ctx().clone();
         let view = context.viewport_rect();
@@ -51,8 +51,8 @@ impl App {
         user_requests
     }
 
-    /// Makes the gaze follow the pointer where paths stop early far from it. With two eyes, the position within either
-    /// eye's picture counts.
+    /// Moves the gaze to the pointer if paths far from it stop early (foveation). With two eyes, the position
+    /// within either eye's picture counts.
     fn gaze(&mut self, context: &Context, picture: Rect) {
         let at = context.input(|input| input.pointer.hover_pos()).filter(|at| picture.contains(*at));
         let at = at.map(|at| self.bent(picture).map_or(at, |bent| bent.without(at)));
@@ -68,13 +68,13 @@ impl App {
         paths.gaze = [steps(x % 1.0), steps(y)];
     }
 
-    /// The lens distortion of the picture, where one is chosen.
+    /// Lens distortion of the picture, if lenses are chosen.
     fn bent(&self, picture: Rect) -> Option<Bent> {
         let shown = self.delivery.shown().filter(|shown| shown.frame.job.settings.method == Method::Vr)?;
         self.choices.bends().then(|| Bent::new(self.choices.lenses, picture, &shown.frame.job.camera))
     }
 
-    /// Shows the frame without interpolation where the picture on the screen has exactly its pixels.
+    /// Selects nearest filtering if the picture on the screen has exactly the frame's pixels.
     fn sharpen(&mut self, picture: egui::Vec2) {
         self.view.picture = [picture.x, picture.y].map(|side| side as u32);
         if let Some(shown) = self.delivery.shown() {
@@ -83,7 +83,7 @@ impl App {
         }
     }
 
-    /// Every pixel of the frame lies on exactly one pixel of the screen.
+    /// Whether every pixel of the frame lies on exactly one pixel of the screen.
     pub(crate) fn is_exact(&self, frame: &RenderedFrame) -> bool {
         frame.job.size == self.view.picture && !self.choices.bends()
     }
@@ -117,7 +117,7 @@ impl App {
         for motion in motions {
             if let Motion::Focus { at } = motion {
                 if let Some(worker) = self.device.ready_worker() {
-                    // The camera's view is two units high.
+                    // View coordinates of the camera range over two units of height.
                     worker.pick(control.camera(), (2.0 * at).into());
                     self.delivery.pick_requested();
                 }

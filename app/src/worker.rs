@@ -19,7 +19,7 @@ use crate::{
     scene_renderer::{Counted, Job, RenderedFrame, SceneRenderer},
 };
 
-/// Reads the scene of a name: `builtin:NAME`, or a name that the shell gives to a file. Called on loader threads.
+/// Reads the named scene: `builtin:NAME`, or a name that the shell gives to a file. Called on loader threads.
 pub type Files = Arc<dyn Fn(&str) -> Result<Scene, String> + Send + Sync>;
 
 /// Wakes the shell's event loop when the worker has sent a message. Called on any thread.
@@ -27,7 +27,7 @@ pub type Wake = Arc<dyn Fn() + Send + Sync>;
 
 /// Messages from the worker to the app.
 pub enum WorkerEvent {
-    /// Progress of loading a scene: a description, and the step of how many.
+    /// Progress of loading a scene: description, current step and number of steps.
     Loading(String, [u32; 2]),
     /// The scene is on the device; all later frames show it.
     Opened(Box<SceneFacts>),
@@ -35,18 +35,19 @@ pub enum WorkerEvent {
     OpenFailed(String),
     /// A rendered frame.
     Frame(Box<RenderedFrame>),
-    /// The frame of that number, or its counters, will not arrive: a newer request came first, or the view is hidden.
+    /// The frame of that number, or its counters, will not arrive: a newer request replaced it, or the view
+    /// is hidden.
     Cancelled(u64),
     /// The counters of the frame of that number.
     Counted(u64, Box<Counted>),
     /// The picture that [`Worker::capture`] requested.
     Captured(DisplayImage),
-    /// The surface point that [`Worker::pick`] requested, in world space; `None` where the ray hits nothing.
+    /// The surface point that [`Worker::pick`] requested, in world space; `None` if the ray hits nothing.
     Picked(Option<Vec3>),
     /// A request failed, with the reason. Later requests may succeed.
     Failed(String),
-    /// The device was lost or the thread panicked, with the reason: device, painter and worker have to be created
-    /// again.
+    /// The device was lost or the thread panicked, with the reason: device, painter and worker must be
+    /// created again.
     Lost(String),
 }
 
@@ -62,10 +63,10 @@ pub struct Worker {
 }
 
 impl Worker {
-    /// Starts the thread, with no scene.
+    /// Starts the thread, without a scene.
     ///
     /// # Errors
-    /// The operating system could not start a thread.
+    /// Fails if the operating system cannot start a thread.
     pub fn start(gpu: Arc<Gpu>, files: Files, wake: Wake) -> std::io::Result<Self> {
         let mailbox = Arc::new(Mailbox::default());
         let (sender, events) = channel();
@@ -79,7 +80,7 @@ impl Worker {
         Ok(Self { gpu, files, mailbox, events, event_sender, thread: Some(thread), jobs: 0 })
     }
 
-    /// Starts loading a scene on a thread of its own. Frames of the present scene are rendered meanwhile.
+    /// Starts loading a scene on a separate thread. Frames of the current scene are rendered meanwhile.
     pub fn open(&mut self, name: &str) {
         let asked = {
             let mut slots = self.mailbox.slots();
@@ -107,7 +108,7 @@ impl Worker {
         }
     }
 
-    /// Requests a frame, in place of a requested frame that has not been started; returns the number of the request.
+    /// Requests a frame, replacing a request that has not been started; returns the number of the request.
     pub fn order(&mut self, job: Job) -> u64 {
         self.jobs += 1;
         self.mailbox.slots().job = Some((self.jobs, job));
@@ -115,7 +116,7 @@ impl Worker {
         self.jobs
     }
 
-    /// Requests a frame as a picture in main memory.
+    /// Requests a frame as an image in main memory.
     pub fn capture(&self, job: Job) {
         self.mailbox.slots().capture = Some(job);
         self.mailbox.posted.notify_one();
@@ -127,14 +128,15 @@ impl Worker {
         self.mailbox.posted.notify_one();
     }
 
-    /// Sets whether the view is hidden: frames at rest are cancelled while it is.
+    /// Sets whether the view is hidden: while it is, frames at rest are cancelled.
     pub fn set_hidden(&self, hidden: bool) {
         self.mailbox.slots().hidden = hidden;
     }
 
-    /// The next message, without waiting.
+    /// The next message, without waiting; `None` if there is none.
     pub fn poll(&mut self) -> Option<WorkerEvent> {
-        // The channel cannot be disconnected, as `self.teller` is a sender: an error means that it is empty.
+        // The channel cannot be disconnected, as `self.event_sender` holds a sender: an error means that it
+        // is empty.
         self.events.try_recv().ok()
     }
 
@@ -149,7 +151,7 @@ impl Drop for Worker {
         self.mailbox.slots().stop = true;
         self.mailbox.posted.notify_one();
         if let Some(thread) = self.thread.take() {
-            // A panic has been reported as a message already.
+            // A panic has already been reported as a message.
             let _ = thread.join();
         }
     }
@@ -164,7 +166,7 @@ pub(crate) struct EventSender {
 
 impl EventSender {
     pub fn send(&self, event: WorkerEvent) {
-        // The receiver is gone only while the worker is being dropped.
+        // The receiver is gone only while the worker is being dropped, so an error is harmless.
         let _ = self.sender.send(event);
         (self.wake)();
     }

@@ -1,4 +1,4 @@
-//! How the app handles messages of the worker, and which frame it requests next.
+//! Handles messages of the worker, and requests the next frame.
 
 use crate::{
     App, Busy, CameraControl, RenderedFrame, Request, SceneFacts, Worker, WorkerEvent, app::MAX_LOSSES,
@@ -107,7 +107,7 @@ impl App {
         self.requests.push(Request::NewDevice);
     }
 
-    /// Requests the frame for the present state, unless it is shown, requested, or has failed.
+    /// Requests the frame for the current state, unless it is shown, requested, or has failed.
     pub(crate) fn order(&mut self) {
         let moving = self.is_moving();
         let quality = self.pacing.advance(&self.choices, self.clock.now(), moving);

@@ -1,4 +1,4 @@
-//! What is typed.
+//! The command line: clap derives `--help` and CLI.md from the doc comments of the arguments.
 
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -19,7 +19,7 @@ pub use frame_options::{FrameOptions, Recursion, TypedOptions, method_parser};
 pub use look_at::LookAtOptions;
 pub use vary::Variation;
 
-/// The largest side of a frame.
+/// The largest width or height of a frame in pixels.
 pub const MAX_SIDE: u32 = 16384;
 
 /// Adaptive ray tracing: rays where they matter, interpolation elsewhere.
@@ -68,7 +68,7 @@ pub struct ViewOptions {
     /// Window size in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720", conflicts_with = "phone")]
     pub size: Size,
-    /// Be that phone: its screen, and no more of the device than its limits allow
+    /// Emulate this phone: the size of its screen and the limits of its graphics device
     #[arg(long, value_name = "PROFILE")]
     pub phone: Option<String>,
     /// Play a file of input, screenshots and expectations
@@ -159,7 +159,7 @@ pub struct BenchOptions {
     /// Warm frames of each method
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: u32,
-    /// Turn the camera to the right by so much before each warm frame, and compare each with full
+    /// Turn the camera to the right by this angle before each warm frame, and compare each frame with full
     #[arg(long, value_name = "DEGREES", value_parser = finite, allow_negative_numbers = true)]
     pub pan: Option<f64>,
     /// Print JSON
@@ -210,7 +210,7 @@ pub struct StressOptions {
     /// Rays of each case
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u64).range(1..=10_000_000_000))]
     pub rays: u64,
-    /// Of everything random; the same seed gives the same rays
+    /// Seed of all random numbers; the same seed gives the same rays
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
     /// Leave out a measure against rounding, to see which cases notice
@@ -221,7 +221,7 @@ pub struct StressOptions {
     pub json: bool,
 }
 
-/// What `--without` leaves out.
+/// A measure against rounding errors that `--without` disables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Measure {
     /// Exact decisions at the edges of triangles
@@ -237,7 +237,7 @@ fn show_help() -> String {
     format!("What the picture shows: {}", names.join(", "))
 }
 
-/// `--size`
+/// Value of `--size`: width and height in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size(pub [u32; 2]);
 
@@ -256,12 +256,12 @@ impl FromStr for Size {
     }
 }
 
-/// Where a picture goes; the name's ending says in which form.
+/// Output file of a picture, whose extension selects the format.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PictureFile {
-    /// The file.
+    /// Path of the file.
     pub path: PathBuf,
-    /// Linear radiance as OpenEXR instead of a PNG.
+    /// Whether to write linear radiance as OpenEXR instead of a PNG.
     pub linear: bool,
 }
 

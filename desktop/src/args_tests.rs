@@ -1,4 +1,4 @@
-//! What is accepted, and what is wrong usage.
+//! Tests of the accepted arguments and of wrong usage.
 
 use clap::CommandFactory;
 use clap::error::ErrorKind;

@@ -1,4 +1,4 @@
-//! `glimpse bench`: the methods' times, interleaved in one run.
+//! `glimpse bench`: compares the times of methods, interleaved in one run.
 
 use glimpse::{Gpu, Method, options};
 
@@ -14,7 +14,7 @@ use crate::scene_file;
 use crate::statistics::Statistics;
 use crate::summary;
 
-/// `glimpse bench`
+/// Runs `glimpse bench`.
 pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> {
     let rows = rows(options)?;
     let requests: Vec<_> = rows.iter().map(|row| row.request.clone()).collect();
@@ -32,7 +32,7 @@ pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> 
         let runs = plan.measure(&workbench, &progress)?;
         let of_row = |(row, run): (&Row, &Run)| {
             let full = rows.iter().position(|full| full.request == row.baseline);
-            // Two eyes' pictures are no error of one eye's.
+            // Pictures of two eyes cannot be compared with a picture of one.
             let full = full.map(|index| &runs[index]);
             let full = full.filter(|full| full.picture.dimensions() == run.picture.dimensions());
             Ok((row.name.clone(), Statistics::of(&workbench, run, full)?))
@@ -48,20 +48,20 @@ pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> 
     if options.json { output::print(&output::json(&all)?) } else { Ok(()) }
 }
 
-/// What is measured, and against what.
+/// A row of the table: what is measured and what it is compared with.
 #[derive(Clone, Debug, PartialEq)]
 struct Row {
-    /// The method and what was varied.
+    /// Name of the method followed by the varied options.
     name: String,
     request: FrameRequest,
-    /// `full` with the same of everything that concerns it.
+    /// Method `full` with the same values of the options that affect it.
     baseline: FrameRequest,
 }
 
-/// Every method with every combination of what is varied, each once.
+/// Every method with every combination of the varied values, without duplicates.
 fn rows(options: &BenchOptions) -> anyhow::Result<Vec<Row>> {
     let combinations = options.frame.combinations(&options.vary).map_err(not_varied)?;
-    // Other methods are measured without.
+    // Methods other than path tracing ignore --cpu-threads and are measured without it.
     let threads = options.frame.typed.settings(Method::Path)?.paths.cpu_threads;
     if threads > 0 && !options.methods.iter().any(|method| method.is_path_traced()) {
         let expected = "path or vr among --methods: no other adds samples up";
@@ -81,8 +81,8 @@ fn rows(options: &BenchOptions) -> anyhow::Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A method with those of the varied options that it heeds, and what these are. What it does not heed is
-/// measured once for all values.
+/// Request for a method with the varied options that affect it, and these options as text. Options without
+/// effect on the method are dropped, so that it is measured once for all their values.
 fn applicable(
     options: &FrameOptions,
     (combination, varied): &(FrameOptions, Vec<(String, String)>),
@@ -104,7 +104,7 @@ fn not_varied(reason: String) -> Usage {
     Usage(format!("--vary: {reason}"))
 }
 
-/// One scene: a line for each row, then a line for each of its passes.
+/// Table of one scene: a line for each row, then a line for each pass.
 fn table(rows: &[(String, Statistics)]) -> String {
     let Some((_, first)) = rows.first() else { return String::new() };
     let mut text = summary::scene(&first.scene);

@@ -1,4 +1,4 @@
-//! What is measured, and how it is told.
+//! Tests of the measured rows and the table.
 
 use super::*;
 use crate::args::FrameOptions;

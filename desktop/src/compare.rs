@@ -9,7 +9,7 @@ use glimpse::{Error, Picture};
 use crate::args::CompareOptions;
 use crate::{files, output, summary};
 
-/// `glimpse compare`
+/// Runs `glimpse compare`.
 pub fn run(options: &CompareOptions) -> anyhow::Result<()> {
     let report = measure(&options.a, &options.b)?;
     if options.json {
@@ -19,8 +19,8 @@ pub fn run(options: &CompareOptions) -> anyhow::Result<()> {
     }
 }
 
-/// Radiance is encoded for display before it is measured against anything, and measured as it is where both
-/// images hold it.
+/// Measures the error of display-encoded images, and the RMSE of linear radiance as well if both files
+/// contain it.
 fn measure(a: &Path, b: &Path) -> anyhow::Result<ErrorReport> {
     let both = || format!("{} against {}", a.display(), b.display());
     let (a, b) = (read(a)?, read(b)?);
@@ -35,7 +35,7 @@ fn measure(a: &Path, b: &Path) -> anyhow::Result<ErrorReport> {
     Ok(ErrorReport { linear_rmse, ..report })
 }
 
-/// Images that do not fit are the images' fault, not the command line's.
+/// Turns a mismatch between the images into an error that is not reported as wrong usage.
 fn not_usage(error: Error) -> anyhow::Error {
     match error {
         Error::Setting { expected, found, .. } => anyhow!("expected {expected}, found {found}"),

@@ -1,4 +1,4 @@
-//! `--cpu-threads`: threads that trace samples of paths beside the GPU.
+//! `--cpu-threads`: CPU threads that trace samples of paths alongside the GPU.
 
 use std::panic::resume_unwind;
 use std::thread;
@@ -11,36 +11,36 @@ use serde::Serialize;
 
 use crate::focus::FrameRequest;
 
-/// Who brought which samples while a picture's were completed, and how busy they were.
+/// Samples contributed by the GPU and by each CPU thread to a picture, and how busy they were.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Sides {
-    /// Until the picture was complete.
+    /// Elapsed time until the picture was complete, in milliseconds.
     pub wall_ms: f64,
-    /// Of both sides, by that time.
+    /// Samples per pixel and second of GPU and CPU together.
     pub samples_per_s: f64,
-    /// The GPU.
+    /// Contribution of the GPU.
     pub gpu: Side,
-    /// Each core.
+    /// Contribution of each CPU thread.
     pub cpu_threads: Vec<Side>,
-    /// The cores' samples that were not finished by then.
+    /// Samples of the CPU threads that were unfinished and discarded when the picture was complete.
     pub given_up: u64,
 }
 
-/// One of them.
+/// Contribution of the GPU or of a CPU thread.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Side {
-    /// Samples of every pixel.
+    /// Completed samples per pixel.
     pub samples: u32,
-    /// The share of the time in which it traced.
+    /// Share of the elapsed time spent tracing, 0 to 1.
     pub utilisation: f64,
 }
 
-/// Are there samples for cores to bring? So many frames are the GPU's alone, to be timed.
+/// Checks that samples remain for the CPU threads, as the GPU alone renders the `frames` timed frames.
 ///
 /// # Errors
-/// There are none.
+/// Fails if the timed frames take all samples.
 pub fn check(requests: &[FrameRequest], frames: u32) -> glimpse::Result<()> {
-    // And one more, in which drivers finish compiling.
+    // One more frame warms up the GPU: drivers finish compiling in it.
     let alone = frames.saturating_add(1);
     let all = requests.iter().map(|request| &request.settings.paths);
     let idle = all.into_iter().find(|paths| paths.cpu_threads > 0 && paths.samples <= alone);
@@ -50,26 +50,27 @@ pub fn check(requests: &[FrameRequest], frames: u32) -> glimpse::Result<()> {
     })
 }
 
-/// A picture of paths with some of its samples.
+/// A path traced picture that has only some of its samples.
 pub struct Unfinished<'a> {
-    /// What makes it.
+    /// Renderer of the picture.
     pub renderer: &'a mut Renderer,
-    /// The view.
+    /// Camera of the picture.
     pub camera: &'a Camera,
-    /// Width and height, of what an eye sees.
+    /// Width and height of one eye's picture in pixels.
     pub size: [u32; 2],
-    /// The scene, where cores are to help.
+    /// Scene for the CPU threads; `None` without them.
     pub reference: Option<&'a Reference>,
-    /// How many.
+    /// Number of CPU threads.
     pub cpu_threads: u32,
 }
 
 impl Unfinished<'_> {
-    /// Renders all samples that the picture is to show, and no more, however many frames were timed. None where none were left
-    /// for cores to help with. `doing` is told how many there are.
+    /// Renders exactly the samples that the picture is to have, however many frames were timed. Returns
+    /// `None` if no samples remained for the CPU threads. `doing` is called with the number of samples so
+    /// far.
     ///
     /// # Errors
-    /// A device that failed.
+    /// Fails if the device fails.
     pub fn finish(self, doing: impl Fn(u32)) -> glimpse::Result<Option<Sides>> {
         let Self { renderer, camera, size, reference, cpu_threads } = self;
         if !renderer.settings().method.is_path_traced() {
@@ -77,7 +78,7 @@ impl Unfinished<'_> {
         }
         let wanted = renderer.settings().paths.samples;
         if renderer.samples() > wanted {
-            // So many frames were timed.
+            // More frames were timed than the picture has samples.
             renderer.restart();
             (0..wanted).try_for_each(|_| renderer.render(camera).map(drop))?;
         }
@@ -89,7 +90,7 @@ impl Unfinished<'_> {
         let (accumulator, workers) = Accumulator::new(&view, cpu_threads as usize);
         let start = Instant::now();
         thread::scope(|scope| {
-            // Where this is left early the owner goes, and the threads end.
+            // If an error leaves this scope early, dropping the accumulator ends the threads.
             let mut accumulator = accumulator;
             let threads: Vec<_> = match reference {
                 Some(scene) => {
@@ -117,7 +118,7 @@ impl Unfinished<'_> {
     }
 }
 
-/// A core's work, and the time that it took.
+/// Traces until the picture is complete and returns the time spent tracing.
 fn trace(mut worker: Worker, reference: &Reference) -> Duration {
     let mut busy = Duration::ZERO;
     loop {

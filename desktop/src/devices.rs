@@ -1,4 +1,4 @@
-//! `glimpse devices`: the adapters and what matters of their limits.
+//! `glimpse devices`: lists the adapters with the limits that matter to Glimpse.
 
 use glimpse::Gpu;
 use glimpse::device::AdapterFacts;
@@ -9,7 +9,7 @@ use crate::args::DevicesOptions;
 use crate::output::{self, bytes, grouped};
 use crate::summary::row;
 
-/// An adapter as `--json` lists it.
+/// An adapter in the output of `--json`.
 #[derive(Serialize)]
 struct Device {
     #[serde(flatten)]
@@ -50,7 +50,7 @@ impl From<&AdapterFacts> for Device {
     }
 }
 
-/// `glimpse devices`
+/// Runs `glimpse devices`.
 pub fn run(options: &DevicesOptions, adapter: Option<&str>) -> anyhow::Result<()> {
     let facts = Gpu::adapters();
     let devices: Vec<Device> =

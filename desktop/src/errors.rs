@@ -1,4 +1,4 @@
-//! Errors as the command line tells them: options with their dashes, and what to try.
+//! Error messages of the command line: they name options with their dashes and suggest what to try.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use glimpse::Error;
 
 use crate::args::Arguments;
 
-/// Wrong usage that is not about an option's value: the exit code is that of wrong usage.
+/// Wrong usage other than an option's value; gives the exit code for wrong usage.
 #[derive(Debug)]
 pub struct Usage(pub String);
 
@@ -19,14 +19,14 @@ impl fmt::Display for Usage {
 
 impl std::error::Error for Usage {}
 
-/// Is it the command line's fault?
+/// Whether the error is wrong usage of the command line.
 pub fn is_usage(error: &anyhow::Error) -> bool {
     error.chain().any(|cause| {
         cause.is::<Usage>() || matches!(cause.downcast_ref::<Error>(), Some(Error::Setting { .. }))
     })
 }
 
-/// The error in one line, with what to try.
+/// Formats the error with its causes as one line, with a suggestion if there is one.
 pub fn told(error: &anyhow::Error) -> String {
     let causes = error.chain().map(|cause| cause.downcast_ref().map_or_else(|| cause.to_string(), of_core));
     let text = causes.collect::<Vec<_>>().join(": ");
@@ -36,7 +36,7 @@ pub fn told(error: &anyhow::Error) -> String {
     lines.join(" ")
 }
 
-/// An error of the core. What was typed is said as it was.
+/// Formats an error of the core; settings appear as they were typed.
 fn of_core(error: &Error) -> String {
     let Error::Setting { option, expected, found } = error else { return error.to_string() };
     let program = Arguments::command();

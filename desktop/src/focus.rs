@@ -1,43 +1,43 @@
-//! `--focus`: which of a scene's objects are meant.
+//! `--focus`: finds the objects of a scene by index or name.
 
 use glimpse::scene::Object;
 use glimpse::{Error, Focus, Method, Settings};
 
 use crate::args::FrameOptions;
 
-/// So many objects are named where none fits.
+/// Number of objects listed in an error message.
 const NAMED: usize = 8;
 
-/// How a frame is to be made of a scene that is not known yet.
+/// Settings of a frame before the scene is loaded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameRequest {
-    /// Checked; the objects in focus only where they are typed by index.
+    /// Validated settings; the objects in focus are set only if typed as indices.
     pub settings: Settings,
-    /// The objects in focus as they were typed.
+    /// Objects in focus as typed.
     pub focus: Option<String>,
 }
 
 impl FrameRequest {
-    /// What was typed, with one method.
+    /// Request for the typed options with one method.
     ///
     /// # Errors
-    /// As [`FrameOptions::settings`].
+    /// Fails as [`FrameOptions::settings`].
     pub fn of(options: &FrameOptions, method: Method) -> glimpse::Result<Self> {
         Ok(Self { settings: options.settings(method)?, focus: options.focus().map(str::to_owned) })
     }
 
-    /// As [`FrameRequest::of`], for one method of several.
+    /// Request for one of several methods; options that do not affect it are reset.
     ///
     /// # Errors
-    /// As [`FrameOptions::settings_beside`].
+    /// Fails as [`FrameOptions::settings_beside`].
     pub fn beside(options: &FrameOptions, method: Method) -> glimpse::Result<Self> {
         Ok(Self { settings: options.settings_beside(method)?, focus: options.focus().map(str::to_owned) })
     }
 
-    /// The settings for a scene of these objects.
+    /// Settings with the objects in focus found among the scene's objects.
     ///
     /// # Errors
-    /// It has no such objects to focus on.
+    /// Fails if no object matches, or if the matches are not consecutive.
     pub fn in_scene(&self, objects: &[Object]) -> glimpse::Result<Settings> {
         let focus = self.focus.as_deref().filter(|text| *text != "none");
         let focus = focus.map(|text| run(text, objects)).transpose()?;
@@ -45,7 +45,7 @@ impl FrameRequest {
     }
 }
 
-/// The objects of these indices, or all with this part of a name, which must follow each other.
+/// Objects of the typed indices, or all whose names contain the text, which must be consecutive.
 fn run(text: &str, objects: &[Object]) -> glimpse::Result<Focus> {
     let wrong = |expected: String| Error::setting("focus", expected, text);
     if let Ok(focus) = text.parse::<Focus>() {
@@ -65,7 +65,7 @@ fn run(text: &str, objects: &[Object]) -> glimpse::Result<Focus> {
     Ok(Focus { first: *first as u32, last: *last as u32 })
 }
 
-/// Indices and names of the first few.
+/// Indices and names of the first few objects.
 fn named(objects: &[(usize, &Object)]) -> String {
     let mut names: Vec<_> =
         objects.iter().take(NAMED).map(|(index, object)| format!("{index} ({})", object.name)).collect();

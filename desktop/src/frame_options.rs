@@ -1,4 +1,4 @@
-//! The options of a frame: arguments made from the core's table of options.
+//! Options of a frame: clap arguments generated from the core's table of options.
 
 use std::marker::PhantomData;
 
@@ -33,21 +33,21 @@ impl Default for FrameOptions {
 }
 
 impl FrameOptions {
-    /// The settings with one method, checked. Objects in focus by name are not known before the scene is.
+    /// Validated settings with one method. Objects named in `--focus` are not set, as they need the scene.
     pub fn settings(&self, method: Method) -> glimpse::Result<Settings> {
         let settings = self.typed.settings(method)?;
         settings.validate()?;
         Ok(settings)
     }
 
-    /// As [`FrameOptions::settings`] of one method of several, without what concerns the others alone.
+    /// Validated settings for one of several methods, without options that affect only other methods.
     pub fn settings_beside(&self, method: Method) -> glimpse::Result<Settings> {
         let settings = self.typed.settings(method)?.without_foreign();
         settings.validate()?;
         Ok(settings)
     }
 
-    /// A warning for each of the typed options that changes nothing.
+    /// A warning for each typed option that has no effect with these settings.
     pub fn warnings(&self, settings: &Settings) -> Vec<String> {
         let method = settings.method.name();
         let idle = self.typed.0.iter().filter(|(option, _)| !option.applies(settings));
@@ -58,20 +58,20 @@ impl FrameOptions {
         .collect()
     }
 
-    /// The objects in focus as they were typed.
+    /// Objects in focus as typed.
     pub fn focus(&self) -> Option<&str> {
         let focus = self.typed.0.iter().find(|(option, _)| matches!(option.kind, Kind::Objects(_)));
         focus.map(|(_, text)| text.as_str())
     }
 }
 
-/// Which options of the table a command takes.
+/// The options of the table that a command accepts.
 pub trait Selection {
-    /// Is that one of them?
+    /// Whether the command accepts the option.
     fn contains(option: &OptionSpec) -> bool;
 }
 
-/// All but the method.
+/// All options but the method.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExceptMethod;
 
@@ -81,7 +81,7 @@ impl Selection for ExceptMethod {
     }
 }
 
-/// How far rays are followed.
+/// Only the options that limit ray recursion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Recursion;
 
@@ -93,17 +93,17 @@ impl Selection for Recursion {
 
 const METHOD: &str = "method";
 
-/// Options of the table that were typed, with their values, in the table's order.
+/// Typed options with their values, in the order of the table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TypedOptions<S>(Vec<(&'static OptionSpec, String)>, PhantomData<S>);
 
 impl<S: Selection> TypedOptions<S> {
-    /// Those that the command takes.
+    /// Options of the table that the command accepts.
     fn selected() -> impl Iterator<Item = &'static OptionSpec> {
         OPTIONS.iter().filter(|option| S::contains(option))
     }
 
-    /// The method's defaults with what was typed, not checked.
+    /// Defaults of the method with the typed values applied, not validated.
     pub fn settings(&self, method: Method) -> glimpse::Result<Settings> {
         let mut settings = Settings::for_method(method);
         for (option, text) in &self.0 {
@@ -112,10 +112,10 @@ impl<S: Selection> TypedOptions<S> {
         Ok(settings)
     }
 
-    /// These with one more, as if it had been typed.
+    /// These options with one more value, as if typed.
     ///
     /// # Errors
-    /// One line that names the option, and what was expected of it.
+    /// Fails with one line that names the option and the expected values.
     pub fn with(&self, name: &str, text: &str) -> Result<Self, String> {
         let option = Self::selected().find(|option| option.name == name || option.old_name == Some(name));
         let option = option.ok_or_else(|| {
@@ -162,7 +162,7 @@ impl<S: Selection> FromArgMatches for TypedOptions<S> {
     }
 }
 
-/// Sets an option of settings. Objects may be named, which a scene is needed for: these are left alone.
+/// Sets an option. Object names are accepted without effect, as resolving them needs a scene.
 fn set(option: &OptionSpec, settings: &mut Settings, text: &str) -> glimpse::Result<()> {
     match option.set(settings, text) {
         Err(_) if matches!(option.kind, Kind::Objects(_)) => Ok(()),
@@ -170,7 +170,7 @@ fn set(option: &OptionSpec, settings: &mut Settings, text: &str) -> glimpse::Res
     }
 }
 
-/// The argument for an option of the table.
+/// Makes the clap argument for an option of the table.
 fn argument(option: &'static OptionSpec) -> Arg {
     let kind = &option.kind;
     let argument = Arg::new(option.name)
@@ -192,12 +192,12 @@ fn argument(option: &'static OptionSpec) -> Arg {
     }
 }
 
-/// The sentence and the default.
+/// Help text: the option's summary and its default.
 fn help(option: &OptionSpec) -> String {
     format!("{} [default: {}]", option.summary.trim_end_matches('.'), default_text(option))
 }
 
-/// The default, with those of methods that have another.
+/// Default of the option, followed by the methods with other defaults.
 pub fn default_text(option: &OptionSpec) -> String {
     let usual = option.default(Settings::default().method);
     let mut text = usual.to_string();
@@ -227,7 +227,7 @@ fn names(choices: &'static [Choice]) -> PossibleValuesParser {
     )
 }
 
-/// Reads the name of a method.
+/// Parser of a method's name.
 pub fn method_parser() -> impl TypedValueParser<Value = Method> {
     names(Method::CHOICES).try_map(|text| Method::named(&text).ok_or("expected the name of a method"))
 }

@@ -1,4 +1,4 @@
-//! `glimpse info`: what a scene holds, and what is left out because of it.
+//! `glimpse info`: the contents of a scene and what specialization leaves out of its kernels.
 
 use glimpse::scene::{Light, LightKind, Material};
 use glimpse::{Linked, Scene, Specialize};
@@ -10,7 +10,7 @@ use crate::output::{self, bytes, counted, listed};
 use crate::scene_file;
 use crate::summary::{self, row};
 
-/// A scene as `--json` tells it.
+/// A scene in the output of `--json`.
 #[derive(Serialize)]
 struct Info {
     #[serde(flatten)]
@@ -24,20 +24,20 @@ struct Info {
     warnings: Vec<String>,
 }
 
-/// What leaving out saves in a frame by method adaptive.
+/// Savings of specialization for a frame of method adaptive.
 #[derive(Serialize)]
 struct Saved {
-    /// WGSL files that no kernel holds.
+    /// WGSL files left out of all kernels.
     files: Vec<&'static str>,
-    /// Of how many.
+    /// Number of WGSL files without specialization.
     files_of: usize,
     /// Buffers and images that no kernel binds.
     bindings: Vec<String>,
-    /// Of how many.
+    /// Number of bindings without specialization.
     bindings_of: usize,
-    /// Bytes of attributes of two samples, one below the other.
+    /// Bytes of attributes saved per two vertically adjacent samples.
     attribute_bytes: usize,
-    /// Of how many.
+    /// These bytes without specialization.
     attribute_bytes_of: usize,
 }
 
@@ -81,7 +81,7 @@ struct ImageSummary {
     bytes: u64,
 }
 
-/// `glimpse info`
+/// Runs `glimpse info`.
 pub fn run(options: &InfoOptions) -> anyhow::Result<()> {
     let scene = scene_file::load(&options.scene)?;
     let info = Info::of(&options.scene, scene)?;

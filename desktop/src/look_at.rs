@@ -1,4 +1,4 @@
-//! `--eye` and what goes with it: a camera of one's own.
+//! `--eye` and related options: a camera defined on the command line.
 
 use std::str::FromStr;
 
@@ -12,16 +12,16 @@ pub struct LookAtOptions {
     #[arg(long, value_name = "X,Y,Z", value_parser = Point::from_str, allow_negative_numbers = true,
         requires = "target", conflicts_with = "camera")]
     pub eye: Option<Point>,
-    /// The point in the middle of its picture
+    /// The point at the centre of that camera's picture
     #[arg(long, value_name = "X,Y,Z", value_parser = Point::from_str, allow_negative_numbers = true, requires = "eye")]
     pub target: Option<Point>,
-    /// What is up in its picture [default: 0,1,0]
+    /// The upward direction of that camera [default: 0,1,0]
     #[arg(long, value_name = "X,Y,Z", value_parser = Point::from_str, allow_negative_numbers = true, requires = "eye")]
     pub up: Option<Point>,
-    /// Its vertical field of view in degrees [default: 45]
+    /// Vertical field of view of that camera in degrees [default: 45]
     #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, requires = "eye")]
     pub fov: Option<f32>,
-    /// Parallel rays, and how much of the scene it shows from bottom to top
+    /// Use an orthographic camera that shows this height of the scene
     #[arg(
         long,
         value_name = "HEIGHT",
@@ -33,7 +33,7 @@ pub struct LookAtOptions {
 }
 
 impl LookAtOptions {
-    /// The camera, if one was asked for.
+    /// Makes the camera, if `--eye` was given.
     pub fn camera(&self) -> glimpse::Result<Option<Camera>> {
         let (Some(Point(eye)), Some(Point(target))) = (self.eye, self.target) else { return Ok(None) };
         let lens = match self.ortho {
@@ -45,7 +45,7 @@ impl LookAtOptions {
     }
 }
 
-/// A point or a direction, as `X,Y,Z`.
+/// A point or direction in world space, typed as `X,Y,Z`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point(pub [f32; 3]);
 

@@ -1,4 +1,5 @@
-//! The `glimpse` command: arguments, one command, one error line, one exit code.
+//! The `glimpse` command: parses arguments, runs one command, prints one line for an error and sets the exit
+//! code.
 
 mod args;
 mod bench;
@@ -62,16 +63,17 @@ fn run(arguments: Arguments) -> anyhow::Result<()> {
 }
 
 fn complain(line: &str) {
-    // Where stderr is closed there is nobody left to tell.
+    // If stderr is closed, the message is lost.
     let _ = writeln!(std::io::stderr(), "glimpse: error: {line}");
 }
 
 thread_local! {
-    /// What the hook saw. It says nothing itself: the library catches the panic by which wgpu reports a lost device.
+    /// Message of the last panic. The hook prints nothing, as the library catches the panic by which wgpu
+    /// reports a lost device.
     static LAST_PANIC: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// Turns a panic that nobody caught into an error.
+/// Turns an uncaught panic into an error.
 fn reporting_panics(work: impl FnOnce() -> anyhow::Result<()> + UnwindSafe) -> anyhow::Result<()> {
     catch_unwind(work).unwrap_or_else(|_| Err(anyhow::Error::msg(LAST_PANIC.take())))
 }
@@ -82,7 +84,7 @@ fn bug(panic: &PanicHookInfo<'_>) -> String {
     format!("this is a bug, please report it: {message}{place}")
 }
 
-/// `-v` tells what Glimpse does, `-vv` how, `-vvv` everything; `RUST_LOG` decides where it is set.
+/// Starts the log: `-v` shows information, `-vv` debug messages, `-vvv` everything; `RUST_LOG` overrides it.
 fn start_log(verbose: u8) {
     let filter = match verbose {
         0 => "glimpse=warn",

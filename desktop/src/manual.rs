@@ -1,4 +1,4 @@
-//! `desktop/CLI.md`, made from the definition of the command line and from the core's table of options.
+//! Generates `desktop/CLI.md` from the clap definition and the core's table of options.
 
 use std::fmt::Write;
 
@@ -9,7 +9,7 @@ use crate::args::{Arguments, default_text};
 
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/CLI.md");
 
-/// Set, it has the test write the page.
+/// If this variable is set, the test writes the page.
 const UPDATE: &str = "UPDATE_CLI_MD";
 
 const HEAD: &str = "\

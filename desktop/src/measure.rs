@@ -1,4 +1,5 @@
-//! Methods measured on one scene: warmed up, then interleaved frame by frame so that they share the weather.
+//! Measures methods on one scene: all are warmed up, then take turns frame by frame, so that changes in the
+//! device's load affect them alike.
 
 use anyhow::Context;
 use glimpse::{
@@ -15,34 +16,34 @@ use crate::progress::Progress;
 use crate::scene_file;
 use crate::statistics::ErrorAgainst;
 
-/// A scene on the device, a camera in it, and what is known of both.
+/// A scene on the device with a camera and the methods to measure.
 pub struct Workbench<'g> {
-    /// The device.
+    /// Device that renders.
     pub gpu: &'g Gpu,
-    /// The scene there.
+    /// Scene in device buffers.
     pub scene: GpuScene,
-    /// The view.
+    /// Camera of the frames.
     pub camera: Camera,
-    /// Its index and name.
+    /// Index and name of the camera.
     pub camera_name: String,
-    /// What the scene holds.
+    /// Contents of the scene.
     pub statistics: SceneStatistics,
-    /// What is measured there.
+    /// Settings of each method to measure.
     pub methods: Vec<Settings>,
-    /// Threads beside the GPU, of each.
+    /// Number of CPU threads of each method.
     pub cpu_threads: Vec<u32>,
-    /// The scene as they see it, where there are any.
+    /// Scene for the CPU threads; `None` if there are none.
     pub reference: Option<Reference>,
-    /// What the import had to leave out.
+    /// Warnings of the import.
     pub warnings: Vec<String>,
-    /// Milliseconds for reading.
+    /// Time to load the scene, in milliseconds.
     pub load_ms: f64,
-    /// Milliseconds for the acceleration structure and the way to the device.
+    /// Time to build the acceleration structure and upload the scene, in milliseconds.
     pub build_ms: f64,
 }
 
 impl<'g> Workbench<'g> {
-    /// Loads the scene of that name and moves it to the device.
+    /// Loads the named scene and uploads it.
     pub fn set(
         gpu: &'g Gpu,
         name: &str,
@@ -82,30 +83,30 @@ impl<'g> Workbench<'g> {
     }
 }
 
-/// What was measured of one method.
+/// Measurements of one method.
 pub struct Run {
-    /// How the frames were made.
+    /// Settings of the renderer.
     pub settings: Settings,
-    /// Milliseconds for compiling, the first frame included.
+    /// Time to compile the kernels and render the first frame, in milliseconds.
     pub compile_ms: f64,
-    /// The warm frames.
+    /// Times of the warm frames.
     pub frames: Vec<FrameTime>,
-    /// The frame as shown.
+    /// Picture encoded for display.
     pub picture: DisplayImage,
-    /// The frame in linear radiance, where it was asked for.
+    /// Picture in linear radiance, if the plan asks for it.
     pub linear: Option<LinearImage>,
-    /// The counters, from a frame of their own.
+    /// Counters and data of each pixel, from a separate frame.
     pub inspection: Inspection,
-    /// Bytes on the device.
+    /// Bytes of device memory.
     pub memory: Memory,
-    /// The frames of a camera that turns.
+    /// Errors of the frames of a panning camera, if the plan has one.
     pub panned: Option<Panned>,
-    /// Who brought the samples after the warm frames.
+    /// Samples by GPU and CPU thread after the warm frames, if any remained.
     pub sides: Option<Sides>,
 }
 
 impl Run {
-    /// The error of this run's picture against a full frame.
+    /// Error of this run's picture against that of `full`.
     pub fn error_against(&self, full: &Self) -> glimpse::Result<ErrorAgainst> {
         let mut report = metrics::compare(&self.picture, &full.picture)?;
         if let (Some(linear), Some(reference)) = (&self.linear, &full.linear) {
@@ -115,25 +116,25 @@ impl Run {
     }
 }
 
-/// How methods are measured.
+/// Parameters of a measurement.
 pub struct Plan {
-    /// Width and height, of what an eye sees.
+    /// Width and height of one eye's picture in pixels.
     pub size: [u32; 2],
-    /// Warm frames of each.
+    /// Number of warm frames of each method.
     pub frames: u32,
-    /// Linear radiance too.
+    /// Whether to read linear radiance as well.
     pub linear: bool,
-    /// How the camera turns.
+    /// Pan of the camera, if any.
     pub pan: Option<Pan>,
 }
 
 impl Plan {
-    /// Steps of the progress bar that [`Plan::measure`] takes for so many methods.
+    /// Number of progress steps that [`Plan::measure`] takes for `methods` methods.
     pub fn steps(&self, methods: usize) -> u64 {
         methods as u64 * (2 + u64::from(self.frames))
     }
 
-    /// Measures every method of the workbench, in their order.
+    /// Measures all methods of the workbench, in their order.
     pub fn measure(&self, workbench: &Workbench<'_>, progress: &Progress) -> anyhow::Result<Vec<Run>> {
         let name = &workbench.statistics.file;
         let mut camera = workbench.camera;
@@ -201,7 +202,7 @@ impl Plan {
     }
 }
 
-/// The camera of the command line, or the one of the scene that it names, and what to call it.
+/// Camera given by `--eye` or `--camera`, and its name in the output.
 fn chosen_camera(scene: &Scene, options: &FrameOptions) -> glimpse::Result<(Camera, String)> {
     if let Some(camera) = options.look_at.camera()? {
         return Ok((camera, "--eye".to_owned()));

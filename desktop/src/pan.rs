@@ -1,4 +1,4 @@
-//! `glimpse bench --pan`: the error of every frame of a camera that turns.
+//! `glimpse bench --pan`: errors of the frames of a panning camera.
 
 use glimpse::{Camera, Renderer, metrics};
 use serde::Serialize;
@@ -6,35 +6,35 @@ use serde::Serialize;
 use crate::output;
 use crate::statistics::Statistics;
 
-/// How the camera turns.
+/// Pan of the camera during the measurement.
 pub struct Pan {
-    /// To the right, from one frame to the next.
+    /// Angle to the right in degrees per frame.
     pub degrees: f64,
-    /// The method that each one's frames are compared with.
+    /// For each method, the index of the method that its frames are compared with.
     pub against: Vec<Option<usize>>,
 }
 
-/// What is known of each frame of one method.
+/// Measurements of each frame of one method.
 #[derive(Clone, Debug)]
 pub struct Panned {
     degrees: f64,
-    /// Against the other method's, of 255; empty without one.
+    /// RMSE of each frame in levels of 0 to 255; empty if there is no method to compare with.
     rmse: Vec<f64>,
     rt_ratio: Vec<f64>,
 }
 
 impl Panned {
-    /// Before the first frame.
+    /// Starts without frames.
     pub fn new(pan: &Pan) -> Self {
         Self { degrees: pan.degrees, rmse: Vec::new(), rt_ratio: Vec::new() }
     }
 }
 
 impl Pan {
-    /// Compares the methods' last frames, each of which is counted.
+    /// Compares the current frames of all methods, and counts their rays.
     ///
     /// # Errors
-    /// A device that failed.
+    /// Fails if the device fails.
     pub fn compare(
         &self,
         renderers: &mut [(Renderer, f64)],
@@ -54,23 +54,24 @@ impl Pan {
     }
 }
 
-/// The frames of a camera that turned, all together.
+/// Summary of the frames of a panning camera.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PanStatistics {
-    /// To the right, from one frame to the next.
+    /// Angle to the right in degrees per frame.
     pub degrees: f64,
-    /// Of the mean squared error of all frames against `full`; null where there is none, of `full` or of error.
+    /// PSNR of the mean squared error of all frames against `full`; null if there is nothing to compare with
+    /// or no error.
     pub psnr_db: Option<f64>,
-    /// Of the worst frame.
+    /// PSNR of the worst frame in decibels.
     pub worst_psnr_db: Option<f64>,
-    /// Which that is, from 1.
+    /// Number of the worst frame, from 1.
     pub worst_frame: Option<usize>,
-    /// The mean of the frames' RT ratios.
+    /// Mean RT ratio of the frames.
     pub rt_ratio: f64,
 }
 
 impl PanStatistics {
-    /// Of one method.
+    /// Summarises the frames of one method.
     pub fn of(panned: &Panned) -> Self {
         let mean = |values: &mut dyn Iterator<Item = f64>, count: usize| values.sum::<f64>() / count as f64;
         let Panned { degrees, rmse, rt_ratio } = panned;
@@ -86,7 +87,7 @@ impl PanStatistics {
     }
 }
 
-/// A line for each method whose camera turned.
+/// Table with a line for each method with a panning camera.
 pub fn table(column: usize, rows: &[(String, Statistics)]) -> String {
     let Some(first) = rows.iter().find_map(|(_, s)| s.pan.map(|pan| (pan, s.frames))) else {
         return String::new();

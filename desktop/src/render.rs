@@ -1,4 +1,4 @@
-//! `glimpse render`: one frame into a file, and all that is known of it.
+//! `glimpse render`: renders one frame into a file and prints its statistics.
 
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,7 @@ use crate::{cpu_tracer, files, scene_file, summary};
 
 const VIEW_PICTURE: &str = "glimpse.png";
 
-/// `glimpse view` where there is no display.
+/// Renders a picture for `glimpse view` if there is no display.
 pub fn without_display(scene: &str, adapter: Option<&str>) -> anyhow::Result<()> {
     let options = RenderOptions {
         scene: scene.to_owned(),
@@ -32,7 +32,7 @@ pub fn without_display(scene: &str, adapter: Option<&str>) -> anyhow::Result<()>
     run(&options, adapter)
 }
 
-/// `glimpse render`
+/// Runs `glimpse render`.
 pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()> {
     let request = FrameRequest::of(&options.frame, options.method)?;
     check_show(options, &request.settings)?;
@@ -72,7 +72,7 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
     output::print(&text)
 }
 
-/// Is there something known of every pixel to show?
+/// Checks that the settings and the output format provide the per-pixel data that `--show` displays.
 fn check_show(options: &RenderOptions, settings: &Settings) -> Result<(), Usage> {
     let unfit = match options.show {
         Show::Final => None,
@@ -82,7 +82,7 @@ fn check_show(options: &RenderOptions, settings: &Settings) -> Result<(), Usage>
     unfit.map_or(Ok(()), |reason| Err(Usage(format!("--show {}: {reason}", options.show.name()))))
 }
 
-/// Writes what `--show` asks for; returns its legend.
+/// Writes the picture that `--show` selects; returns its legend.
 fn write_picture(options: &RenderOptions, run: &Run) -> anyhow::Result<String> {
     if let Some(linear) = run.linear.as_ref().filter(|_| options.output.linear) {
         files::write(&options.output.path, &to_exr(linear)?)?;

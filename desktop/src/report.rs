@@ -1,4 +1,4 @@
-//! `glimpse report`: error against run time, and the tables of papers for other scenes.
+//! `glimpse report`: error against run time, and tables like those of the papers for other scenes.
 
 use clap::Command;
 use clap::builder::{PossibleValue, PossibleValuesParser};
@@ -7,10 +7,10 @@ use glimpse_report::{Options, Program, TABLES, Table};
 
 use crate::args::ReportOptions;
 
-/// What `--tables` has for none of them.
+/// Value of `--tables` that selects no table.
 const NONE: &str = "none";
 
-/// The command line with the tables that `--tables` knows.
+/// Adds the names of the tables to the values of `--tables`.
 pub fn with_tables(command: Command) -> Command {
     let none = PossibleValue::new(NONE).help("None of them");
     let tables = TABLES.map(|table| PossibleValue::new(table.name()).help(table.summary()));
@@ -18,7 +18,7 @@ pub fn with_tables(command: Command) -> Command {
     command.mut_subcommand("report", |report| report.mut_arg("tables", |tables| tables.value_parser(values)))
 }
 
-/// `glimpse report`
+/// Runs `glimpse report`.
 pub fn run(options: &ReportOptions, adapter: Option<&str>) -> anyhow::Result<()> {
     let program = Program {
         version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -39,7 +39,7 @@ pub fn run(options: &ReportOptions, adapter: Option<&str>) -> anyhow::Result<()>
     glimpse_report::run(&options, adapter)
 }
 
-/// The tables of these names, each once.
+/// Tables of these names, without duplicates.
 fn chosen(names: &[String]) -> Vec<&'static dyn Table> {
     let mut tables: Vec<&'static dyn Table> = Vec::new();
     for table in names.iter().filter_map(|name| glimpse_report::named(name)) {

@@ -1,4 +1,4 @@
-//! The statistics JSON: what was rendered, with what, how long it took and what it cost.
+//! The statistics JSON: settings, times, counters and errors of a frame.
 
 use glimpse::metrics::ErrorReport;
 use glimpse::{Cost, FailedChecks, FrameTime, Memory, Missing, Rays, Samples, Settings, Tracing};
@@ -9,117 +9,117 @@ use crate::cpu_tracer::Sides;
 use crate::measure::{Run, Workbench};
 use crate::pan::PanStatistics;
 
-/// One method on one scene.
+/// Measurements of one method on one scene.
 #[derive(Clone, Debug, Serialize)]
 pub struct Statistics {
-    /// This program's version.
+    /// Version of Glimpse.
     pub glimpse: &'static str,
-    /// Where it ran.
+    /// Adapter that rendered.
     pub adapter: AdapterStatistics,
-    /// What was rendered.
+    /// Contents of the scene.
     pub scene: SceneStatistics,
-    /// Every option as it was used.
+    /// Values of all options.
     pub settings: SettingsUsed,
-    /// Width and height.
+    /// Width and height of the picture in pixels.
     pub size: [u32; 2],
-    /// Timed frames.
+    /// Number of timed frames.
     pub frames: usize,
-    /// How long it took.
+    /// Times in milliseconds.
     pub time_ms: Times,
-    /// Rays by kind.
+    /// Number of rays by kind.
     pub rays: Rays,
-    /// Samples by origin.
+    /// Number of samples by origin.
     pub samples: Samples,
-    /// Kim 2016's RT ratio.
+    /// RT ratio of Kim 2016: traced samples over all samples.
     pub rt_ratio: f64,
     /// Work of the traversal.
     pub cost: Cost,
-    /// Samples by check that they fail.
+    /// Number of samples by failed similarity check.
     pub failed_checks: FailedChecks,
-    /// Bytes on the device.
+    /// Bytes of device memory.
     pub memory_bytes: Memory,
-    /// Millions of this method's own rays in a second of its median frame.
+    /// Millions of rays of this method per second of its median frame.
     pub mrays_per_s: f64,
-    /// The part of the frame spent in passes that trace nothing; null where passes are not timed.
+    /// Share of the frame time spent in passes that trace no rays; null if passes are not timed.
     pub non_tracing_share: Option<f64>,
-    /// Against `full` of the same run.
+    /// Gain over `full` of the same run.
     #[serde(flatten)]
     pub gain: Option<Gain>,
-    /// The error against `full` of the same run.
+    /// Error against `full` of the same run.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<ErrorAgainst>,
-    /// What `full` of the same run shows and this frame does not.
+    /// Objects and pixels that `full` of the same run shows and this frame loses.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub missing: Option<Missing>,
-    /// The frames of a camera that turned, where it did.
+    /// Summary of the frames of a panning camera, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pan: Option<PanStatistics>,
-    /// Who brought the samples of paths after the timed frames, where there were any.
+    /// Samples by GPU and CPU thread after the timed frames, for path tracing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sides: Option<Sides>,
 }
 
-/// The settings and the camera.
+/// Settings and camera of the frame.
 #[derive(Clone, Debug, Serialize)]
 pub struct SettingsUsed {
-    /// What the renderer was told.
+    /// Settings of the renderer.
     #[serde(flatten)]
     pub settings: Settings,
-    /// Index and name.
+    /// Index and name of the camera.
     pub camera: String,
 }
 
-/// Milliseconds.
+/// Times in milliseconds.
 #[derive(Clone, Debug, Serialize)]
 pub struct Times {
-    /// A whole frame.
+    /// Time of a whole frame.
     pub frame: Spread,
-    /// `gpu` where timestamps measured the frame, else `cpu`.
+    /// `gpu` if timestamps measured the frame, else `cpu`.
     pub clock: &'static str,
-    /// Each pass.
+    /// Median time of each pass.
     pub passes: Vec<PassMedian>,
-    /// Reading the scene.
+    /// Time to load the scene.
     pub load: f64,
-    /// Building the acceleration structure and moving everything to the device.
+    /// Time to build the acceleration structure and upload the scene.
     pub build: f64,
-    /// Compiling the kernels, with the first frame, in which drivers finish compiling.
+    /// Time to compile the kernels and render the first frame, in which drivers finish compiling.
     pub compile: f64,
 }
 
-/// The time of a pass.
+/// Median time of a pass.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PassMedian {
-    /// Its name.
+    /// Name of the pass.
     pub name: &'static str,
-    /// Whether it traces rays.
+    /// Class of the pass: whether and how it traces rays.
     pub tracing: Tracing,
-    /// Over the frames.
+    /// Median in milliseconds over the frames.
     pub median: f64,
 }
 
-/// What a method gains over `full`.
+/// Gain of a method over `full`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Gain {
-    /// Full frame's time over this method's.
+    /// Median frame time of `full` over that of this method.
     pub speedup: f64,
-    /// `speedup` x RT ratio: 1 where saved samples are saved time.
+    /// `speedup` x RT ratio: 1 if the time saved is proportional to the samples saved.
     pub efficiency: f64,
-    /// `speedup` x traced share of the cost: 1 where saved work is saved time.
+    /// `speedup` x traced share of the cost: 1 if the time saved is proportional to the work saved.
     pub cost_efficiency: f64,
 }
 
-/// An error with its reference.
+/// Error of a picture with the name of its reference.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct ErrorAgainst {
-    /// The reference's method.
+    /// Method of the reference.
     pub against: &'static str,
-    /// The measures.
+    /// Error metrics.
     #[serde(flatten)]
     pub report: ErrorReport,
 }
 
 impl Statistics {
-    /// Of one run, and against the full frame where there is one.
+    /// Statistics of a run; gain, error and missing objects are against the run of `full`, if there is one.
     pub fn of(workbench: &Workbench<'_>, run: &Run, full: Option<&Run>) -> glimpse::Result<Self> {
         let counts = run.inspection.counts;
         let frame = Spread::of(run.frames.iter().map(|f| f.ms));
@@ -160,7 +160,7 @@ impl Statistics {
             error: full.map(|full| run.error_against(full)).transpose()?,
             pan: run.panned.as_ref().map(PanStatistics::of),
             sides: run.sides.clone(),
-            // Of pixels that were kept from an earlier frame the object is not known.
+            // The objects of pixels reused from an earlier frame are unknown.
             missing: full
                 .filter(|_| !run.settings.method.has_history())
                 .and_then(|full| Missing::of(&full.inspection.pixels, &run.inspection.pixels)),
@@ -168,7 +168,7 @@ impl Statistics {
     }
 }
 
-/// The median of each pass, in the order of the first frame.
+/// Median time of each pass, in the order of the first frame.
 pub fn pass_medians(frames: &[FrameTime]) -> Vec<PassMedian> {
     let Some(first) = frames.first() else { return Vec::new() };
     let times = |name: &'static str| {
@@ -185,13 +185,13 @@ pub fn pass_medians(frames: &[FrameTime]) -> Vec<PassMedian> {
         .collect()
 }
 
-/// The part of a frame spent in passes that trace nothing.
+/// Share of a frame's time spent in passes that trace no rays.
 pub fn non_tracing_share(passes: &[PassMedian], frame_ms: f64) -> Option<f64> {
     let other = passes.iter().filter(|p| p.tracing == Tracing::No);
     (!passes.is_empty() && frame_ms > 0.0).then(|| other.map(|p| p.median).sum::<f64>() / frame_ms)
 }
 
-/// The part of the full frame's work that `method` did: what lies in the samples that it traced.
+/// Node visits and primitive tests of a method over those of `full`.
 pub fn traced_share(method: &Cost, full: &Cost) -> Option<f64> {
     let work = |cost: &Cost| (cost.node_visits + cost.primitive_tests) as f64;
     (work(full) > 0.0).then(|| work(method) / work(full))

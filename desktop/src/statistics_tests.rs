@@ -1,11 +1,11 @@
-//! The JSON has the contract's names; medians and shares are what they are called.
+//! Tests of the names in the statistics JSON, and of medians and shares.
 
 use glimpse::{PassTime, Scene, Specialize};
 use serde_json::{Value, json};
 
 use super::*;
 
-/// Made-up statistics of an adaptive frame, with all that is optional.
+/// Made-up statistics of an adaptive frame, with all optional fields.
 pub fn example() -> Statistics {
     Statistics {
         glimpse: "0",
@@ -67,7 +67,7 @@ pub fn example() -> Statistics {
     }
 }
 
-/// Section 3 of the command line's contract.
+/// The JSON of section 3 of the command line's contract.
 fn contract() -> Value {
     json!({
         "glimpse": "", "adapter": {"name": "", "backend": "", "driver": ""},
@@ -157,7 +157,7 @@ fn medians_are_per_pass_and_keep_the_order() {
     assert!(pass_medians(&[]).is_empty());
 }
 
-/// Passes of every method: the time of those that trace is no overhead, whatever they are called.
+/// The passes of every method: those that trace rays do not count as overhead, whatever their names.
 #[test]
 fn overhead_is_the_time_of_passes_that_trace_nothing() {
     let median = |name| PassMedian { name, tracing: Tracing::of_pass(name).expect(name), median: 1.0 };

@@ -1,4 +1,4 @@
-//! `glimpse stress`: stiff and extreme cases against the f64 reference.
+//! `glimpse stress`: tests extreme scenes against the f64 reference.
 
 use std::time::Instant;
 
@@ -13,7 +13,7 @@ use crate::args::{Measure, StressOptions};
 use crate::output::{self, grouped};
 use crate::progress::Progress;
 
-/// A row of the table.
+/// A row of the table: the outcome of a case.
 #[derive(Debug, Serialize)]
 struct Row {
     case: &'static str,
@@ -31,12 +31,12 @@ struct Report {
     adapter: AdapterStatistics,
     seed: u64,
     rays: u64,
-    /// The measures that were left out.
+    /// Measures against rounding that were left out.
     without: Vec<String>,
     cases: Vec<Row>,
 }
 
-/// `glimpse stress`
+/// Runs `glimpse stress`.
 pub fn run(options: &StressOptions, adapter: Option<&str>) -> anyhow::Result<()> {
     let cases = chosen(&options.cases)?;
     let gpu = Gpu::headless(adapter)?;
@@ -76,7 +76,7 @@ fn name(measure: &Measure) -> String {
     measure.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
-/// The cases of these names, all of them without names.
+/// Cases of these names; all cases if there are no names.
 fn chosen(names: &[String]) -> glimpse::Result<Vec<&'static Case>> {
     if names.is_empty() {
         return Ok(CASES.iter().collect());

@@ -1,4 +1,4 @@
-//! The statistics as text for people.
+//! Formats statistics as text.
 
 use std::fmt::Write;
 
@@ -10,15 +10,15 @@ use crate::cpu_tracer::{Side, Sides};
 use crate::output::{bytes, counted, grouped, listed};
 use crate::statistics::Statistics;
 
-/// How many warnings are printed before the rest is only counted.
+/// Number of warnings printed in full; the others are only counted.
 const WARNINGS: usize = 3;
 
-/// A line with its name.
+/// A line of the summary with its label.
 pub fn row(name: &str, text: &str) -> String {
     format!("{name:<10}{text}\n")
 }
 
-/// Everything about one frame.
+/// Summary of a frame.
 pub fn frame(statistics: &Statistics, warnings: &[String]) -> String {
     let s = statistics;
     let t = &s.time_ms;
@@ -91,7 +91,7 @@ pub fn frame(statistics: &Statistics, warnings: &[String]) -> String {
     text
 }
 
-/// What a scene holds, in two lines.
+/// Contents of a scene and the features left out, in two lines.
 pub fn scene(scene: &SceneStatistics) -> String {
     let counts = [
         counted(scene.triangles, "triangle"),
@@ -103,7 +103,7 @@ pub fn scene(scene: &SceneStatistics) -> String {
     row("scene", &format!("{}: {}", scene.file, listed(&counts))) + &row("left out", &listed(&scene.left_out))
 }
 
-/// Who brought the samples of paths after the timed frames, in one line.
+/// Samples by GPU and CPU thread after the timed frames, in one line.
 pub fn sides(sides: &Sides) -> String {
     let side = |who: String, side: &Side| {
         format!("{who} {} ({:.0} % busy)", counted(side.samples as usize, "sample"), 100.0 * side.utilisation)
@@ -114,7 +114,7 @@ pub fn sides(sides: &Sides) -> String {
     format!("{} in {:.0} ms, {:.3} samples/s", all.join(", "), sides.wall_ms, sides.samples_per_s)
 }
 
-/// An error, in one line.
+/// Error metrics, in one line.
 pub fn error(report: &ErrorReport) -> String {
     let mut text =
         format!("RMSE {:.3}, PSNR {}, SSIM {:.5}", report.rmse, decibels(report.psnr_db), report.ssim);
@@ -130,22 +130,22 @@ pub fn error(report: &ErrorReport) -> String {
     text
 }
 
-/// A PSNR, which is infinite for equal images.
+/// PSNR in decibels; `infinite` for equal images.
 pub fn decibels(psnr_db: Option<f64>) -> String {
     psnr_db.map_or_else(|| "infinite".to_owned(), |db| format!("{db:.2} dB"))
 }
 
-/// The method's name as it is typed.
+/// Name of the frame's method, as on the command line.
 pub fn method(statistics: &Statistics) -> String {
     method_name(statistics.settings.settings.method)
 }
 
-/// A method's name as it is typed.
+/// Name of a method, as on the command line.
 pub fn method_name(method: Method) -> String {
     method.name().to_owned()
 }
 
-/// What full tracing shows and the frame does not, in one line.
+/// Objects and pixels that `full` shows and the frame loses, in one line.
 pub fn missing(m: &Missing) -> String {
     format!(
         "{} of {}, {} of {} pixels, {:.2} % of the average object",
@@ -157,7 +157,7 @@ pub fn missing(m: &Missing) -> String {
     )
 }
 
-/// The adapter, in one line.
+/// Adapter with backend and driver, in one line.
 pub fn adapter(statistics: &Statistics) -> String {
     let a = &statistics.adapter;
     let known: Vec<_> =
@@ -174,7 +174,7 @@ fn samples(s: &Statistics) -> String {
     format!("{} ({})", grouped(s.samples.total), counts(s.samples.labelled()))
 }
 
-/// Counters with their labels.
+/// Counters with their labels, separated by commas.
 fn counts<const N: usize>(labelled: [(&str, u64); N]) -> String {
     labelled.map(|(label, count)| format!("{label} {}", grouped(count))).join(", ")
 }
@@ -217,7 +217,7 @@ mod tests {
         assert!(!text.contains("warning"));
     }
 
-    /// What is counted is told: a sum is never larger than the counts beside it.
+    /// Every counter is printed, so that the printed counts add up to their sum.
     #[test]
     fn every_counter_of_the_json_is_told() {
         let mut statistics = example();

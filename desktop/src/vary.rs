@@ -1,4 +1,4 @@
-//! `--vary OPTION=V1,V2,...`: settings compared with each other in one run.
+//! `--vary OPTION=V1,V2,...`: compares values of an option in one run.
 
 use std::str::FromStr;
 
@@ -7,9 +7,9 @@ use super::FrameOptions;
 /// An option of a frame with the values to compare.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Variation {
-    /// Its name, without dashes.
+    /// Name of the option, without dashes.
     pub option: String,
-    /// As they would follow the option.
+    /// Values as typed.
     pub values: Vec<String>,
 }
 
@@ -29,22 +29,22 @@ impl FromStr for Variation {
     }
 }
 
-/// Options with the values that they take.
+/// Varied options, each with one value.
 pub type Varied = Vec<(String, String)>;
 
 impl FrameOptions {
-    /// These options with one more, as if it had been typed.
+    /// These options with one more value, as if typed.
     ///
     /// # Errors
-    /// One line that names the option, and what was expected of it.
+    /// Fails with one line that names the option and the expected values.
     pub fn with(&self, option: &str, value: &str) -> Result<Self, String> {
         Ok(Self { typed: self.typed.with(option, value)?, ..self.clone() })
     }
 
-    /// Every combination of the values, the last option's varying fastest, each with what was varied.
+    /// Every combination of the values, the last option varying fastest, with the values that it has.
     ///
     /// # Errors
-    /// As [`FrameOptions::with`].
+    /// Fails as [`FrameOptions::with`].
     pub fn combinations(&self, variations: &[Variation]) -> Result<Vec<(Self, Varied)>, String> {
         let mut all = vec![(self.clone(), Vec::new())];
         for Variation { option, values } in variations {

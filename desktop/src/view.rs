@@ -1,4 +1,4 @@
-//! `glimpse view`: the window, or a script without one.
+//! `glimpse view`: opens the window, or plays a script without one.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -17,7 +17,7 @@ use crate::{files, render, scene_file};
 
 const DEFAULT_SCENE: &str = "builtin:room";
 
-/// `glimpse view`; where there is no display, a picture.
+/// Runs `glimpse view`; renders a picture if there is no display.
 pub fn run(options: &ViewOptions, adapter: Option<&str>) -> anyhow::Result<()> {
     let scene = options.scene.as_deref().unwrap_or(DEFAULT_SCENE);
     scene_file::check(scene)?;
@@ -45,7 +45,7 @@ fn setup(options: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::R
     let script = options.script.as_deref().map(read_script).transpose()?;
     let reader: Files = Arc::new(|name| scene_file::load(name).map_err(|error| format!("{error:#}")));
     let Size(size) = options.size;
-    // What a script does must not depend on what was opened before, nor change it.
+    // A script must neither depend on recently opened scenes nor change their list.
     let scripted = script.is_some();
     Ok(Setup {
         files: reader,
@@ -82,14 +82,14 @@ fn read_script(path: &Path) -> anyhow::Result<Script> {
     Script::parse(&name, &text).map_err(|line| anyhow!(line))
 }
 
-/// Writes a picture; one without a name gets the first that is free in the working folder.
+/// Saves a picture; without a name, under the first unused name in the working folder.
 fn save(file: Option<PathBuf>, picture: &DisplayImage) -> anyhow::Result<String> {
     let path = file.or_else(|| free_name(Path::new(""))).context("no free name")?;
     files::write(&path, &to_png(picture)?)?;
     Ok(format!("Saved {}", path.display()))
 }
 
-/// Asks for a file on a thread of its own; nothing happens where none is chosen.
+/// Opens a file dialog on a separate thread; cancelling it has no effect.
 fn open_dialog(chosen: Chosen) {
     std::thread::spawn(move || {
         let dialog = rfd::FileDialog::new().add_filter("glTF scenes", &["glb", "gltf"]);
@@ -99,7 +99,7 @@ fn open_dialog(chosen: Chosen) {
     });
 }
 
-/// Where the names of scenes are kept that were opened last, a line each.
+/// File with the names of recently opened scenes, one per line.
 fn recent_file() -> Option<PathBuf> {
     Some(dirs::state_dir().or_else(dirs::data_local_dir)?.join("glimpse").join("recent"))
 }

@@ -1,4 +1,4 @@
-//! What the program says to bad input: one clear line, exit code 1 or 2, and no file.
+//! Reactions of the program to bad input: one clear line, exit code 1 or 2, and no output file.
 #![allow(clippy::unwrap_used, reason = "a test may fail wherever it is surprised")]
 
 use std::{
@@ -10,13 +10,13 @@ use std::{
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-/// The work failed.
+/// Exit code for failed work.
 const FAILED: i32 = 1;
 
-/// Wrong usage.
+/// Exit code for wrong usage.
 const USAGE: i32 = 2;
 
-/// Bad input is said to be bad in less than this, in characters.
+/// Upper bound on the length of an error message, in characters.
 const LINE: usize = 600;
 
 struct Bench {
@@ -50,7 +50,7 @@ impl Bench {
         command
     }
 
-    /// Runs it; it must refuse, with this code, and say each of these words.
+    /// Runs the command, which must refuse with this exit code and name each of these words.
     fn refused_with(&self, mut command: Command, code: i32, words: &[&str]) {
         let before = self.files();
         let output = command.output().unwrap();
@@ -59,7 +59,7 @@ impl Bench {
         assert_eq!(output.status.code(), Some(code), "{what}");
         assert_eq!(self.files(), before, "a file was left behind: {what}");
         assert!(!said.contains("panicked") && !said.contains("this is a bug"), "{what}");
-        // The parser of the arguments adds how they are meant.
+        // The argument parser adds further lines with the usage.
         let line = said.lines().next().unwrap_or_default();
         assert!(code == USAGE || said.trim_end().lines().count() == 1, "more than a line: {what}");
         assert!(line.contains("error") && line.len() < LINE, "{what}");
@@ -125,7 +125,7 @@ fn glb(document: &Value, buffer: &[u8]) -> Vec<u8> {
     bytes
 }
 
-/// The good file, from which every bad one below differs in one thing.
+/// The valid file, from which each of the invalid ones below differs in one thing.
 #[test]
 fn the_triangle_itself_is_rendered() {
     let bench = Bench::new();
@@ -137,7 +137,7 @@ fn the_triangle_itself_is_rendered() {
 fn zero_area_triangles_are_no_error() {
     let bench = Bench::new();
     let (mut document, mut buffer) = triangle();
-    // A second triangle, without area.
+    // A second triangle, which has no area.
     buffer.truncate(42);
     buffer.extend([0_u16, 1, 1].iter().flat_map(|v| v.to_le_bytes()));
     document["accessors"][1]["count"] = json!(6);
@@ -177,7 +177,7 @@ fn a_device_is_no_scene() {
     }
 }
 
-/// What a scene names lies in its folder or below, whatever the rest of the machine holds.
+/// Only files in the scene's folder or below it are read, whatever exists elsewhere.
 #[test]
 fn what_a_scene_must_not_reach() {
     let bench = Bench::new();
@@ -252,7 +252,7 @@ fn with_image(uri: &str) -> Vec<u8> {
     document["textures"] = json!([{"source": 0}]);
     document["materials"] = json!([{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}]);
     document["meshes"][0]["primitives"][0]["material"] = json!(0);
-    // Texture coordinates: the positions' first two numbers do.
+    // The first two numbers of each position serve as texture coordinates.
     document["bufferViews"][0]["byteStride"] = json!(12);
     let coordinates = json!({"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC2"});
     document["accessors"].as_array_mut().unwrap().push(coordinates);
@@ -390,11 +390,11 @@ fn an_output_that_cannot_be_written() {
     );
 }
 
-/// Nothing is rendered that could not be written: both files are looked at before the scene is.
+/// Both output files are checked before the scene is read.
 #[test]
 fn outputs_are_checked_before_the_work() {
     let bench = Bench::new();
-    // Were the scene read first, this is what would be said.
+    // The error would be about this file if the scene were read first.
     let scene = bench.file("scene.glb", "this is no scene at all");
     let picture = bench.file("locked.png", "precious");
     let mut permissions = fs::metadata(&picture).unwrap().permissions();
@@ -425,7 +425,7 @@ fn outputs_are_checked_before_the_work() {
     }
 }
 
-/// A file that is there already stays as it is where the work fails.
+/// An existing output file is unchanged if the work fails.
 #[test]
 fn a_failure_keeps_the_old_file() {
     let bench = Bench::new();

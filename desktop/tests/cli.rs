@@ -1,4 +1,5 @@
-//! The program from outside, where no graphics device is needed: exit codes, and one line for each failure.
+//! Runs the program without a graphics device where none is needed: exit codes, and one line for each
+//! failure.
 
 #![allow(clippy::unwrap_used, reason = "a test stops where it fails")]
 
@@ -97,7 +98,7 @@ fn stress_judges_cases_and_notices_what_is_left_out() {
     assert!(stderr.contains("waterproof") && stderr.contains("watertight"), "{stderr}");
 }
 
-/// However many frames are timed.
+/// The number of samples does not depend on the number of timed frames.
 #[test]
 fn a_picture_of_paths_has_the_samples_that_were_asked_for() {
     let folder = tempfile::tempdir().unwrap();
@@ -137,7 +138,8 @@ fn cores_and_the_gpu_bring_a_pictures_samples_together() {
     let sides = serde_json::from_slice::<serde_json::Value>(&json).unwrap()["sides"].take();
     let samples = |side: &serde_json::Value| side["samples"].as_u64().unwrap();
     let cpu_threads = sides["cores"].as_array().unwrap();
-    // Two were the timed frame's and the one before it; each core may bring more while the last frame is being made.
+    // The timed frame and the warm-up frame before it took one sample each; each CPU thread may add more while
+    // the last frame is rendered.
     let brought = samples(&sides["gpu"]) + cpu_threads.iter().map(samples).sum::<u64>();
     assert!(cpu_threads.len() == 2 && brought >= 58, "{sides}");
     assert!(sides["given_up"].as_u64() <= Some(2) && sides["samples_per_s"].as_f64() > Some(0.0), "{sides}");
@@ -192,14 +194,14 @@ fn a_report_is_complete_and_is_not_measured_again() {
     let (said, again) = run();
     assert!(said.starts_with(&format!("{rows} of {rows} measurements are in out/new already")), "{said}");
     assert!(again == first, "times that are measured again differ");
-    // What is broken is made again, and nothing else.
+    // Only damaged records are measured again.
     let measured = folder.path().join("out/new/measured");
     let record = std::fs::read_dir(measured).unwrap().map(|e| e.unwrap().path());
     let mut records = record.filter(|path| path.extension().is_some_and(|e| e == "json"));
     let missing = |path: &std::path::PathBuf| -> serde_json::Value {
         serde_json::from_slice::<serde_json::Value>(&std::fs::read(path).unwrap()).unwrap()["missing"].take()
     };
-    // One that needs what full tracing shows, which is not kept.
+    // A record that needs the objects shown by full ray tracing, which are not stored.
     let record = records.find(|path| missing(path)["pixels_shown"].as_u64() > Some(0)).unwrap();
     let lost = missing(&record);
     std::fs::write(&record, "{").unwrap();

@@ -1,5 +1,4 @@
-//! What `setup.sh` would do on other machines: it runs in a made-up system, where every command that changes something
-//! only writes down that it was called.
+//! Runs `setup.sh` in a simulated system, where every command that would change something only logs its call.
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, reason = "a test may fail wherever it is surprised")]
 
@@ -18,7 +17,7 @@ const NOBLE: &str = "ID=ubuntu\nVERSION_CODENAME=noble\n";
 const MANIFEST: &str = "usr/share/vulkan/icd.d/lvp_icd.json";
 const SOURCES: &str = "etc/apt/sources.list.d/glimpse-backports.sources";
 
-/// What is loaded when a window opens, the loader of Vulkan first.
+/// Libraries loaded when a window opens, the Vulkan loader first.
 const LIBRARIES: [&str; 6] = [
     "libvulkan.so.1",
     "libxkbcommon.so.0",
@@ -28,11 +27,11 @@ const LIBRARIES: [&str; 6] = [
     "libXi.so.6",
 ];
 
-/// The packages of a system that has nothing, but for the driver.
+/// Packages for a system that has none of them, except the driver.
 const ALL: &str =
     "gcc libc6-dev g++ libvulkan1 libxkbcommon0 libxkbcommon-x11-0 libx11-xcb1 libxcursor1 libxi6 xvfb";
 
-/// A system in a folder: its files below `root`, its commands in `bin`.
+/// A simulated system in a folder: its files are below `root`, its commands in `bin`.
 struct System {
     folder: TempDir,
 }
@@ -40,12 +39,12 @@ struct System {
 struct Outcome {
     code: i32,
     said: String,
-    /// The commands that would have changed something.
+    /// Logged commands that would have changed something.
     ran: Vec<String>,
 }
 
 impl System {
-    /// As a fresh container: root, apt, nothing else.
+    /// A system like a fresh container: root user, apt, nothing else.
     fn fresh(release: &str) -> Self {
         let system = Self { folder: tempfile::tempdir().unwrap() };
         system.file("etc/os-release", release);
@@ -75,7 +74,7 @@ impl System {
         system
     }
 
-    /// What the linker knows.
+    /// Sets the libraries that the linker finds.
     fn libraries(&self, names: &[&str]) {
         let lines = names.iter().map(|name| format!("echo '	{name} (libc6,x86-64) => /usr/lib/{name}'"));
         self.command("ldconfig", &lines.collect::<Vec<_>>().join("\n"));
@@ -102,7 +101,7 @@ impl System {
         fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).unwrap();
     }
 
-    /// apt, which writes down what it is asked to change, and answers a simulation with these lines.
+    /// Adds an apt that logs requested changes and answers a simulation with these lines.
     fn apt(&self, simulation: &str) {
         let script = format!(
             "case \"$1\" in\n-s) echo '{simulation}' ;;\n*) echo \"apt-get $*\" >>\"$RAN\"; echo 'changed' ;;\nesac"
@@ -213,7 +212,7 @@ fn an_old_driver_that_is_there_stays() {
         assert!(outcome.said.contains(word), "{}", outcome.said);
     }
     assert!(!system.root().join(SOURCES).exists());
-    // Where it does not render, it is not spoken of.
+    // If the driver does not render, it is not mentioned.
     let other = system.run_with("VK_DRIVER_FILES", &system.root().join(MANIFEST).display().to_string());
     assert_eq!((other.ran.len(), other.said.as_str()), (0, ""));
     system.file("dev/dri/renderD128", "");
@@ -255,7 +254,7 @@ fn what_changes_is_said_before_it_is_changed() {
         let at = outcome.said.find(said).unwrap_or_else(|| panic!("{said:?} in {}", outcome.said));
         assert!(at < changed, "{}", outcome.said);
     }
-    // What apt replaces for it is known once apt knows its packages.
+    // The replaced packages are known only after apt has updated its lists.
     let replaces = "replaces libdrm2 2.4.114-1+b1 by 2.4.123-1~bpo12+1";
     let at = outcome.said.find(replaces).unwrap_or_else(|| panic!("{replaces:?} in {}", outcome.said));
     let before = &outcome.said[..at];

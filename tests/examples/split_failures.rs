@@ -1,9 +1,9 @@
-//! What separate lists could save where a sample fails the shadow check or the check of mirrored colours alone, so that
-//! its shadow rays or its secondary rays were enough (Kim 2016, section 5, traces everything):
+//! Measures what separate lists could save for samples that fail only the shadow check or only the check of mirrored
+//! colours, for which shadow rays or secondary rays would suffice (Kim 2016, section 5, traces all rays):
 //! `cargo run --release -p glimpse-tests --example split_failures -- SCENE.glb...`
 //!
-//! Of one adaptive frame of 1024x1024, the shares of the traced samples and of the traversal's work in samples that fail
-//! nothing else. The work is an upper bound on what can be saved: some of it are the rays that are still needed.
+//! Prints, for one adaptive frame of 1024x1024, the shares of the traced samples and of the traversal's work that
+//! belong to such samples. The work is an upper bound on the savings, as it includes the rays that are still needed.
 
 use std::error::Error;
 
@@ -31,7 +31,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Percent of the samples that fail exactly these checks, and of the work in them.
+/// Percentage of the traced samples that fail exactly these checks, and of the traversal's work in them.
 fn shares(traced: &[&PixelRecord], failed: u32) -> [f64; 2] {
     let work = |pixels: &mut dyn Iterator<Item = &&PixelRecord>| -> f64 {
         pixels.map(|pixel| f64::from(pixel.cost)).sum()

@@ -89,7 +89,7 @@ fn ray(origin: Vec3, direction: Vec3, any: bool) -> ProbeRay {
     }
 }
 
-/// All measures, and each one left out. Spawned rays are no part of the traversal.
+/// All measures against rounding, and each left out. The offset of spawned rays does not affect the traversal.
 const MEASURES: [(&str, Robustness); 3] = [
     ("with all measures", Robustness { watertight: true, boxes: true, offset: true }),
     ("without watertight", Robustness { watertight: false, boxes: true, offset: true }),
@@ -106,7 +106,7 @@ fn report(gpu: &Gpu, scene: &GpuScene, kind: &str, rays: &[ProbeRay]) -> Result<
             probe.trace(&rays[..64])?;
             let begun = cpu_seconds();
             let (_, ms) = probe.trace(rays)?;
-            // The first run compiles. A call costs something besides its rays.
+            // The first run compiles. The CPU time of a call with 64 rays is subtracted as overhead.
             if run > 0 {
                 runs.push((ms * 1e-3, cpu_seconds() - begun - (begun - start)));
             }
@@ -132,7 +132,7 @@ fn report(gpu: &Gpu, scene: &GpuScene, kind: &str, rays: &[ProbeRay]) -> Result<
     Ok(())
 }
 
-/// User and system time of this process; NaN where /proc is not there.
+/// User and system time of this process in seconds; NaN without /proc.
 fn cpu_seconds() -> f64 {
     let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
     let fields: Vec<&str> = stat.rsplit(')').next().unwrap_or_default().split_whitespace().collect();

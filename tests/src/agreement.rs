@@ -1,6 +1,7 @@
-//! The comparison of f32 answers with the f64 reference, which is asked again with displaced numbers where they differ.
-//! An answer is the same; or it is sensitive: the reference itself moves as far when rounding displaces it; or it is the
-//! other answer to a tie, which the displaced reference gives too; or it is wrong. All are counted, none is masked.
+//! Compares f32 answers with the f64 reference, which is evaluated again with displaced numbers where they
+//! differ. An answer is either the same; or sensitive: the reference itself moves as far if rounding
+//! displaces it; or the other outcome of a tie, which the displaced reference gives as well; or wrong. All
+//! are counted, none is masked.
 
 use std::{collections::BTreeMap, iter, num::NonZero, thread};
 
@@ -9,32 +10,32 @@ use glimpse::reference::{Cause, Rounding};
 
 use crate::note;
 
-/// How far off radiance may be without an explanation, of the larger of itself and [`DIM`]: 2^-13, a thousand roundings.
+/// Tolerance of radiance, relative to the larger of itself and [`DIM`]: 2^-13, a thousand roundings.
 pub const RADIANCE: f64 = 1.0 / 8192.0;
-/// Radiance that dark is not told from black by its digits.
+/// Radiance below which the tolerance is absolute.
 pub const DIM: f64 = 0.1;
 
-/// Answers that lie farther apart than so many tolerances (5 % of a radiance) are different answers.
+/// Number of tolerances (5 % of a radiance) beyond which answers count as different.
 const SMOOTH: f64 = 400.0;
 
-/// How often the reference is asked again before a cause is ruled out.
+/// Number of evaluations of the displaced reference before a cause is ruled out.
 fn tries(cause: Cause) -> u64 {
     if cause == Cause::Several { 512 } else { 24 }
 }
 
-/// An answer to one question: what must be equal, and numbers with how far off they may be.
+/// An answer: labels that must be equal, and values with tolerances.
 #[derive(Clone, Debug)]
 pub struct Answer<const N: usize> {
-    /// Objects, bits, whatever is right or wrong.
+    /// Objects, bits and other discrete results.
     pub labels: [u32; 2],
-    /// Values that are compared with a tolerance.
+    /// Values compared with a tolerance.
     pub values: [f64; N],
-    /// How far off each of the values may be.
+    /// Tolerance of each value.
     pub tolerances: [f64; N],
 }
 
 impl Answer<3> {
-    /// An item of three channels of linear radiance.
+    /// An answer of three channels of linear radiance.
     #[must_use]
     pub fn radiance(color: DVec3) -> Self {
         let tolerance = RADIANCE * color.abs().max_element().max(DIM);
@@ -43,8 +44,8 @@ impl Answer<3> {
 }
 
 impl<const N: usize> Answer<N> {
-    /// The largest difference of the values in units of their tolerances; infinite where labels differ or something is
-    /// not a number.
+    /// Largest difference of the values in units of their tolerances; infinite if labels differ or a value is
+    /// NaN.
     fn distance(&self, exact: &Self) -> f64 {
         if self.labels != exact.labels {
             return f64::INFINITY;
@@ -57,7 +58,7 @@ impl<const N: usize> Answer<N> {
     }
 }
 
-/// Whether an answer lies between displaced ones that are nearly the same as it.
+/// Whether an answer lies between displaced answers that are nearly the same as it.
 fn surrounded<const N: usize>(
     found: &Answer<N>,
     exact: &Answer<N>,
@@ -79,17 +80,17 @@ fn surrounded<const N: usize>(
 /// The result of one comparison.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
-    /// Within the tolerance, by this part of it.
+    /// Within the tolerance; the difference in units of the tolerance.
     Same(f64),
-    /// It lies between displaced answers, and nearly where the exact one is.
+    /// Between displaced answers, and near the exact one.
     Sensitive,
-    /// It lies between displaced answers, and the exact one is another.
+    /// Between displaced answers, but far from the exact one: another outcome of a tie, with its cause.
     Tie(Cause),
-    /// The difference has no explanation; the text describes it.
+    /// Unexplained difference, with a description.
     Wrong(String),
 }
 
-/// Judges an answer by the reference, which is asked again with displaced numbers where they differ.
+/// Compares an answer with the reference, which is evaluated again with displaced numbers where they differ.
 pub fn judge<const N: usize>(found: &Answer<N>, reference: impl Fn(&mut Rounding) -> Answer<N>) -> Outcome {
     let exact = reference(&mut Rounding::none());
     let distance = found.distance(&exact);
@@ -109,27 +110,27 @@ pub fn judge<const N: usize>(found: &Answer<N>, reference: impl Fn(&mut Rounding
     ))
 }
 
-/// The outcomes of many comparisons, counted.
+/// Counts of the outcomes of many comparisons.
 #[derive(Debug, Default)]
 pub struct Tally {
-    /// Comparisons within the tolerance.
+    /// Number of comparisons within the tolerance.
     pub same: usize,
-    /// Comparisons beyond the tolerance that small changes of the input explain.
+    /// Number of comparisons beyond the tolerance that small changes of the input explain.
     pub sensitive: usize,
-    /// Comparisons that a tie decided otherwise, by cause.
+    /// Number of ties with another outcome, by cause.
     pub ties: BTreeMap<Cause, usize>,
-    /// A description of each unexplained difference.
+    /// Descriptions of the unexplained differences.
     pub wrong: Vec<String>,
-    /// The largest difference of those that are the same, in units of the tolerance.
+    /// Largest difference within the tolerance, in units of the tolerance.
     pub worst: f64,
 }
 
 impl Tally {
-    /// Judges all items on all processor cores.
+    /// Compares all items, on all processor cores.
     pub fn of<T: Sync>(items: &[T], judge: impl Fn(&T) -> Outcome + Sync) -> Self {
         let workers = thread::available_parallelism().map_or(2, NonZero::get);
         let mut tally = Self::default();
-        // Interleaved: neighbours cost about the same.
+        // Interleaved among threads, as neighbours cost about the same.
         let share = |w| items.iter().skip(w).step_by(workers).map(&judge).collect::<Vec<_>>();
         thread::scope(|scope| {
             let share = &share;
@@ -151,11 +152,11 @@ impl Tally {
         }
     }
 
-    /// Says what was counted, and insists that nothing is wrong and that no larger shares than these are sensitive and
-    /// ties.
+    /// Prints the counts, and asserts that nothing is wrong and that the shares of sensitive answers and of
+    /// ties are at most the given ones.
     ///
     /// # Panics
-    /// Where that is not so.
+    /// If the assertion fails.
     pub fn check(&self, what: &str, [sensitive_share, tie_share]: [f64; 2]) {
         let (sensitive, ties) = (self.sensitive, self.ties.values().sum::<usize>());
         let total = self.same + sensitive + ties + self.wrong.len();

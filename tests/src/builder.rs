@@ -12,7 +12,7 @@ use glimpse::{
 pub struct Builder(Scene);
 
 impl Builder {
-    /// An empty scene without light.
+    /// Starts an empty scene without light.
     #[must_use]
     #[allow(clippy::new_without_default, reason = "a builder is begun, not defaulted")]
     pub fn new() -> Self {
@@ -21,7 +21,7 @@ impl Builder {
         Self(Scene { environment: black, ..Scene::default() })
     }
 
-    /// An object with a material of its own; its OID.
+    /// Adds an object with its own material and returns its OID.
     pub fn object(&mut self, material: Material) -> u32 {
         self.0.materials.push(material);
         let material = self.0.materials.len() as u32 - 1;
@@ -29,12 +29,13 @@ impl Builder {
         self.0.objects.len() as u32 - 1
     }
 
-    /// A flat parallelogram whose normal is `u x v`; texture coordinates run from (0, 0) over `u` and `v` to (1, 1).
+    /// Adds a flat parallelogram with normal `u x v`; texture coordinates run from (0, 0) along `u` and `v`
+    /// to (1, 1).
     pub fn quad(&mut self, object: u32, corner: Vec3, u: Vec3, v: Vec3) {
         self.textured_quad(object, [corner, u, v], [Vec2::ZERO, Vec2::ONE]);
     }
 
-    /// As [`Builder::quad`], with the texture coordinates at the two ends of its diagonal.
+    /// Adds a [`Builder::quad`] with the texture coordinates of the two ends of its diagonal.
     pub fn textured_quad(&mut self, object: u32, [corner, u, v]: [Vec3; 3], [low, high]: [Vec2; 2]) {
         let corners = [corner, corner + u, corner + u + v, corner + v];
         let coordinates = [low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)];
@@ -63,7 +64,7 @@ impl Builder {
         self.0.lights.push(light);
     }
 
-    /// A grey ramp of 8x8 texels that repeats; its index.
+    /// Adds a repeating grey ramp of 8x8 texels and returns the index of its texture.
     pub fn ramp_texture(&mut self) -> u32 {
         let grey = |i: u8| [32 + 3 * i, 32 + 3 * i, 32 + 3 * i, 255];
         let image = self.image(Image8 { width: 8, height: 8, rgba: (0..64).flat_map(grey).collect() });
@@ -87,7 +88,7 @@ impl Builder {
         self.0.environment = Environment { background, ambient, fallback_radiance: ambient };
     }
 
-    /// Finishes the scene with this camera.
+    /// Finishes the scene with a camera.
     #[must_use]
     pub fn seen_by(mut self, camera: Camera) -> Scene {
         if self.0.materials.iter().all(|m| m.textures().next().is_none()) {
@@ -107,32 +108,32 @@ pub fn front_camera() -> Camera {
     Camera::look_at(vec3(0.0, 0.0, 2.0), Vec3::ZERO, 45.0_f32.to_radians()).expect("a valid camera")
 }
 
-/// A surface that scatters light and does nothing else: radiance is colour / pi times irradiance.
-/// (Index 1: no Fresnel reflection, so neither a highlight nor a mirror.)
+/// A Lambertian surface: radiance is colour / pi times irradiance. (With index 1 there is no Fresnel
+/// reflection, so neither a highlight nor a mirror image.)
 #[must_use]
 pub fn matte(color: Vec3) -> Material {
     Material { base_color: color, ior: 1.0, ..Material::default() }
 }
 
-/// A surface that shows its colour and does nothing else.
+/// An unlit surface, which shows its colour.
 #[must_use]
 pub fn unlit(color: Vec3) -> Material {
     Material { base_color: color, unlit: true, ..Material::default() }
 }
 
-/// A perfect metal mirror: Schlick's reflectance from `color` at normal incidence.
+/// A perfect metal mirror with Schlick's reflectance, `color` at normal incidence.
 #[must_use]
 pub fn mirror(color: Vec3) -> Material {
     Material { base_color: color, metallic: 1.0, roughness: 0.0, ..Material::default() }
 }
 
-/// Clear glass of this index of refraction.
+/// Clear glass with this index of refraction.
 #[must_use]
 pub fn glass(ior: f32) -> Material {
     Material { roughness: 0.0, transmission: 1.0, ior, casts_shadow: false, ..Material::default() }
 }
 
-/// The scene with the normals of its faces alone.
+/// The scene with flat shading: all normals are those of the faces.
 #[must_use]
 pub fn flattened(mut scene: Scene) -> Scene {
     for (corners, normals) in scene.positions.iter().zip(&mut scene.normals) {

@@ -1,5 +1,6 @@
-//! The comparison of two pictures by three numbers: how far a pixel may be off, how many pixels may be farther off, and
-//! how far off the worst 8x8 tile may be (a few wrong pixels in one place drown in the mean of a picture).
+//! Compares two pictures by three bounds: the largest error of a pixel, the number of pixels that may exceed
+//! it, and the error of the worst 8x8 tile (a few wrong pixels in one place hardly change the mean of a
+//! picture).
 
 use std::fmt;
 
@@ -10,14 +11,14 @@ use serde::{Deserialize, Serialize};
 /// Side of a tile in pixels.
 pub const TILE: u32 = 8;
 
-/// The bounds within which a picture counts as equal to its golden.
+/// Bounds within which a picture counts as equal to its golden.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Tolerance {
-    /// A pixel fails where a channel is off by more than this, in 1/255.
+    /// Largest allowed difference of a channel, in 1/255; a pixel beyond it fails.
     pub threshold: u8,
-    /// The most pixels that may differ by more than the threshold.
+    /// Largest allowed number of failed pixels.
     pub max_failed_pixels: usize,
-    /// The largest root mean square error of an 8x8 tile, in 1/255.
+    /// Largest allowed root mean square error of an 8x8 tile, in 1/255.
     pub worst_tile_rmse: f64,
 }
 
@@ -26,13 +27,13 @@ pub struct Tolerance {
 pub struct Difference {
     /// Number of pixels that differ by more than the threshold.
     pub failed_pixels: usize,
-    /// The largest difference of a channel.
+    /// Largest difference of a channel, in 1/255.
     pub largest: u8,
-    /// The root mean square error of the worst tile.
+    /// Root mean square error of the worst tile, in 1/255.
     pub worst_tile_rmse: f64,
     /// Position of that tile's top left pixel.
     pub worst_tile_at: [u32; 2],
-    /// How many pixels would fail at other thresholds.
+    /// Number of pixels that would fail at other thresholds.
     pub sweep: [(u8, usize); 6],
 }
 
@@ -49,10 +50,10 @@ impl fmt::Display for Difference {
     }
 }
 
-/// Compares what is shown (red, green, blue).
+/// Compares the red, green and blue channels.
 ///
 /// # Errors
-/// What differs, where the tolerance does not allow it; pictures of different sizes always differ.
+/// Describes the difference if the tolerance does not allow it; pictures of different sizes always differ.
 pub fn compare(
     actual: &DisplayImage,
     expected: &DisplayImage,
@@ -68,7 +69,7 @@ pub fn compare(
 /// Measures the difference of two pictures.
 ///
 /// # Errors
-/// Where they differ in size or are empty.
+/// If the pictures differ in size or are empty.
 pub fn difference(
     actual: &DisplayImage,
     expected: &DisplayImage,
@@ -118,7 +119,7 @@ pub fn difference(
     Ok(Difference { failed_pixels, largest, worst_tile_rmse, worst_tile_at, sweep })
 }
 
-/// A picture of the differences, eight times as bright; white where the sizes do not allow one.
+/// A picture of the absolute differences times eight; white where `expected` has no pixel.
 #[must_use]
 pub fn difference_image(actual: &DisplayImage, expected: &DisplayImage) -> DisplayImage {
     DisplayImage::from_fn(actual.width(), actual.height(), |x, y| {

@@ -1,4 +1,4 @@
-//! Scenes in which everything that a material, a texture or a light can be stands side by side.
+//! Scenes that combine all features of materials, textures and lights.
 
 use glam::{Vec2, Vec3, Vec4, vec2, vec3};
 use glimpse::{
@@ -10,13 +10,14 @@ use crate::builder::{Builder, front_camera, glass, matte, mirror, unlit};
 
 const WRAPS: [Wrap; 3] = [Wrap::Repeat, Wrap::MirroredRepeat, Wrap::ClampToEdge];
 
-/// Texels without any order; alpha too.
+/// Random texels, with random alpha.
 fn noise(width: u32, height: u32, seed: u32) -> Image8 {
     let byte = |i: u32| (i.wrapping_add(seed).wrapping_mul(2_654_435_761) >> 24) as u8;
     Image8 { width, height, rgba: (0..4 * width * height).map(byte).collect() }
 }
 
-/// Every wrap mode and filter, textures of every kind, vertex colours, holes, bent normals, every kind of light.
+/// All wrap modes and filters, textures of every kind, vertex colours, alpha cutouts, bent normals, and every
+/// kind of light.
 ///
 /// # Panics
 /// Never.
@@ -124,7 +125,7 @@ fn lamps(b: &mut Builder) {
     }
 }
 
-/// Corner normals of a quad that lean outwards.
+/// Bends the corner normals of a quad outwards.
 fn bend_normals(scene: &mut Scene, object: u32) {
     let of_object = |i: &usize| scene.triangle_objects[*i] == object;
     let triangles: Vec<usize> = (0..scene.positions.len()).filter(of_object).collect();
@@ -136,7 +137,7 @@ fn bend_normals(scene: &mut Scene, object: u32) {
     }
 }
 
-/// Vertex colours for every triangle: most are white.
+/// Sets vertex colours of all triangles, most of them white.
 fn paint_corners(scene: &mut Scene) {
     let word = |c: Vec4| u32::from_le_bytes(c.to_array().map(|x| (255.0 * x).round() as u8));
     let white = [u32::MAX; 3];
@@ -146,7 +147,7 @@ fn paint_corners(scene: &mut Scene) {
         (0..scene.positions.len()).map(|i| if i % 5 == 3 { bright.map(word) } else { white }).collect();
 }
 
-/// A small pattern behind a glass ball and a pane, and in a mirror ball: lenses that show it larger and smaller.
+/// A fine pattern behind a glass ball and a pane, and in a mirror ball: it appears magnified and reduced.
 ///
 /// # Panics
 /// Never.
@@ -178,7 +179,7 @@ pub fn lenses() -> Scene {
     scene
 }
 
-/// Glass in glass, panes, mirrors that face each other, constant weights.
+/// Nested glass, panes, mirrors facing each other, and constant weights.
 ///
 /// # Panics
 /// Never.
@@ -241,12 +242,12 @@ pub fn orthographic() -> Scene {
     b.quad(floor, vec3(-2.0, -0.6, 2.0), 4.0 * Vec3::X, -4.0 * Vec3::Z);
     b.point_light(vec3(1.0, 2.0, 1.5), Vec3::splat(8.0));
     b.environment(vec3(0.1, 0.2, 0.4), Vec3::splat(0.05));
-    // Half a frame is as high as the tangent of half the field of view.
+    // Half the height of the orthographic picture is the tangent of half the field of view.
     let camera = Camera::look_at(vec3(1.5, 1.2, 2.5), Vec3::ZERO, 2.0 * 1.1_f32.atan());
     b.seen_by(Camera { orthographic: true, ..camera.expect("a valid camera") })
 }
 
-/// A wall whose texels are the 256 greys in sRGB, shown as they are, with `z` = 0 and `x` from 0 to 256.
+/// An unlit wall with the 256 sRGB greys as texels, at z = 0 and from x = 0 to 256.
 ///
 /// # Panics
 /// Never.
@@ -263,7 +264,7 @@ pub fn greys() -> Scene {
     Scene { environment: dark, ..b.seen_by(camera) }
 }
 
-/// Slanted walls, something in front of them, and a mirror, so close that eyes see them from different sides.
+/// Slanted walls, an object in front of them and a mirror, so close that two eyes see different sides.
 #[must_use]
 pub fn stereo() -> Scene {
     let mut b = Builder::new();

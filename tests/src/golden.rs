@@ -1,5 +1,5 @@
-//! Golden frames: `golden/NAME.png`, and beside it `golden/NAME.toml`, which says how it was made and what a frame may
-//! differ from it by. A missing golden is a failure; `GLIMPSE_UPDATE_GOLDEN=1` writes what was rendered, and still
+//! Golden frames: `golden/NAME.png`, with `golden/NAME.toml`, which records how it was made and the allowed
+//! difference. A missing golden is a failure; `GLIMPSE_UPDATE_GOLDEN=1` writes what was rendered, and still
 //! fails, so that no run both makes and passes a golden.
 
 use std::{
@@ -18,40 +18,40 @@ use crate::{
 /// The command that writes the goldens.
 pub const COMMAND: &str = "GLIMPSE_UPDATE_GOLDEN=1 cargo test --release -p glimpse-tests --test gpu golden";
 
-/// For a golden that has no tolerance of its own yet: none at all on the adapter that made it would be right, and this
-/// leaves room for another processor's rounding. A wrong pixel still shows in the worst tile.
+/// Default for new goldens. On the adapter that made the golden there is no difference; this leaves room for
+/// the rounding of other processors. A wrong pixel still shows in the worst tile.
 pub const TOLERANCE: Tolerance = Tolerance { threshold: 2, max_failed_pixels: 4, worst_tile_rmse: 0.5 };
 
-/// The contents of `NAME.toml`: how a golden was made and what may differ.
+/// Contents of `NAME.toml`: the origin of a golden and the allowed difference.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Origin {
     /// Name of the adapter that rendered the golden.
     pub adapter: String,
-    /// The adapter's driver with its version.
+    /// Driver of the adapter with its version.
     pub driver: String,
-    /// The command that renders the golden again.
+    /// Command that renders the golden again.
     pub command: String,
-    /// The bounds of a comparison.
+    /// Bounds of the comparison.
     pub tolerance: Tolerance,
 }
 
-/// Where goldens are and what to do with them.
+/// The folder of the goldens, and whether to compare or to update them.
 pub struct Goldens {
-    /// The folder that holds the goldens.
+    /// Folder of the goldens.
     pub folder: PathBuf,
-    /// Where the pictures of a failure go.
+    /// Folder for the pictures of a failure.
     pub failures: PathBuf,
-    /// Write goldens instead of comparing with them.
+    /// Whether to write goldens instead of comparing with them.
     pub update: bool,
-    /// Name of the present adapter.
+    /// Name of the current adapter.
     pub adapter: String,
-    /// The adapter's driver with its version.
+    /// Driver of the adapter with its version.
     pub driver: String,
 }
 
 impl Goldens {
-    /// Those of this project, as the environment wishes.
+    /// The goldens of this project; the environment selects whether to update them.
     #[must_use]
     pub fn of_project(info: &wgpu::AdapterInfo) -> Self {
         Self {
@@ -66,7 +66,7 @@ impl Goldens {
     /// Compares a frame with the golden of this name.
     ///
     /// # Errors
-    /// Where it differs, where there is no golden, and where one was written.
+    /// If the frame differs, there is no golden, or one was written.
     pub fn check(&self, name: &str, actual: &DisplayImage) -> Result<(), String> {
         let picture = self.folder.join(format!("{name}.png"));
         let origin = self.folder.join(format!("{name}.toml"));

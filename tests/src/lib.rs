@@ -1,7 +1,7 @@
-//! The harness of the headless tests: what they share, and nothing of what they test.
+//! Shared harness of the headless tests.
 //!
-//! `tests/no_gpu.rs` needs no graphics driver; `tests/gpu.rs` renders on the best adapter there is (lavapipe where
-//! there is no other), and fails without one: `desktop/setup.sh` installs it.
+//! `tests/no_gpu.rs` needs no graphics driver; `tests/gpu.rs` renders on the best adapter (lavapipe if there
+//! is no other) and fails without one: `desktop/setup.sh` installs it.
 
 pub mod agreement;
 pub mod builder;
@@ -21,17 +21,17 @@ use glimpse::{
     Camera, DisplayImage, Gpu, GpuScene, Inspection, LinearImage, Method, Renderer, Scene, Settings,
 };
 
-/// The device of this thread: no other test has it until the thread ends. Drivers compile kernels one by one for each
-/// device, and that is most of what tests wait for.
+/// A device that this thread has to itself until it ends. Drivers compile kernels of a device one after the
+/// other, which is most of the tests' time.
 ///
 /// # Panics
-/// Where there is no adapter: a run that cannot render has not passed.
+/// If there is no adapter: a run that cannot render has not passed.
 pub fn gpu() -> &'static Gpu {
     thread_local!(static DEVICE: Lent = Lent::new());
     DEVICE.with(|device| device.0)
 }
 
-/// A device that goes back to the others when its thread ends.
+/// A device that is returned to the pool when its thread ends.
 struct Lent(&'static Gpu);
 
 static FREE: Mutex<Vec<&'static Gpu>> = Mutex::new(Vec::new());
@@ -60,11 +60,11 @@ impl Drop for Lent {
     }
 }
 
-/// A scene on the device with the camera to look through.
+/// A scene on the device with a camera.
 pub struct TestScene {
-    /// The scene on the device.
+    /// The scene in device buffers.
     pub scene: GpuScene,
-    /// Its first camera, unless set otherwise.
+    /// The scene's first camera, unless set otherwise.
     pub camera: Camera,
 }
 
@@ -72,17 +72,17 @@ impl TestScene {
     /// Uploads a scene and takes its first camera.
     ///
     /// # Panics
-    /// Where the scene has no camera or the device does not take it.
+    /// If the scene has no camera or the upload fails.
     #[must_use]
     pub fn new(scene: Scene) -> Self {
         let camera = *scene.camera(None).expect("the scene has a camera");
         Self { scene: GpuScene::upload(gpu(), scene).expect("the scene fits the device"), camera }
     }
 
-    /// A harness for a built-in scene.
+    /// Uploads a built-in scene.
     ///
     /// # Panics
-    /// Where there is no such scene.
+    /// If there is no such scene.
     #[must_use]
     pub fn builtin(name: &str) -> Self {
         Self::new(glimpse::scene::builtin(name).unwrap_or_else(|| panic!("builtin:{name} is missing")))
@@ -91,7 +91,7 @@ impl TestScene {
     /// Renders a frame and returns its linear radiance.
     ///
     /// # Panics
-    /// Where the renderer fails.
+    /// If the renderer fails.
     #[must_use]
     pub fn frame(&self, size: [u32; 2], settings: &Settings) -> LinearImage {
         let frame = self.renderer(size, settings).linear_image(&self.camera).expect("the frame can be read");
@@ -99,10 +99,10 @@ impl TestScene {
         frame
     }
 
-    /// A frame as it is shown: by kernels of its own, which are as many again to compile.
+    /// Renders a frame encoded for display. This compiles another set of kernels than [`TestScene::frame`].
     ///
     /// # Panics
-    /// Where the renderer fails.
+    /// If the renderer fails.
     #[must_use]
     pub fn shown(&self, size: [u32; 2], settings: &Settings) -> DisplayImage {
         let mut renderer = self.renderer(size, settings);
@@ -112,7 +112,7 @@ impl TestScene {
         shown
     }
 
-    /// The linear radiance of a frame by `full`.
+    /// Renders a frame by `full` and returns its linear radiance.
     #[must_use]
     pub fn full(&self, size: [u32; 2]) -> LinearImage {
         self.frame(size, &full())
@@ -121,7 +121,7 @@ impl TestScene {
     /// Renders a frame with the counting kernels.
     ///
     /// # Panics
-    /// Where the renderer fails.
+    /// If the renderer fails.
     #[must_use]
     pub fn inspect(&self, size: [u32; 2], settings: &Settings) -> Inspection {
         let inspection = self.renderer(size, settings).inspect(&self.camera).expect("the frame is counted");
@@ -135,23 +135,23 @@ impl TestScene {
     }
 }
 
-/// Frames are the same to the last bit, and every radiance is a number that light can have.
+/// Asserts that two frames are equal bit for bit and all radiances are finite and not negative.
 ///
 /// # Panics
-/// Where they are not.
+/// If they are not.
 pub fn assert_same(found: &LinearImage, expected: &LinearImage, what: &str) {
     let bits = |frame: &LinearImage| frame.as_raw().iter().map(|v| v.to_bits()).collect::<Vec<_>>();
     assert!(bits(found) == bits(expected), "{what}: the frames differ");
     assert!(found.as_raw().iter().all(|v| v.is_finite() && *v >= 0.0), "{what}: radiance is finite");
 }
 
-/// Every pixel traced, every ray followed to the depth limit.
+/// Settings of full ray tracing without a minimum weight: all rays are followed to the depth limit.
 #[must_use]
 pub fn full() -> Settings {
     Settings { method: Method::Full, min_weight: 0.0, ..Settings::default() }
 }
 
-/// The origin and unit direction of the ray through the centre of pixel `(x, y)`, in f64.
+/// Origin and unit direction, in f64, of the ray through the centre of pixel `(x, y)`.
 #[must_use]
 pub fn pixel_ray(camera: &Camera, size: [u32; 2], x: u32, y: u32) -> (DVec3, DVec3) {
     let [w, h] = size.map(f64::from);
@@ -166,11 +166,11 @@ pub fn pixel_ray(camera: &Camera, size: [u32; 2], x: u32, y: u32) -> (DVec3, DVe
     }
 }
 
-/// A scene of the shared collection: `$GLIMPSE_SCENES`, else `../shared/scenes` beside the workspace. Where it is not
-/// there, a line says so, and the test has nothing to do.
+/// Loads a scene of the shared collection: in `$GLIMPSE_SCENES`, else `../shared/scenes` beside the
+/// workspace. If it is missing, prints a line and returns `None`.
 ///
 /// # Panics
-/// Where the file is no scene that is whole in itself.
+/// If the file cannot be loaded or needs other files.
 #[must_use]
 pub fn shared_scene(name: &str) -> Option<Scene> {
     let folder = std::env::var_os("GLIMPSE_SCENES")
@@ -185,13 +185,13 @@ pub fn shared_scene(name: &str) -> Option<Scene> {
     Some(scene.unwrap_or_else(|error| panic!("{name}: {error}")))
 }
 
-/// The root folder of the workspace.
+/// Root folder of the workspace.
 #[must_use]
 pub fn workspace() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."))
 }
 
-/// Says something that is seen whether or not the test passes (the test runner keeps `eprintln!` to itself).
+/// Prints a line that is seen whether or not the test passes (the test runner captures `eprintln!`).
 pub fn note(line: &str) {
     let _ = writeln!(std::io::stderr(), "{line}");
 }

@@ -1,7 +1,7 @@
-//! Heckbert's minimal ray tracer (Graphics Gems IV, 1994), by its rules, in f64. Slow and obvious; it shares nothing
-//! with the renderer.
+//! Heckbert's minimal ray tracer (Graphics Gems IV, 1994), after its rules, in f64. Simple and slow; it
+//! shares no code with the renderer.
 //!
-//! World: x right, y forward, z up; the eye is the origin.
+//! World space: x right, y forward, z up; the eye is at the origin.
 
 use glam::{DVec3, dvec3};
 
@@ -11,7 +11,7 @@ pub const SIZE: u32 = 32;
 /// Number of ray levels.
 pub const LEVELS: u32 = 3;
 
-/// Radiance from everywhere; also what a ray meets that meets nothing.
+/// Ambient radiance, and the radiance of rays that hit nothing.
 pub const AMBIENT: DVec3 = DVec3::splat(0.02);
 
 const NEAREST: f64 = 1e-7;
@@ -38,15 +38,15 @@ const SPHERES: [Sphere; 5] = [
     Sphere { center: dvec3(-3.0, -3.0, 12.0), color: dvec3(0.8, 1.0, 1.0), radius: 5.0, diffuse: 0.0,  mirror: 0.0, transparent: 0.0,  luminous: 0.5,  index: 1.5 },
 ];
 
-/// A pixel's radiance and the sequence of surfaces that led to it.
+/// Radiance of a pixel and a hash of the surfaces that its rays hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pixel {
     /// Linear RGB radiance.
     pub radiance: DVec3,
-    /// The sphere that the primary ray meets.
+    /// Sphere hit by the primary ray.
     pub object: Option<usize>,
-    /// A hash of everything that the whole tree of rays met: where it differs between two neighbours, an edge of
-    /// something (a silhouette, a shadow, a mirrored or refracted one) runs between them.
+    /// Hash of all surfaces that the tree of rays hit: if it differs between neighbours, an edge (a
+    /// silhouette, a shadow, a mirrored or refracted one) runs between them.
     pub trail: u64,
 }
 
@@ -56,7 +56,7 @@ pub fn picture() -> Vec<Pixel> {
     (0..SIZE).flat_map(|j| (0..SIZE).map(move |i| pixel(i, j, LEVELS))).collect()
 }
 
-/// Pixel `i` from the left and `j` from the top, with so many levels of rays.
+/// Pixel `i` from the left and `j` from the top, with `levels` levels of rays.
 #[must_use]
 pub fn pixel(i: u32, j: u32, levels: u32) -> Pixel {
     let half = f64::from(SIZE / 2);
@@ -67,7 +67,7 @@ pub fn pixel(i: u32, j: u32, levels: u32) -> Pixel {
     Pixel { radiance, object: nearest(DVec3::ZERO, direction).map(|(s, _)| s), trail }
 }
 
-/// Whether an edge of something runs between pixel `(i, j)` and one of its eight neighbours.
+/// Whether an edge runs between pixel `(i, j)` and one of its eight neighbours.
 #[must_use]
 pub fn at_edge(picture: &[Pixel], i: u32, j: u32) -> bool {
     let size = SIZE as usize;
@@ -104,7 +104,7 @@ fn trace(origin: DVec3, direction: DVec3, level: u32, trail: &mut u64) -> DVec3 
     let sphere = &SPHERES[index];
     let point = origin + t * direction;
 
-    // N faces the viewer; eta is the index on the viewer's side over the other.
+    // The normal faces the viewer; eta is the index on the viewer's side over the other.
     let mut normal = (sphere.center - point).normalize();
     let mut d = -direction.dot(normal);
     let mut eta = sphere.index;

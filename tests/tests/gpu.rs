@@ -1,4 +1,4 @@
-//! Tests that render, on the best adapter there is. Without one they fail: `sh desktop/setup.sh` installs lavapipe.
+//! Tests that render, on the best adapter. Without one they fail: `sh desktop/setup.sh` installs lavapipe.
 
 mod gpu {
     mod adaptive;

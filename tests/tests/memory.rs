@@ -1,5 +1,5 @@
-//! What an import allocates at its peak, for files that ask for much: measured, and held against the bound that the
-//! importer states. A binary with one test, for every allocation of the process counts.
+//! Peak memory of imports, for files that request a lot: measured against the bound stated by the importer. A
+//! binary with a single test, as every allocation of the process counts.
 
 use glimpse::Scene;
 use image::codecs::png::PngEncoder;
@@ -9,11 +9,11 @@ use peak_alloc::PeakAlloc;
 #[global_allocator]
 static ALLOCATOR: PeakAlloc = PeakAlloc;
 
-/// A file, and what it asks for beyond its own bytes.
+/// A file, and what it requests beyond its own bytes.
 struct Case {
     name: &'static str,
     file: Vec<u8>,
-    /// The content of the one external file.
+    /// Content of the one external file.
     external: Vec<u8>,
     triangles_and_objects: usize,
     texels: usize,
@@ -24,7 +24,7 @@ impl Case {
         Self { name, file, external: Vec::new(), triangles_and_objects: 0, texels: 0 }
     }
 
-    /// The bound of `core/src/scene/gltf/mod.rs`.
+    /// Upper bound on the memory, as stated in `core/src/scene/gltf/mod.rs`.
     fn bound(&self) -> usize {
         let json = match self.file.get(12..16).and_then(|word| word.try_into().ok()) {
             Some(word) if self.file.starts_with(b"glTF") => u32::from_le_bytes(word) as usize,
@@ -34,7 +34,7 @@ impl Case {
         (8 << 20) + 1024 * json + 8 * all_else + 256 * self.triangles_and_objects + 16 * self.texels
     }
 
-    /// The most bytes that were allocated at once, and whether there was a scene.
+    /// Peak of allocated bytes, and the result of the import.
     fn measured(&self) -> (usize, glimpse::Result<usize>) {
         let external = &self.external;
         let before = ALLOCATOR.current_usage();
@@ -52,7 +52,7 @@ fn glb(json: &str, binary: &[u8]) -> Vec<u8> {
     [parts.concat(), binary.to_vec()].concat()
 }
 
-/// A triangle in `BIN`, besides which a file has these members.
+/// A file with a triangle in the `BIN` chunk, the given JSON members, and further binary data.
 fn with(members: &str, more_binary: &[u8]) -> Vec<u8> {
     let corners: [f32; 9] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
     let mut binary: Vec<u8> = corners.iter().flat_map(|x| x.to_le_bytes()).collect();
@@ -66,7 +66,7 @@ const TRIANGLE: &str = r#""accessors":[{"bufferView":0,"componentType":5126,"typ
     "bufferViews":[{"buffer":0,"byteLength":36}]"#;
 const MESH: &str = r#""meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]"#;
 
-/// Files of many small elements: what JSON grows to.
+/// Files of many small elements, which need most memory as JSON.
 fn elements() -> Vec<Case> {
     let many = |count: usize, element: &str| vec![element; count].join(",");
     let list = |name: &'static str, member: &str, element: &str| {
@@ -98,7 +98,7 @@ fn elements() -> Vec<Case> {
     ]
 }
 
-/// Files that name something of theirs many times.
+/// Files that reference one of their parts many times.
 fn sharing() -> Vec<Case> {
     let repeated = |count: usize, element: &str| vec![element; count].join(",");
     let buffer = r#"{"byteLength":36,"uri":"a.bin"}"#;
@@ -162,7 +162,7 @@ fn with_image(bytes: &[u8]) -> Vec<u8> {
     with(&image, bytes)
 }
 
-/// Files that ask for more than they are let have: nothing is allocated for it.
+/// Files that exceed the limits: nothing may be allocated for their requests.
 fn greed() -> Vec<Case> {
     let accessor = |count: &str| {
         with(
@@ -236,7 +236,7 @@ fn encoded(side: u32) -> Vec<u8> {
     bytes.into_inner()
 }
 
-/// A PNG of one texel with a colour profile of that many zeros.
+/// A PNG of one texel with a colour profile of `bytes` zeros.
 fn profiled(bytes: usize) -> Vec<u8> {
     let mut file = Vec::new();
     let mut encoder = PngEncoder::new(&mut file);
@@ -245,7 +245,7 @@ fn profiled(bytes: usize) -> Vec<u8> {
     file
 }
 
-/// A PNG whose header says another size, with the right checksum (PNG, annex D).
+/// A PNG whose header claims another size, with a valid checksum (PNG, annex D).
 fn png_that_says(side: u32) -> Vec<u8> {
     let mut bytes = encoded(1);
     bytes[16..20].copy_from_slice(&side.to_be_bytes());

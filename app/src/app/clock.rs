@@ -1,11 +1,11 @@
-//! The time that the shell passes in, and durations measured by it.
+//! The time passed in by the shell, and durations measured with it.
 
 use std::time::Duration;
 
-/// How long a notice is shown.
+/// Duration for which a notice is shown.
 const NOTICE: Duration = Duration::from_secs(4);
 
-/// The time of the present update, counted from any fixed moment.
+/// Time of the current update, measured from an arbitrary fixed moment.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Clock {
     now: Duration,
@@ -14,34 +14,34 @@ pub(crate) struct Clock {
 }
 
 impl Clock {
-    /// The time of the present update.
+    /// Time of the current update.
     pub fn now(&self) -> Duration {
         self.now
     }
 
-    /// An update at `now`; returns the time since the last one.
+    /// Advances to the update at `now`; returns the time since the last one.
     pub fn advance(&mut self, now: Duration) -> Duration {
         let passed = now.saturating_sub(self.now);
         self.now = now;
         passed
     }
 
-    /// A scene is being loaded from now on.
+    /// Records that loading a scene starts now.
     pub fn loading_began(&mut self) {
         self.loading_since = self.now;
     }
 
-    /// Seconds since the last scene began to be loaded.
+    /// Seconds since loading of the last scene started.
     pub fn seconds_of_loading(&self) -> f64 {
         self.now.saturating_sub(self.loading_since).as_secs_f64()
     }
 
-    /// A notice is shown from now on.
+    /// Records that a notice is shown from now on.
     pub fn notice_began(&mut self) {
         self.notice_until = self.now + NOTICE;
     }
 
-    /// The last notice was shown long enough.
+    /// Whether the last notice has been shown long enough.
     pub fn notice_is_over(&self) -> bool {
         self.now >= self.notice_until
     }

@@ -1,150 +1,151 @@
-//! The frame's way from request to screen.
+//! Tracks frames from request to screen.
 
 use std::path::PathBuf;
 
 use super::device::DeviceState;
 use crate::{Job, RenderedFrame};
 
-/// Requests to the worker that have not been answered, and the frame that is shown.
+/// The unanswered requests to the worker, and the frame on display.
 #[derive(Default)]
 pub(crate) struct Delivery {
-    /// A scene is being loaded.
+    /// Whether a scene is being loaded.
     loading: bool,
-    /// The number and job of the last frame that was requested, until it arrives.
+    /// Number and job of the frame requested last, until it arrives.
     requested: Option<(u64, Job)>,
-    /// The job that could not be rendered: it is not requested again.
+    /// Job that failed to render and is not requested again.
     failed: Option<Job>,
-    /// The frame whose counters have not arrived.
+    /// Number of the frame whose counters have not arrived.
     counting: Option<u64>,
-    /// Where the picture that was requested is to be saved; the shell chooses the name where there is none.
+    /// File for the requested screenshot; the inner `None` lets the shell choose a name.
     capture: Option<Option<PathBuf>>,
-    /// The worker has not answered a request for a surface point.
+    /// Whether a requested surface point has not arrived.
     picking: bool,
     shown: Option<Shown>,
 }
 
-/// The frame that is shown, as textures of the overlay.
+/// The frame on display, as textures of the overlay.
 pub(crate) struct Shown {
     pub frame: Box<RenderedFrame>,
     pub picture: egui::TextureId,
-    /// The picture by full ray tracing, where the view is split.
+    /// The picture by full ray tracing, if the view is split.
     pub full: Option<egui::TextureId>,
-    /// Pixels are repeated, not interpolated.
+    /// Whether pixels are repeated (nearest filtering) instead of interpolated.
     pub exact: bool,
 }
 
 impl Delivery {
-    /// A scene is being loaded.
+    /// Records that loading a scene was requested.
     pub fn load_requested(&mut self) {
         self.loading = true;
     }
 
-    /// The scene could not be loaded.
+    /// Records that loading a scene failed.
     pub fn load_failed(&mut self) {
         self.loading = false;
     }
 
-    /// A scene was loaded: the worker drops requests for frames of the one before.
+    /// Records that a scene was loaded: the worker drops frame requests for the previous one.
     pub fn scene_opened(&mut self) {
         self.loading = false;
         (self.requested, self.counting, self.failed) = (None, None, None);
     }
 
-    /// The frame of the job is neither shown nor on its way, and has not failed.
+    /// Whether the job's frame must be requested: it is neither shown nor requested, and has not failed.
     pub fn needs(&self, job: &Job) -> bool {
         let requested = self.requested.as_ref().is_some_and(|(_, requested)| requested == job);
         !self.is_shown(job) && !requested && self.failed.as_ref() != Some(job)
     }
 
-    /// A frame was requested, in place of the one before where that had not arrived.
+    /// Records a request for a frame, which replaces the previous one if that has not arrived.
     pub fn frame_requested(&mut self, number: u64, job: Job) {
         self.requested = Some((number, job));
     }
 
-    /// A frame arrived. While the camera moves, newer requests overtake it.
+    /// Records that a frame arrived. While the camera moves, a newer request may already be pending.
     pub fn frame_arrived(&mut self, number: u64, job: &Job, settled: bool) {
         self.requested.take_if(|(requested, _)| *requested == number);
-        // The worker counts in frames at rest.
+        // The worker counts rays only in frames at rest.
         self.counting = (job.is_still() && settled).then_some(number);
     }
 
-    /// The worker gave up a frame, or counting in it.
+    /// Records that the worker cancelled a frame or its counters.
     pub fn given_up(&mut self, number: u64) {
         self.requested.take_if(|(requested, _)| *requested == number);
         self.counting.take_if(|counting| *counting == number);
     }
 
-    /// The counters of a frame arrived; tells whether they are those that are waited for.
+    /// Records that the counters of a frame arrived; returns whether they belong to the frame waiting for
+    /// them.
     pub fn counts_arrived(&mut self, number: u64) -> bool {
         self.counting.take_if(|counting| *counting == number).is_some()
     }
 
-    /// A picture was requested, to be saved under that name.
+    /// Records a request for a screenshot, to be saved under that name.
     pub fn capture_requested(&mut self, file: Option<PathBuf>) {
         self.capture = Some(file);
     }
 
-    /// A picture arrived; returns where it is to be saved. `None` where it is not waited for any more.
+    /// Records that a screenshot arrived and returns its file; the outer `None` if none is expected any more.
     pub fn capture_arrived(&mut self) -> Option<Option<PathBuf>> {
         self.capture.take()
     }
 
-    /// A surface point was requested.
+    /// Records a request for a surface point.
     pub fn pick_requested(&mut self) {
         self.picking = true;
     }
 
-    /// A surface point arrived.
+    /// Records that a surface point arrived.
     pub fn pick_arrived(&mut self) {
         self.picking = false;
     }
 
-    /// The worker failed at a request, of whatever kind: no answer comes to any that was made.
+    /// Records that the worker failed at a request: none of the pending requests will be answered.
     pub fn request_failed(&mut self) {
         self.failed = self.requested.take().map(|(_, job)| job);
         (self.counting, self.capture, self.picking) = (None, None, false);
     }
 
-    /// The worker has not answered everything.
+    /// Whether any request is unanswered.
     pub fn is_waiting(&self) -> bool {
         let Self { loading, requested, counting, capture, picking, failed: _, shown: _ } = self;
         *loading || requested.is_some() || counting.is_some() || capture.is_some() || *picking
     }
 
-    /// A frame was requested and has not arrived.
+    /// Whether a requested frame has not arrived.
     pub fn is_frame_requested(&self) -> bool {
         self.requested.is_some()
     }
 
-    /// The job's frame is shown, and rendering it again would not change it.
+    /// Whether the job's frame is on display and would not change if rendered again.
     pub fn is_shown(&self, job: &Job) -> bool {
         self.shown.as_ref().is_some_and(|shown| shown.frame.job == *job && shown.frame.settled)
     }
 
-    /// The job's frame is shown or has failed: nothing is to be requested. So it is without a job.
+    /// Whether no frame needs to be requested: the job's frame is shown or has failed, or there is no job.
     pub fn is_complete(&self, job: Option<&Job>) -> bool {
         job == self.failed.as_ref() || job.is_some_and(|job| self.is_shown(job))
     }
 
-    /// The frame that is shown.
+    /// The frame on display.
     pub fn shown(&self) -> Option<&Shown> {
         self.shown.as_ref()
     }
 
-    /// Shows a frame in place of the one before, with pixels repeated where they are `exact` on the screen.
+    /// Shows a frame in place of the previous one, with nearest filtering if `exact`.
     pub fn present(&mut self, device: &mut DeviceState, frame: Box<RenderedFrame>, exact: bool) {
         let (picture, full) = self.shown.take().map_or((None, None), |old| (Some(old.picture), old.full));
         self.register(device, frame, exact, picture, full);
     }
 
-    /// Shows the same frame with or without interpolation.
+    /// Switches the frame on display between nearest filtering (`exact`) and interpolation.
     pub fn set_exact(&mut self, device: &mut DeviceState, exact: bool) {
         if let Some(shown) = self.shown.take_if(|shown| shown.exact != exact) {
             self.register(device, shown.frame, exact, Some(shown.picture), shown.full);
         }
     }
 
-    /// Puts a frame into textures of the overlay, those of the frame before where there was one.
+    /// Registers a frame as textures of the overlay, reusing the ids of the previous frame's textures.
     fn register(
         &mut self,
         device: &mut DeviceState,
@@ -165,7 +166,7 @@ impl Delivery {
         self.shown = Some(Shown { frame, picture, full, exact });
     }
 
-    /// The device is lost: nothing is shown.
+    /// Removes the frame on display after the device was lost.
     pub fn clear_shown(&mut self) {
         self.shown = None;
     }

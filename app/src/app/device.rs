@@ -1,4 +1,4 @@
-//! The graphics device and what is made with it.
+//! The graphics device with the worker and the painter that use it.
 
 use std::{
     panic::{AssertUnwindSafe, catch_unwind, resume_unwind},
@@ -9,38 +9,40 @@ use glimpse::Gpu;
 
 use crate::{Files, Painter, Painting, Wake, Worker};
 
-/// After this many losses without a frame in between, a new device gets no worker: it shows the overlay only.
+/// After this many losses without a frame in between, a new device gets no worker and shows only the overlay.
 pub(crate) const MAX_LOSSES: u32 = 3;
 
-/// The graphics device with its painter and its worker. There is none before the first [`DeviceState::attach`] and after
-/// each [`DeviceState::detach`].
+/// The graphics device with its painter and its worker. There is none before the first
+/// [`DeviceState::attach`] or after a [`DeviceState::detach`].
 pub(crate) struct DeviceState {
     files: Files,
     wake: Wake,
     attached: Option<Attached>,
-    /// Devices lost since the last frame arrived.
+    /// Number of devices lost since the last frame arrived.
     losses: u32,
 }
 
 struct Attached {
     gpu: Arc<Gpu>,
     painter: Painter,
-    /// `None` where no thread could be started, or after too many losses.
+    /// `None` if no thread could be started or too many devices were lost.
     worker: Option<Worker>,
-    /// The worker has a scene and answers requests for frames.
+    /// Whether the worker has a scene and answers requests for frames.
     has_scene: bool,
 }
 
 impl DeviceState {
-    /// Without a device. Workers read scenes through `files` and call `wake` when they have something to tell.
+    /// Creates the state without a device. Workers read scenes through `files` and call `wake` after each
+    /// message.
     pub fn new(files: Files, wake: Wake) -> Self {
         Self { files, wake, attached: None, losses: 0 }
     }
 
-    /// Takes a device, to paint on targets of that format, with the overlay's `fonts` where the overlay has sent them before.
+    /// Attaches a device, to paint on targets of that format. `fonts` is the overlay's font texture, if the
+    /// overlay has already sent it to an earlier painter.
     ///
     /// # Errors
-    /// No thread could be started for the worker; the device still paints.
+    /// Fails if the worker's thread cannot be started; the device still paints.
     pub fn attach(
         &mut self,
         gpu: Arc<Gpu>,
@@ -61,34 +63,34 @@ impl DeviceState {
         error.map_or(Ok(()), Err)
     }
 
-    /// Drops a lost device and all that was made with it; returns how many were lost since the last frame.
+    /// Drops a lost device with its painter and worker; returns the number of losses since the last frame.
     pub fn detach(&mut self) -> u32 {
         self.attached = None;
         self.losses += 1;
         self.losses
     }
 
-    /// Why the device was lost, where that has happened.
+    /// The reason for the loss of the device, if it is lost.
     pub fn lost(&self) -> Option<&str> {
         self.attached.as_ref()?.gpu.lost()
     }
 
-    /// There is a device.
+    /// Whether a device is attached.
     pub fn is_attached(&self) -> bool {
         self.attached.is_some()
     }
 
-    /// The worker has loaded a scene.
+    /// Records that the worker has loaded a scene.
     pub fn scene_opened(&mut self) {
         self.attached.iter_mut().for_each(|attached| attached.has_scene = true);
     }
 
-    /// The worker can make frames.
+    /// Whether the worker has a scene to render.
     pub fn has_scene(&self) -> bool {
         self.attached.as_ref().is_some_and(|attached| attached.has_scene)
     }
 
-    /// A frame arrived: the device works.
+    /// Records that a frame arrived, which resets the count of losses.
     pub fn frame_arrived(&mut self) {
         self.losses = 0;
     }
@@ -98,17 +100,18 @@ impl DeviceState {
         self.attached.as_mut()?.worker.as_mut()
     }
 
-    /// The worker, where it has a scene.
+    /// The worker, if it has a scene.
     pub fn ready_worker(&mut self) -> Option<&mut Worker> {
         if self.has_scene() { self.worker() } else { None }
     }
 
-    /// The device and its painter.
+    /// The device with its painter.
     pub fn painter(&mut self) -> Option<(&Gpu, &mut Painter)> {
         self.attached.as_mut().map(|attached| (&*attached.gpu, &mut attached.painter))
     }
 
-    /// Draws a painting on a target of `size` pixels. The painting's textures are taken over even where there is no target.
+    /// Draws a painting on a target of `size` pixels. Without a target, only the painting's texture changes
+    /// are applied.
     pub fn paint(&mut self, painting: &mut Painting, target: Option<&wgpu::TextureView>, size: [u32; 2]) {
         let Some((gpu, painter)) = self.painter().filter(|(gpu, _)| gpu.lost().is_none()) else {
             painting.textures.clear();
@@ -120,7 +123,8 @@ impl DeviceState {
                 painter.paint(gpu, painting, target, size);
             }
         }));
-        // A device that is lost at this moment lends no memory to write to, which the overlay's renderer takes for a bug.
+        // A device lost at this moment cannot map buffers for writing, which makes the overlay's renderer
+        // panic.
         if let Err(panic) = painted
             && gpu.lost().is_none()
         {

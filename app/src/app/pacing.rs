@@ -1,33 +1,33 @@
-//! Frame pacing: what frames took, and the quality that follows for the next.
+//! Frame pacing: derives the quality of the next frame from measured frame times.
 
 use std::time::Duration;
 
 use crate::{Choices, FrameRate, FrameReport, Governor, Job, Quality};
 
-/// The governor, what it is told of frames, and the statistics of frames that were timed.
+/// The governor with its input, and statistics of the timed frames.
 pub(crate) struct Pacing {
     governor: Governor,
-    /// Quality of the frame that was requested last.
+    /// Quality of the frame requested last.
     quality: Quality,
-    /// The last timed frame, until the governor is told.
+    /// Report of the last timed frame, until it is passed to the governor.
     report: Option<FrameReport>,
-    /// Nanoseconds a pixel that frames are taken to need, in place of their measured time.
+    /// Fixed cost of frames in nanoseconds per pixel, which replaces measured times.
     fixed_cost: Option<f64>,
     tally: Tally,
-    /// Frames that were timed.
+    /// Number of timed frames.
     frames: u64,
 }
 
-/// Timed frames of a moving camera since a frame rate was chosen last.
+/// Counts of timed frames of a moving camera since the frame rate was last chosen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Tally {
     pub frames: u32,
-    /// Those that took longer than the governor's limit.
+    /// Frames that took longer than the governor's limit.
     pub late: u32,
 }
 
 impl Pacing {
-    /// Before the first frame.
+    /// Starts without timed frames.
     pub fn new(choices: &Choices) -> Self {
         let rate = choices.governor.unwrap_or(FrameRate::Thirty);
         Self {
@@ -46,26 +46,26 @@ impl Pacing {
             self.governor.set_budget(rate.budget_ms());
             self.governor.next(now, self.report.take(), moving)
         } else {
-            // Frames of a method that keeps some of the last one must not be given up while the camera moves.
+            // Frames of a method that reuses the last frame must not be cancelled while the camera moves.
             let keeps = moving && choices.settings.method.has_history();
             Quality { level: keeps.then_some(0), ..self.quality_at_rest(choices) }
         };
         self.quality
     }
 
-    /// The quality of a frame at rest.
+    /// Quality of a frame at rest.
     pub fn quality_at_rest(&self, choices: &Choices) -> Quality {
         let scale = if choices.governed().is_some() { self.governor.largest() } else { choices.scale };
         Quality { scale, ..Quality::FULL }
     }
 
-    /// The frame that was requested last is one of a moving camera.
+    /// Whether the frame requested last belongs to a moving camera.
     pub fn is_moving(&self) -> bool {
         self.quality.level.is_some()
     }
 
-    /// Takes note of a frame that took `ms` milliseconds on the device; returns the milliseconds that it is taken to need.
-    /// `None` for a frame that kernels were `compiled` for, whose time says nothing.
+    /// Records a frame that took `ms` milliseconds on the device; returns the milliseconds it counts for.
+    /// `None` if kernels were `compiled` during the frame, whose time is then meaningless.
     pub fn frame_arrived(&mut self, choices: &Choices, job: &Job, ms: f64, compiled: bool) -> Option<f64> {
         if compiled {
             return None;
@@ -82,37 +82,37 @@ impl Pacing {
         Some(ms)
     }
 
-    /// Takes frames to need that many nanoseconds a pixel, whatever they take.
+    /// Replaces measured frame times by a fixed cost in nanoseconds per pixel.
     pub fn set_fixed_cost(&mut self, nanoseconds: f64) {
         self.fixed_cost = Some(nanoseconds);
     }
 
-    /// A factor on the time that a frame may take, 1 while the device is cool.
+    /// Sets the factor on the time limit of frames: 1 while the device is cool.
     pub fn set_thermal(&mut self, factor: f32) {
         self.governor.set_thermal(factor);
     }
 
-    /// Memory is scarce: see [`Governor::trim`].
+    /// Reduces memory use, see [`Governor::trim`].
     pub fn trim(&mut self) {
         self.governor.trim();
     }
 
-    /// A frame rate was chosen: the tally begins again.
+    /// Restarts the tally after a frame rate was chosen.
     pub fn reset_tally(&mut self) {
         self.tally = Tally::default();
     }
 
-    /// Frames since a frame rate was chosen last.
+    /// Counts of frames since the frame rate was last chosen.
     pub fn tally(&self) -> Tally {
         self.tally
     }
 
-    /// Frames that were timed so far.
+    /// Number of timed frames.
     pub fn frames(&self) -> u64 {
         self.frames
     }
 
-    /// What the governor does, in words; empty while it is off.
+    /// Describes what the governor does; empty while it is off.
     pub fn description(&self, choices: &Choices) -> String {
         let Quality { level, scale, block, relax } = self.quality;
         match (choices.governed(), level) {

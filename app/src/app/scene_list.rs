@@ -1,49 +1,49 @@
-//! The scenes that can be opened, and the one that is.
+//! The list of scenes, the scene on display and the requested one.
 
 use crate::SceneFacts;
 
-/// How many scenes from files are remembered.
+/// Number of recent files that are remembered.
 const MOST_RECENT: usize = 8;
 
-/// The scene that is shown, the one that was asked for last, and those that are offered.
+/// The scene on display, the scene requested last, and the scenes offered.
 pub(crate) struct SceneList {
     shown: Option<SceneFacts>,
     wanted: String,
-    /// Names of files, the one that was opened last first; at most [`MOST_RECENT`] are kept when one is opened.
+    /// Recent file names, the newest first; opening one cuts the list to [`MOST_RECENT`].
     recent: Vec<String>,
-    /// Names of the built-in scenes, then of the recent files.
+    /// Names offered: the built-in scenes, then the recent files.
     offered: Vec<String>,
 }
 
 impl SceneList {
-    /// Nothing is shown yet; `wanted` is asked for.
+    /// Starts without a scene on display; `wanted` is the requested one.
     pub fn new(wanted: &str, recent: Vec<String>) -> Self {
         let mut list = Self { shown: None, wanted: wanted.to_owned(), recent, offered: Vec::new() };
         list.offer();
         list
     }
 
-    /// The scenes that are offered, by their names.
+    /// Names of the scenes offered.
     pub fn offered(&self) -> &[String] {
         &self.offered
     }
 
-    /// The scene that is shown.
+    /// The scene on display.
     pub fn shown(&self) -> Option<&SceneFacts> {
         self.shown.as_ref()
     }
 
-    /// The name of the scene that was asked for last.
+    /// Name of the scene requested last.
     pub fn wanted(&self) -> &str {
         &self.wanted
     }
 
-    /// Another scene is asked for.
+    /// Records a request for another scene.
     pub fn want(&mut self, name: &str) {
         name.clone_into(&mut self.wanted);
     }
 
-    /// A scene is shown. For one from a file, returns the files to remember, this one first.
+    /// Records that a scene is shown. For a file, returns the recent files to store, this one first.
     pub fn opened(&mut self, facts: SceneFacts) -> Option<&[String]> {
         let from_file = !facts.name.starts_with("builtin:");
         if from_file {
@@ -56,8 +56,9 @@ impl SceneList {
         from_file.then_some(&*self.recent)
     }
 
-    /// The scene that was asked for cannot be opened: the one that is shown is wanted again. Where none is shown yet, returns
-    /// the name of one to load instead, the first of the built-in ones unless that is what failed.
+    /// Records that the requested scene cannot be opened: the one on display counts as requested again. If
+    /// there is none, returns the name of a scene to load instead, the first built-in one unless that is the
+    /// one that failed.
     pub fn not_opened(&mut self) -> Option<String> {
         if let Some(shown) = &self.shown {
             self.wanted.clone_from(&shown.name);

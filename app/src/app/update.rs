@@ -1,4 +1,4 @@
-//! What an update of the app returns to the shell.
+//! The result of an update, for the shell.
 
 use std::{path::PathBuf, time::Duration};
 
@@ -9,28 +9,28 @@ use crate::Painting;
 /// A request to the shell.
 #[derive(Debug)]
 pub enum Request {
-    /// To show a file dialog, and to call [`App::open`](crate::App::open) with the file that a person chooses.
+    /// Show a file dialog and call [`App::open`](crate::App::open) with the chosen file.
     OpenDialog,
-    /// To save a picture under that name, or under one that the shell chooses.
+    /// Save a picture under that name, or under one chosen by the shell.
     Save(Option<PathBuf>, DisplayImage),
-    /// To store the names of recently opened files, the newest first.
+    /// Store the names of recently opened files, the newest first.
     Remember(Vec<String>),
-    /// To switch between full screen and window.
+    /// Switch between full screen and window.
     FullScreen,
-    /// To create a new device, as the last one was lost, and to call [`App::attach`](crate::App::attach) with it.
+    /// Create a new device, as the last one was lost, and pass it to [`App::attach`](crate::App::attach).
     NewDevice,
-    /// To end the program.
+    /// End the program.
     Quit,
 }
 
 /// The result of an update.
 pub struct Update {
-    /// The overlay's output, to be drawn.
+    /// Output of the overlay, to be drawn.
     pub painting: Painting,
-    /// Changes of clipboard, pointer shape and text input.
+    /// Changes of the clipboard, the pointer shape and the text input.
     pub platform: egui::PlatformOutput,
-    /// Further requests.
+    /// Requests to the shell.
     pub requests: Vec<Request>,
-    /// The longest time until the next update; messages of the worker and input may call for one earlier.
+    /// Longest time until the next update; messages of the worker and input may require an earlier one.
     pub repaint_after: Duration,
 }

@@ -5,7 +5,8 @@ use glam::DVec3;
 /// Decay rate of the remaining motion in 1/s: 63 % is done within 60 ms, 99.9 % within 0.4 s.
 pub(super) const RATE: f64 = 17.0;
 
-/// A remainder below this is done at once: far less than a pixel, in picture heights or radians.
+/// Remainders below this, in picture heights or radians, are carried out immediately: they are far less than
+/// a pixel.
 const SETTLED: f64 = 1e-5;
 
 /// A motion that follows its input with an exponentially decaying lag.
@@ -14,7 +15,7 @@ const SETTLED: f64 = 1e-5;
 /// exactly, so that the result does not depend on the steps.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Damped {
-    /// Input from before this step that is left to do.
+    /// Input from earlier steps that has not been carried out.
     owed: DVec3,
     /// Input of this step per second.
     slope: DVec3,
@@ -49,7 +50,7 @@ impl Damped {
         done
     }
 
-    /// Ends the step; returns the remaining motion where it is negligible, else zero. `unit` converts picture
+    /// Ends the step; returns the remaining motion if it is negligible, else zero. `unit` converts picture
     /// heights or radians into the unit of the motion.
     pub fn settle(&mut self, unit: f64) -> DVec3 {
         let at_rest = self.slope == DVec3::ZERO && self.owed.length() < SETTLED * unit;

@@ -1,4 +1,4 @@
-//! Position, direction and lens of the camera in `f64`, and the exact motions of them.
+//! Position, direction and lens of the camera in `f64`, with the exact motions that change them.
 
 use glam::{DMat3, DQuat, DVec2, DVec3, Vec3};
 use glimpse::{Camera, Lens, LookAt};
@@ -26,7 +26,7 @@ const FOVS: [f32; 2] = [0.01, 179.0];
 const POLE_DEGREES: f64 = 0.5;
 
 impl Extent {
-    /// Of a bounding box; a unit cube for an empty one.
+    /// Centre and size of a bounding box; a unit cube for an empty one.
     pub fn of((low, high): (Vec3, Vec3)) -> Self {
         let (low, high) = (low.as_dvec3(), high.as_dvec3());
         let size = (high - low).max_element();
@@ -42,7 +42,7 @@ impl Extent {
         distance.clamp(DISTANCES[0] * self.size, DISTANCES[1] * self.size)
     }
 
-    /// The nearest point within the largest distance from the centre.
+    /// The nearest point within the largest allowed distance from the centre.
     fn place(&self, place: DVec3) -> DVec3 {
         let far = DVec3::splat(DISTANCES[1] * self.size);
         place.clamp(self.center - far, self.center + far)
@@ -114,7 +114,7 @@ impl OrbitState {
         }
     }
 
-    /// The point in the plane of the target that is seen at a position in picture heights from the centre.
+    /// Point in the target's plane seen at a position, which is in picture heights from the centre.
     fn seen_at(&self, at: DVec2) -> DVec3 {
         self.target + (self.right() * at.x + self.up() * at.y) * self.height()
     }
@@ -123,7 +123,7 @@ impl OrbitState {
     pub fn orbit(&mut self, by: DVec2) {
         let elevation = self.forward().y.clamp(-1.0, 1.0).asin();
         let most = (90.0 - POLE_DEGREES).to_radians();
-        // A camera that starts nearer to the vertical may stay there, but gets no nearer.
+        // A camera that starts nearer to the vertical may stay there, but cannot get nearer.
         let pitched = (elevation + by.y).clamp(elevation.min(-most), elevation.max(most));
         let (yaw, pitch) = (DQuat::from_rotation_y(by.x), DQuat::from_rotation_x(pitched - elevation));
         self.view = (yaw * self.view * pitch).normalize();
@@ -141,7 +141,7 @@ impl OrbitState {
         self.target = extent.place(self.target + by);
     }
 
-    /// Moves the picture by picture heights, right and up.
+    /// Pans so that the picture moves by `by` picture heights, right and up.
     pub fn pan(&mut self, by: DVec2, extent: &Extent) {
         self.shift((self.right() * by.x + self.up() * by.y) * -self.height(), extent);
     }
@@ -172,7 +172,7 @@ impl OrbitState {
         extent.place(point) - self.target
     }
 
-    /// Interpolates to another stance, `share` from 0 to 1. A lens of another kind is replaced at once.
+    /// Interpolates to another state, `share` from 0 to 1. A lens of another kind is replaced immediately.
     pub fn towards(&self, end: &Self, share: f64) -> Self {
         let between =
             |from: f32, to: f32| (f64::from(from) + (f64::from(to) - f64::from(from)) * share) as f32;

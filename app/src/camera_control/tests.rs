@@ -28,7 +28,7 @@ fn settle(control: &mut CameraControl) {
     assert!(!control.is_moving(), "must settle within 10 s");
 }
 
-/// All values of a camera.
+/// All components of a camera.
 fn numbers(camera: &Camera) -> [f32; 12] {
     let [o, r, u, f] = [camera.origin, camera.right, camera.up, camera.forward].map(|v| v.to_array());
     std::array::from_fn(|i| [o, r, u, f][i / 3][i % 3])
@@ -109,7 +109,7 @@ fn a_hand_on_the_way_back_stops_it() {
     assert!(distance(&control.camera(), &perspective()) > 0.1);
 }
 
-/// The camera after one second of a script, at so many frames a second.
+/// Camera after one second of a script at `frames` frames per second.
 fn after_a_second(frames: u32, script: impl Fn(f32, f32) -> Vec<Motion>, navigation: Navigation) -> Camera {
     let mut control = CameraControl::new(perspective(), BOUNDS);
     let seconds = 1.0 / frames as f32;
@@ -328,7 +328,7 @@ fn flight_is_measured_by_the_scene() {
     assert!((fly(BOUNDS, 2_f32.ln()) - 2.0).abs() < 1e-3);
 }
 
-/// As the command line reads it: text, `f32`, pose.
+/// Parses the options as the command line does: text, `f32`, pose.
 fn parse(options: &str) -> LookAt {
     let value =
         |name: &str| options.split(' ').find_map(|option| option.strip_prefix(name)?.strip_prefix('='));
@@ -344,7 +344,7 @@ fn parse(options: &str) -> LookAt {
     LookAt { eye: point("--eye"), target: point("--target"), up: point("--up"), lens }
 }
 
-/// A generator of its own, so that the motions are the same everywhere: Marsaglia's xorshift.
+/// Marsaglia's xorshift generator, which gives the same motions on every platform.
 struct Random(u64);
 
 impl Random {

@@ -7,14 +7,14 @@ use egui::{
 
 use super::*;
 
-/// A simulated user of a view of that height and twice that width, at 60 frames a second.
+/// A simulated user of a view `height` points high and twice as wide, at 60 frames per second.
 struct Hand {
     context: Context,
     gestures: Gestures,
     navigation: Navigation,
     height: f32,
     scale: f32,
-    /// The share of the screen's width that the view covers, from the left.
+    /// Share of the screen's width that the view covers, from the left.
     part: f32,
     frame: u32,
     modifiers: Modifiers,

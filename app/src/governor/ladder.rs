@@ -2,21 +2,21 @@
 
 use glimpse::{Postcorrect, Settings, Tolerances};
 
-/// How the quality of a frame is reduced.
+/// Quality of a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quality {
-    /// Index of the level, 0 the best; `None` for a frame at rest, at the quality that was chosen.
+    /// Index of the level, 0 the best; `None` for a frame at rest, at the chosen quality.
     pub level: Option<usize>,
     /// Ratio of the frame's side to the view's: a multiple of 1/64 in (0, 1].
     pub scale: f32,
     /// The least block size.
     pub block: u32,
-    /// The factor by which tolerances are relaxed, at least 1.
+    /// Factor on the tolerances, at least 1.
     pub relax: f32,
 }
 
 impl Quality {
-    /// The quality that was chosen.
+    /// The chosen quality, unreduced.
     pub const FULL: Self = Self { level: None, scale: 1.0, block: 2, relax: 1.0 };
 
     /// The chosen settings with this quality applied.
@@ -31,8 +31,8 @@ impl Quality {
         let norm = (1.0 - (1.0 - t.norm) * self.relax).clamp(t.norm.min(-1.0), t.norm);
         Settings {
             block: chosen.block.max(self.block),
-            // Postcorrection repairs single frames, which are replaced at once in motion. It is back in the frame at
-            // rest.
+            // Postcorrection repairs single frames, which are replaced immediately in motion. The frame at
+            // rest has it again.
             postcorrect: match chosen.postcorrect {
                 Postcorrect::Auto => Postcorrect::Off,
                 wished => wished,
@@ -60,8 +60,8 @@ pub(super) struct Level {
     pub scale: f32,
     pub block: u32,
     pub relax: f32,
-    /// Time of a pixel relative to one at the best level, measured as a mean over scenes; the governor corrects it by
-    /// reports.
+    /// Time of a pixel relative to one at the best level, measured as a mean over scenes; the governor
+    /// corrects it by the reports.
     pub work: f64,
 }
 

@@ -11,8 +11,8 @@ const VIEW: f64 = 1080.0 * 2400.0;
 
 const BUDGETS: [f64; 2] = [1000.0 / 30.0, 1000.0 / 60.0];
 
-/// Costs of scenes in ns a pixel at the best level: 5 fits 60 frames a second at full size, 300 at the last levels
-/// only.
+/// Costs of scenes in nanoseconds per pixel at the best level: 5 fits 60 frames per second at full size, 300
+/// only the last levels.
 const SCENES: [f64; 6] = [5.0, 12.0, 30.0, 75.0, 150.0, 300.0];
 
 /// Marsaglia's xorshift generator, which gives the same noise on every platform.
@@ -36,10 +36,10 @@ fn frame_ms(level: usize, ns: f64, slower: f64) -> f64 {
     slower * (0.4 + ns * 1e-6 * VIEW * f64::from(scale).powi(2) * work)
 }
 
-/// Slowdown of the device after so many seconds. The amounts follow published stress tests (3DMark Wild Life Extreme,
-/// 20 runs of a minute: a Galaxy S23 Ultra falls from 3,886 to 2,794 points, an iPhone 15 Pro Max from 3,608 to 2,681),
-/// the shapes stepwise thermal governors, which lower clocks by steps of a table and raise them once the device is cool
-/// again.
+/// Slowdown of the device after `seconds` seconds. The amounts follow published stress tests (3DMark Wild
+/// Life Extreme, 20 runs of a minute: a Galaxy S23 Ultra falls from 3,886 to 2,794 points, an iPhone 15 Pro
+/// Max from 3,608 to 2,681), the shapes stepwise thermal governors, which lower clocks by steps of a table
+/// and raise them once the device is cool again.
 fn load(trace: &str, seconds: f64) -> f64 {
     match trace {
         "cool" => 1.0,
@@ -218,7 +218,7 @@ fn a_single_hiccup_changes_nothing_and_a_second_one_is_believed() {
     assert!(after > before, "two slow frames");
 }
 
-/// Slow frames lower the level at once, fast ones raise it slowly.
+/// Slow frames lower the level immediately, fast ones raise it slowly.
 #[test]
 fn down_at_once_and_up_by_single_levels() {
     let mut governor = Governor::new(20.0);

@@ -1,9 +1,9 @@
-//! What keys do: each to the choices, or as a wish.
+//! Actions of the keys: each changes the choices or makes a request to the app.
 
 use super::{Hud, UserRequest, options, settings};
 use crate::{Choices, HudState, SCALES, TEXT_SCALES};
 
-/// What a key does.
+/// An action of a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Action {
     Overlay,
@@ -30,15 +30,16 @@ pub enum Action {
     Quit,
 }
 
-/// What a press of a key adds to the scale.
+/// Change of the resolution scale per key press.
 const SCALE_STEP: f32 = 0.125;
-/// What a press of a key multiplies the size of the text by.
+/// Factor on the text size per key press.
 const TEXT_STEP: f32 = 1.125;
 
-/// Does it, or returns it as a wish; `place` is that of the key among those that do it.
+/// Performs the action, or returns it as a request; `place` is the index of the pressed key among the keys of
+/// the action.
 pub fn act(hud: &mut Hud<'_>, action: Action, place: usize) -> Option<UserRequest> {
     let (hud_state, choices) = (hud.hud_state, &mut *hud.choices);
-    // A page that lies above everything waits for being closed.
+    // An error message or the help page must be closed first.
     let waiting = hud_state.problem.is_some() || choices.help;
     if waiting && !matches!(action, Action::Close | Action::Help | Action::Quit) {
         return None;
@@ -91,7 +92,7 @@ mod tests {
     use super::*;
     use crate::hud::keys::SHORTCUTS;
 
-    /// What every action finds something to do on.
+    /// Choices and state on which every action has an effect.
     fn middling() -> (Choices, HudState) {
         let mut choices = Choices { governor: None, scale: 0.5, text_scale: 1.5, ..Choices::default() };
         choices.settings.block = 4;

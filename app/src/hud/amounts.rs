@@ -1,6 +1,6 @@
-//! Numbers for people, of a width that hardly changes.
+//! Formats numbers for the overlay, with nearly constant width.
 
-/// A count in three or four digits: `987`, `12.3 k`, `4.56 M`.
+/// Formats a count in three or four digits: `987`, `12.3 k`, `4.56 M`.
 pub fn count(count: u64) -> String {
     let (unit, name) = match count {
         0..1_000 => return count.to_string(),
@@ -13,17 +13,17 @@ pub fn count(count: u64) -> String {
     format!("{value:.decimals$} {name}")
 }
 
-/// Bytes in MiB.
+/// Formats bytes in MiB.
 pub fn mebibytes(bytes: u64) -> String {
     format!("{:.1} MiB", bytes as f64 / f64::from(1 << 20))
 }
 
-/// A share in percent.
+/// Formats a share in percent.
 pub fn percent(share: f64) -> String {
     format!("{:.1} %", 100.0 * share)
 }
 
-/// Decibels, of which equal pictures have infinitely many.
+/// Formats a PSNR in decibels; `None` is still being measured, infinite means equal pictures.
 pub fn decibels(db: Option<f64>) -> String {
     match db {
         None => "measuring".to_owned(),

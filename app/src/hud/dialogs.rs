@@ -1,11 +1,12 @@
-//! What comes by itself: a problem, a notice, long work, and the dark before the first picture.
+//! Messages that appear unasked: errors, notices, progress of long tasks, and the screen before the first
+//! picture.
 
 use egui::{Align2, Area, Context, Id, Label, LayerId, Modal, Order, ProgressBar, RichText, ScrollArea, Ui};
 
 use super::{UserRequest, style};
 use crate::{Busy, HudState};
 
-/// A problem, above everything until it is closed.
+/// Shows the error message, above everything else until it is closed.
 pub fn problem(ctx: &Context, hud_state: &HudState, text_scale: f32, user_requests: &mut Vec<UserRequest>) {
     let Some(problem) = &hud_state.problem else { return };
     let size = ctx.content_rect().size();
@@ -18,13 +19,13 @@ pub fn problem(ctx: &Context, hud_state: &HudState, text_scale: f32, user_reques
         ui.add_space(6.0);
         ui.button("Close").accessible_name("close problem").clicked()
     });
-    // The Escape key comes as an action.
+    // The Escape key arrives as an action.
     if modal.inner || modal.backdrop_response.clicked() {
         user_requests.push(UserRequest::CloseProblem);
     }
 }
 
-/// Notices and work at the lower edge; neither takes input.
+/// Shows notices and progress at the lower edge; neither takes input.
 pub fn messages(ctx: &Context, hud_state: &HudState, text_scale: f32) {
     let nothing_yet = hud_state.size == [0, 0];
     if nothing_yet {

@@ -1,4 +1,4 @@
-//! Frame times as a curve, with the line that they are to stay below.
+//! A graph of the frame times with the line of the time limit.
 
 use egui::{
     Align2, Color32, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, TextStyle, Ui, WidgetInfo,
@@ -8,11 +8,11 @@ use egui::{
 use super::style;
 use crate::{FrameRate, HISTORY, HudState};
 
-/// The tops that the curve may have, in milliseconds.
+/// Possible upper ends of the axis, in milliseconds.
 const TOPS: [f32; 10] = [10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1e3, 2e3, 5e3, 1e4];
 const HEIGHT: f32 = 72.0;
 
-/// Draws the times of the last frames, the newest at the right edge; pointing at one reads it.
+/// Draws the times of the last frames, the newest at the right edge; hovering shows a frame's time.
 pub fn show(ui: &mut Ui, hud_state: &HudState, governor: Option<FrameRate>) {
     let width = ui.available_width().max(1.0);
     let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::hover());

@@ -1,4 +1,4 @@
-//! The page of keys and gestures.
+//! The help page with keys and gestures.
 
 use egui::{Context, Grid, Id, KeyboardShortcut, Modal, RichText, ScrollArea, Ui};
 
@@ -6,7 +6,7 @@ use super::keys::{self, SHORTCUTS, Shortcut};
 use super::style;
 use crate::{Choices, Navigation};
 
-/// What fingers and the mouse do on the picture.
+/// Gestures of fingers and mouse on the picture.
 const GESTURES: [(&str, &str); 8] = [
     ("drag", "orbit around the centre, or look around while flying"),
     ("two fingers, right button", "pan"),
@@ -18,7 +18,7 @@ const GESTURES: [(&str, &str); 8] = [
     ("Left, Right on the divider", "move the split"),
 ];
 
-/// Shows the page while it is open. The Escape key comes as an action.
+/// Shows the page while it is open. The Escape key arrives as an action.
 pub fn show(ctx: &Context, choices: &mut Choices) {
     if !choices.help {
         return;
@@ -57,7 +57,7 @@ fn table(ui: &mut Ui, name: &str, rows: impl IntoIterator<Item = (String, &'stat
     });
 }
 
-/// The keys of a row, as `S (orbit), F12, Ctrl+S`.
+/// Names of a row's keys, such as `S (orbit), F12, Ctrl+S`.
 fn names(ctx: &Context, shortcut: &Shortcut) -> String {
     let name = |keys: &KeyboardShortcut| {
         let note = if keys::flies(*keys, Navigation::Fly) { " (orbit)" } else { "" };

@@ -1,12 +1,12 @@
-//! The keys: one table, of which the help page is made and by which keys act.
+//! The table of shortcuts, from which key presses are handled and the help page is made.
 
 use egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
 
 use super::actions::Action;
 use crate::Navigation;
 
-/// The keys that move the camera while [`Navigation::Fly`] is chosen, unless a modifier is held or the overlay has the
-/// keyboard's focus.
+/// Keys that move the camera in [`Navigation::Fly`], unless a modifier is held or the overlay has the
+/// keyboard focus.
 pub const FLY_KEYS: [Key; 10] = [
     Key::W,
     Key::A,
@@ -20,17 +20,17 @@ pub const FLY_KEYS: [Key; 10] = [
     Key::ArrowRight,
 ];
 
-/// Some keys that do one thing.
+/// Keys that perform the same action.
 pub struct Shortcut {
-    /// Any of these.
+    /// The keys, any of which performs the action.
     pub keys: &'static [KeyboardShortcut],
-    /// What they do.
+    /// The action.
     pub action: Action,
-    /// In words.
+    /// Description for the help page.
     pub does: &'static str,
 }
 
-/// Every shortcut in the order of the help page.
+/// All shortcuts, in the order of the help page.
 pub const SHORTCUTS: [Shortcut; 22] = [
     shortcut(&[key(Key::H)], Action::Overlay, "overlay: hidden, one line, everything"),
     shortcut(&[key(Key::F1), key(Key::Questionmark)], Action::Help, "this page"),
@@ -84,7 +84,7 @@ const fn with_command(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::COMMAND, key)
 }
 
-/// The first key that does it, for people; empty where there is none.
+/// Name of the first key of an action, for display; empty if there is none.
 pub fn hint(ctx: &Context, action: Action) -> String {
     let shortcut = SHORTCUTS.iter().find(|shortcut| shortcut.action == action);
     shortcut
@@ -93,18 +93,18 @@ pub fn hint(ctx: &Context, action: Action) -> String {
         .unwrap_or_default()
 }
 
-/// The key that opens the scene of that place in the list, for people; empty where there is none.
+/// Name of the key that opens the scene at that index of the list, for display; empty if there is none.
 pub fn scene_hint(ctx: &Context, place: usize) -> String {
     SCENE_KEYS.get(place).map(|keys| ctx.format_shortcut(keys)).unwrap_or_default()
 }
 
-/// Does this key move the camera, so that no shortcut may take it?
+/// Whether the key moves the camera in this mode and must not trigger a shortcut.
 pub fn flies(keys: KeyboardShortcut, navigation: Navigation) -> bool {
     navigation == Navigation::Fly && keys.modifiers.is_none() && FLY_KEYS.contains(&keys.logical_key)
 }
 
-/// What the keys ask for that were pressed since the last pass, each with the place of its key in the table's row.
-/// Nothing while a text field has the focus.
+/// Actions of the keys pressed since the last pass, each with the index of the key in its row. Empty while a
+/// text field has the focus.
 pub fn pressed(ctx: &Context, navigation: Navigation) -> Vec<(Action, usize)> {
     if ctx.text_edit_focused() {
         return Vec::new();
@@ -114,10 +114,10 @@ pub fn pressed(ctx: &Context, navigation: Navigation) -> Vec<(Action, usize)> {
 
 fn asked(event: &Event, navigation: Navigation) -> Option<(Action, usize)> {
     let keys = match event {
-        // What the shells' input layer makes of the keys for copying.
+        // The shells' input layer reports the copy shortcut as this event.
         Event::Copy => with_command(Key::C),
         Event::Key { key, pressed: true, repeat: false, modifiers, .. } if !modifiers.alt => {
-            // Shift is needed to type some of the keys.
+            // Shift is ignored, as some of the keys need it to be typed.
             let modifiers = if modifiers.command { Modifiers::COMMAND } else { Modifiers::NONE };
             KeyboardShortcut::new(modifiers, *key)
         }

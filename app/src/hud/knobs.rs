@@ -1,25 +1,25 @@
-//! The choices along a range: sliders with a mark at the value that is usual.
+//! Sliders for numbers, with a mark at the usual value.
 
 use egui::{Align, DragValue, Layout, Response, RichText, Slider, SliderClamping, Stroke, Ui, pos2, remap};
 
 use super::style;
 use crate::{SCALES, TEXT_SCALES};
 
-/// A choice along a range.
+/// A slider for a number.
 pub struct Knob {
-    /// Its name.
+    /// Name of the value.
     pub name: &'static str,
-    /// What it does, in one sentence.
+    /// Explanation in one sentence.
     pub explained: &'static str,
-    /// Both ends.
+    /// Lowest and highest value.
     pub range: [f64; 2],
-    /// The distance of neighbouring values.
+    /// Step between neighbouring values.
     pub step: f64,
-    /// A marked value and where it comes from.
+    /// Marked value and its source.
     pub mark: (f64, &'static str),
 }
 
-/// The resolution of frames.
+/// Slider of the frame's resolution scale.
 pub const SCALE: Knob = Knob {
     name: "resolution scale",
     explained: "Pixels of a frame along a side, over those of the view.",
@@ -28,7 +28,7 @@ pub const SCALE: Knob = Knob {
     mark: (1.0, "full"),
 };
 
-/// The size of the overlay.
+/// Slider of the overlay's text size.
 pub const TEXT_SCALE: Knob = Knob {
     name: "text size",
     explained: "Size of the text and the controls.",
@@ -38,8 +38,8 @@ pub const TEXT_SCALE: Knob = Knob {
 };
 
 impl Knob {
-    /// The name, the value, a way back to the mark, and a slider; all disabled where `rests` says why. Tells whether the
-    /// value is another now.
+    /// Shows the name, the value, a reset button for the marked value, and a slider; all are disabled if
+    /// `rests` gives a reason. Returns whether the value changed.
     pub fn show(&self, ui: &mut Ui, value: &mut f64, rests: Option<&str>) -> bool {
         let before = *value;
         ui.add_enabled_ui(rests.is_none(), |ui| {
@@ -56,7 +56,7 @@ impl Knob {
         *value != before
     }
 
-    /// As [`Knob::show`], for a number that is kept in less precision.
+    /// Shows the slider as [`Knob::show`], for a value in single precision.
     pub fn show_single(&self, ui: &mut Ui, value: &mut f32, rests: Option<&str>) {
         let mut precise = f64::from(*value);
         if self.show(ui, &mut precise, rests) {
@@ -64,7 +64,7 @@ impl Knob {
         }
     }
 
-    /// Digits behind the point that tell neighbouring values apart.
+    /// Number of decimals that distinguishes neighbouring values.
     fn decimals(&self) -> usize {
         (-self.step.log10() - 1e-6).ceil().max(0.0) as usize
     }
@@ -75,7 +75,7 @@ impl Knob {
 
     fn number(&self, ui: &mut Ui, value: &mut f64) -> Response {
         let [low, high] = self.range;
-        // What was chosen elsewhere may lie outside of the slider.
+        // A value chosen elsewhere may lie outside the slider's range.
         let number = DragValue::new(value).range(low..=high).clamp_existing_to_range(false);
         let number = number.speed(self.step).fixed_decimals(self.decimals()).update_while_editing(false);
         ui.add(number).accessible_name(format!("{} in digits", self.name))
@@ -100,7 +100,7 @@ impl Knob {
         response.accessible_name(self.name)
     }
 
-    /// The mark, where the slider's handle has its centre at that value.
+    /// Draws the mark where the slider's handle has its centre at the marked value.
     fn tick(&self, ui: &Ui, response: &Response) {
         let rect = response.rect;
         let [low, high] = self.range;

@@ -1,11 +1,11 @@
-//! What was measured, as rows with bars.
+//! Measurements of the last frame, as rows with bars.
 
 use egui::{Color32, ProgressBar, RichText, Ui};
 
 use super::{amounts, style};
 use crate::HudState;
 
-/// The time of each pass of the last frame.
+/// Shows the time of each pass of the last frame.
 pub fn passes(ui: &mut Ui, hud_state: &HudState) {
     let longest = hud_state.passes.iter().map(|pass| pass.ms).fold(0.0, f64::max);
     for pass in &hud_state.passes {
@@ -15,7 +15,7 @@ pub fn passes(ui: &mut Ui, hud_state: &HudState) {
     nothing(ui, hud_state.passes.is_empty(), "The adapter measures no passes, or no frame was made yet.");
 }
 
-/// Rays and samples of the last frame that was counted.
+/// Shows rays and samples of the last counted frame.
 pub fn rays(ui: &mut Ui, hud_state: &HudState) {
     let Some(counts) = hud_state.counts else {
         return nothing(ui, true, "Frames are counted when the camera rests.");
@@ -32,7 +32,7 @@ pub fn rays(ui: &mut Ui, hud_state: &HudState) {
     }
 }
 
-/// How often each check asked for a ray.
+/// Shows how often each similarity check failed and required a ray.
 pub fn failed_checks(ui: &mut Ui, hud_state: &HudState) {
     let Some(counts) = hud_state.counts else { return };
     for (name, count) in counts.failed_checks.labelled() {
@@ -41,7 +41,7 @@ pub fn failed_checks(ui: &mut Ui, hud_state: &HudState) {
     }
 }
 
-/// Bytes on the device, and what it is.
+/// Shows device memory in use and the adapter.
 pub fn device(ui: &mut Ui, hud_state: &HudState) {
     let memory = hud_state.memory;
     let rows = [
@@ -56,7 +56,7 @@ pub fn device(ui: &mut Ui, hud_state: &HudState) {
     ui.label(RichText::new(hud_state.adapter.as_str()).small().weak());
 }
 
-/// What the scene holds, and what its kernels were made without.
+/// Shows the scene's contents and the features left out of its kernels.
 pub fn scene(ui: &mut Ui, hud_state: &HudState) {
     style::reading(ui, "primitives", &amounts::count(hud_state.primitives));
     for (caption, names) in [("needs", &hud_state.features), ("left out of the kernels", &hud_state.left_out)]
@@ -70,7 +70,7 @@ pub fn scene(ui: &mut Ui, hud_state: &HudState) {
     }
 }
 
-/// A bar over the width, as long as the part in the whole.
+/// A bar whose filled share is `part` of `whole`.
 fn bar(ui: &mut Ui, part: f64, whole: f64) {
     let share = if whole > 0.0 { (part / whole) as f32 } else { 0.0 };
     let fill = if share > 0.0 { style::ACCENT.gamma_multiply(0.7) } else { Color32::TRANSPARENT };

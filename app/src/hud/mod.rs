@@ -1,6 +1,7 @@
-//! The overlay: what it shows, what it changes, what it wishes.
+//! The overlay: it displays the [`HudState`], edits the [`Choices`], and returns the user's requests.
 //!
-//! Everything lies in areas of its own above the picture: where none is, input goes to what the caller has beneath.
+//! Everything is in separate egui areas above the picture; input outside of them goes to what the caller has
+//! beneath.
 
 mod actions;
 mod amounts;
@@ -26,50 +27,50 @@ use crate::{Choices, HudState, Overlay};
 
 pub use keys::FLY_KEYS;
 
-/// What a person wishes beyond a [`Choices`].
+/// A request of the user that is not a change of the [`Choices`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum UserRequest {
-    /// To see that scene: `builtin:NAME` or a file.
+    /// Open the scene of that name: `builtin:NAME` or a file.
     Open(String),
-    /// To choose a file.
+    /// Show the file dialog.
     OpenDialog,
-    /// To save the frame.
+    /// Save the frame.
     Screenshot,
-    /// The `glimpse render` command of this frame in the clipboard.
+    /// Copy the `glimpse render` command of this frame to the clipboard.
     CopyCommand,
-    /// The window as large as the screen, or not.
+    /// Switch between full screen and window.
     FullScreen,
-    /// The camera where the scene has it.
+    /// Reset the camera to the scene's.
     ResetCamera,
-    /// The scene's camera of that index.
+    /// Move to the scene's camera of that index.
     Camera(usize),
-    /// The last problem has been read.
+    /// Close the error message.
     CloseProblem,
-    /// Enough.
+    /// End the program.
     Quit,
 }
 
-/// What the overlay needs besides.
+/// Input of the overlay for one pass.
 pub struct Hud<'a> {
-    /// What it changes.
+    /// Choices that the overlay edits.
     pub choices: &'a mut Choices,
-    /// What it shows.
+    /// State that the overlay displays.
     pub hud_state: &'a HudState,
-    /// Scenes to choose from: the built-in ones, then those that were opened last.
+    /// Names of the scenes offered: the built-in ones, then the recent files.
     pub scenes: &'a [String],
-    /// Where the picture is.
+    /// Rectangle of the picture, in points.
     pub picture: Rect,
-    /// Fingers point, not a mouse: everything that can be hit is large enough for them.
+    /// Whether input comes from fingers, so that every control must be large enough for them.
     pub touch: bool,
 }
 
-/// The least side of a window in points in which there is something to read.
+/// Least side of a window in points for which the overlay is drawn.
 const LEAST_SIDE: f32 = style::TOUCH_TARGET;
 
 impl Hud<'_> {
-    /// Acts on the keys of this pass, shows everything, and returns what is wished.
+    /// Handles the keys of this pass, shows the overlay, and returns the user's requests.
     ///
-    /// To be called once in each pass of `ctx`, after what lies beneath; the overlay sets the style of `ctx`.
+    /// Must be called once in each pass of `ctx`, after what lies beneath; it sets the style of `ctx`.
     #[must_use]
     pub fn show(mut self, ctx: &Context) -> Vec<UserRequest> {
         let pressed = keys::pressed(ctx, self.choices.navigation).into_iter();
@@ -87,7 +88,7 @@ impl Hud<'_> {
         match self.choices.overlay {
             Overlay::Full => panel::show(ctx, self, user_requests),
             Overlay::Brief => status::show(ctx, self.choices, self.hud_state),
-            // Without keys there has to be a way back.
+            // A touch screen without keys needs a way to show the overlay again.
             Overlay::Hidden if self.touch => status::faint_menu(ctx, self.choices),
             Overlay::Hidden => {}
         }

@@ -1,4 +1,4 @@
-//! Choices between a few values: buttons, and the keys that choose the next.
+//! Choices between a few values: rows of buttons, and keys that select the next value.
 
 use egui::{Button, Response, Ui, vec2};
 
@@ -8,29 +8,29 @@ use crate::{Choices, FrameRate, Lenses, Navigation, Show, Vsync};
 
 /// A choice between a few values.
 pub struct Options<T: 'static> {
-    /// What is chosen.
+    /// Name of the choice.
     pub name: &'static str,
-    /// The values with their names, in the order in which they are offered.
+    /// The values with their names, in the order of the buttons.
     pub values: fn() -> Vec<(T, String)>,
-    /// What chooses the next value, if a key does.
+    /// Action that selects the next value, if a key has it.
     action: Option<Action>,
     get: fn(&Choices) -> T,
     set: fn(&mut Choices, T),
 }
 
-/// A button that chooses something.
+/// A button that selects a value.
 pub struct Offer {
-    /// What it says.
+    /// Text of the button.
     pub name: String,
-    /// What it means; may be empty.
+    /// Explanation; may be empty.
     pub explained: &'static str,
-    /// It is what is chosen.
+    /// Whether the value is the current one.
     pub chosen: bool,
-    /// Everything after it is pressed.
+    /// Choices after the button is pressed.
     pub next: Choices,
 }
 
-/// The first offer after the chosen one that conflicts with nothing, in a circle.
+/// Selects the next offer after the current one that conflicts with no other choice, in a circle.
 pub fn choose_next(offers: &[Offer], choices: &mut Choices) {
     let first = offers.iter().position(|offer| offer.chosen).map_or(0, |chosen| chosen + 1);
     let mut following = (0..offers.len()).map(|i| &offers[(first + i) % offers.len()]);
@@ -39,8 +39,8 @@ pub fn choose_next(offers: &[Offer], choices: &mut Choices) {
     }
 }
 
-/// A caption with the key of `action`, and a row of buttons. Those that conflict with other choices are disabled and say
-/// why, and all where `rests` does.
+/// A caption with the key of `action`, and a row of buttons. Buttons that conflict with other choices are
+/// disabled and show the reason; all are disabled if `rests` gives a reason.
 pub fn buttons(
     ui: &mut Ui,
     caption: &str,
@@ -81,12 +81,12 @@ impl<T: Copy + PartialEq> Options<T> {
         (self.values)().into_iter().map(offer).collect()
     }
 
-    /// Chooses the next value that conflicts with nothing, in a circle.
+    /// Selects the next value that conflicts with no other choice, in a circle.
     pub fn choose_next(&self, choices: &mut Choices) {
         choose_next(&self.offers(choices), choices);
     }
 
-    /// A row of buttons, as [`buttons`].
+    /// Shows the row of buttons, see [`buttons`].
     pub fn buttons(&self, ui: &mut Ui, choices: &mut Choices, rests: Option<&str>) {
         buttons(ui, self.name, self.action, self.offers(choices), choices, rests);
     }

@@ -1,4 +1,4 @@
-//! The full overlay: a panel at the right, or a sheet at the lower edge of what is narrow.
+//! The full overlay: a panel at the right, or a sheet over the lower half of narrow windows.
 
 use egui::{
     Align, Area, CollapsingHeader, Context, Id, Layout, Order, Rect, RichText, ScrollArea, TextStyle, Ui,
@@ -16,7 +16,7 @@ use crate::{Overlay, Show};
 const WIDTH: f32 = 340.0;
 const MARGIN: f32 = 8.0;
 
-/// Shows everything.
+/// Shows the panel with all its sections.
 pub fn show(ctx: &Context, hud: &mut Hud<'_>, user_requests: &mut Vec<UserRequest>) {
     let place = place(ctx.content_rect(), hud.choices.text_scale);
     let area = Area::new(Id::unique("panel")).order(Order::Foreground).fixed_pos(place.min).constrain(false);
@@ -31,7 +31,7 @@ pub fn show(ctx: &Context, hud: &mut Hud<'_>, user_requests: &mut Vec<UserReques
             }
             let scroll = ScrollArea::vertical().auto_shrink(false).max_height(ui.available_height());
             scroll.show(ui, |ui| {
-                // The scroll bar floats above the right edge.
+                // Leaves room for the scroll bar, which floats above the right edge.
                 ui.set_max_width((ui.available_width() - 12.0).max(0.0));
                 sections(ui, hud, user_requests);
             });
@@ -39,7 +39,7 @@ pub fn show(ctx: &Context, hud: &mut Hud<'_>, user_requests: &mut Vec<UserReques
     });
 }
 
-/// Where the panel lies: right where there is room beside it, otherwise over the lower half.
+/// Rectangle of the panel: at the right if there is room beside it, otherwise the lower half.
 fn place(content: Rect, text_scale: f32) -> Rect {
     let content = content.shrink(MARGIN.min(0.5 * content.size().min_elem()));
     let width = WIDTH * text_scale;

@@ -1,10 +1,10 @@
-//! What can be looked at: scenes and their cameras.
+//! Lists of the scenes and of the current scene's cameras.
 
 use egui::{Align, Button, Layout, RichText, Ui, vec2};
 
 use super::{Hud, UserRequest, keys};
 
-/// The scenes to choose from.
+/// Shows the list of scenes.
 pub fn scenes(ui: &mut Ui, hud: &Hud<'_>, user_requests: &mut Vec<UserRequest>) {
     for (index, scene) in hud.scenes.iter().enumerate() {
         let chosen = *scene == hud.hud_state.scene;
@@ -19,7 +19,7 @@ pub fn scenes(ui: &mut Ui, hud: &Hud<'_>, user_requests: &mut Vec<UserRequest>) 
     }
 }
 
-/// The cameras of the scene, and the way back.
+/// Shows the list of cameras and the reset button.
 pub fn cameras(ui: &mut Ui, hud: &Hud<'_>, user_requests: &mut Vec<UserRequest>) {
     for (index, camera) in hud.hud_state.cameras.iter().enumerate() {
         let name = if camera.is_empty() { format!("camera {index}") } else { camera.clone() };
@@ -43,7 +43,7 @@ fn wide(ui: &mut Ui, button: Button<'_>) -> egui::Response {
     .inner
 }
 
-/// What a scene is called in the list.
+/// Short name of a scene in the list.
 fn name(scene: &str) -> &str {
     let file = scene.rsplit(['/', '\\']).next().unwrap_or(scene);
     scene.strip_prefix("builtin:").unwrap_or(file)

@@ -1,4 +1,4 @@
-//! Controls for the options of a frame, made from the core's table of options.
+//! Controls for the options of a frame, generated from the core's table of options.
 
 use egui::{TextEdit, Ui};
 use glimpse::options::{Control, Kind, OptionSpec, Value};
@@ -9,7 +9,8 @@ use super::options::{self, Offer};
 use super::style;
 use crate::Choices;
 
-/// The control of an option: buttons, a slider or a field for text. It is disabled where the option changes nothing.
+/// Shows the control of an option: buttons, a slider or a text field. It is disabled if the option has no
+/// effect.
 pub fn show(ui: &mut Ui, option: &'static OptionSpec, choices: &mut Choices) {
     let rests = (!option.applies(&choices.settings)).then_some(option.applicability.reason);
     if let Some((knob, mut value)) = knob(option, choices) {
@@ -29,7 +30,7 @@ pub fn show(ui: &mut Ui, option: &'static OptionSpec, choices: &mut Choices) {
     }
 }
 
-/// The key that chooses the option's next value.
+/// Action that selects the option's next value, if a key has it.
 fn action(option: &OptionSpec) -> Option<Action> {
     match option.name {
         "method" => Some(Action::Method),
@@ -38,7 +39,7 @@ fn action(option: &OptionSpec) -> Option<Action> {
     }
 }
 
-/// Chooses the next value of the option of that key.
+/// Selects the next value of the option whose key performs this action.
 pub fn choose_next(key: Action, choices: &mut Choices) {
     let option = glimpse::options::OPTIONS.iter().find(|option| action(option) == Some(key));
     if let Some(option) = option.filter(|option| option.applies(&choices.settings)) {
@@ -46,7 +47,7 @@ pub fn choose_next(key: Action, choices: &mut Choices) {
     }
 }
 
-/// The buttons of an option; none where it has other controls.
+/// Buttons of an option; empty if it has other controls.
 fn offers(option: &OptionSpec, choices: &Choices) -> Vec<Offer> {
     let offer = |(name, text, explained): (String, String, &'static str)| {
         let mut next = *choices;
@@ -71,7 +72,7 @@ fn offers(option: &OptionSpec, choices: &Choices) -> Vec<Offer> {
     named.into_iter().filter_map(offer).collect()
 }
 
-/// The slider of an option and its value, where it has one. The mark is the paper's value, or the default.
+/// Slider of an option and its value, if it has one. The mark is the paper's value, or the default.
 fn knob(option: &'static OptionSpec, choices: &Choices) -> Option<(Knob, f64)> {
     let (Kind::Integer { control, .. } | Kind::Number { control, .. }) = &option.kind else { return None };
     let Control::Slider { low, high, step } = *control else { return None };
@@ -92,7 +93,7 @@ fn knob(option: &'static OptionSpec, choices: &Choices) -> Option<(Knob, f64)> {
     Some((knob, number(&choices.settings)?))
 }
 
-/// A field for a value as text, which is taken when the field is left.
+/// A text field for a value, which is applied when the field loses the focus.
 fn field(ui: &mut Ui, option: &OptionSpec, choices: &mut Choices, rests: Option<&str>) {
     style::caption(ui, option.label).on_hover_text(option.summary);
     let id = ui.make_persistent_id(option.name);
@@ -111,7 +112,7 @@ fn field(ui: &mut Ui, option: &OptionSpec, choices: &mut Choices, rests: Option<
     }
 }
 
-/// Sets the option unless no frame can be made then.
+/// Sets the option unless no frame could be rendered with it.
 fn choose(option: &OptionSpec, text: &str, choices: &mut Choices) {
     let mut next = *choices;
     if option.set(&mut next.settings, text).is_ok() && next.conflict().is_none() {

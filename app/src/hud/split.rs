@@ -1,4 +1,4 @@
-//! The divider between the chosen method and full tracing.
+//! The divider between the chosen method and full ray tracing.
 
 use egui::{
     Align2, Area, Color32, Context, CursorIcon, EventFilter, Id, Key, LayerId, Order, Painter, Rect,
@@ -8,10 +8,10 @@ use egui::{
 use super::{amounts, style};
 use crate::{Choices, HudState};
 
-/// What a press of an arrow key moves the divider by, as a share of the width.
+/// Distance by which an arrow key moves the divider, as a share of the width.
 const KEY_STEP: f32 = 0.01;
 
-/// Shows the divider while the picture is split. The handle alone takes input: beside it the picture is dragged.
+/// Shows the divider while the view is split. Only the handle takes input; a drag elsewhere moves the camera.
 pub fn show(ctx: &Context, choices: &mut Choices, hud_state: &HudState, picture: Rect) {
     let Some(share) = choices.split else { return };
     let x = picture.left() + share.clamp(0.0, 1.0) * picture.width();
@@ -29,7 +29,7 @@ pub fn show(ctx: &Context, choices: &mut Choices, hud_state: &HudState, picture:
     });
 }
 
-/// The handle; returns the share of the width where it is now.
+/// Shows the handle; returns its new position as a share of the width.
 fn handle(ui: &mut Ui, size: Vec2, share: f32, width: f32) -> f32 {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
     let response = response.on_hover_and_drag_cursor(CursorIcon::ResizeHorizontal);
@@ -65,7 +65,7 @@ fn paint_handle(ui: &Ui, rect: Rect, response: &Response) {
     }
 }
 
-/// The methods on both sides of the line, and the error between them below the handle.
+/// Names of the methods on both sides of the line, and the PSNR between them below the handle.
 fn labels(painter: &Painter, ctx: &Context, choices: &Choices, hud_state: &HudState, x: f32) {
     let y = ctx.content_rect().center().y;
     let below = y + 0.5 * style::TOUCH_TARGET + 10.0;
@@ -84,7 +84,7 @@ fn label(painter: &Painter, at: egui::Pos2, anchor: Align2, text: &str) {
     painter.galley(rect.min, galley, Color32::WHITE);
 }
 
-/// The switch of the split screen, and the error between its halves.
+/// Shows the checkbox of the split view, and the PSNR between its halves.
 pub fn switch(ui: &mut Ui, choices: &mut Choices, hud_state: &HudState) {
     let mut split = choices.split.is_some();
     if ui.checkbox(&mut split, "split screen against full tracing").changed() {

@@ -1,4 +1,4 @@
-//! The brief overlay: a line of readings, and the button that opens everything.
+//! The brief overlay: a line of readings, and the button that opens the panel.
 
 use egui::{
     Align, Area, Context, Id, Layout, Order, Rect, Response, RichText, Role, Sense, TextStyle, Ui,
@@ -8,7 +8,7 @@ use egui::{
 use super::{amounts, style};
 use crate::{Choices, HudState, Overlay, Show};
 
-/// Shows the line, and below it the legend of what is shown instead of the frame.
+/// Shows the line, and below it the legend if a quantity other than the frame is shown.
 pub fn show(ctx: &Context, choices: &mut Choices, hud_state: &HudState) {
     let content = ctx.content_rect();
     let area =
@@ -37,7 +37,7 @@ pub fn show(ctx: &Context, choices: &mut Choices, hud_state: &HudState) {
     });
 }
 
-/// The menu button alone, hardly visible.
+/// Shows only the menu button, nearly transparent.
 pub fn faint_menu(ctx: &Context, choices: &mut Choices) {
     let area = Area::new(Id::unique("faint menu")).order(Order::Foreground);
     area.fixed_pos(ctx.content_rect().min + vec2(8.0, 8.0)).show(ctx, |ui| {
@@ -64,7 +64,7 @@ fn menu_button(ui: &mut Ui) -> Response {
     response
 }
 
-/// What the line says, the most important first.
+/// Segments of the line, the most important first.
 fn segments(choices: &Choices, hud_state: &HudState) -> Vec<String> {
     let mut segments = Vec::new();
     if let Some(ms) = hud_state.recent_ms().filter(|ms| *ms > 0.0) {
@@ -81,7 +81,7 @@ fn segments(choices: &Choices, hud_state: &HudState) -> Vec<String> {
     segments
 }
 
-/// The frame's size and, if it is not the view's, the share of its side.
+/// Size of the frame in pixels, with the ratio of its side to the view's unless it is 1.
 pub fn size(hud_state: &HudState) -> String {
     let ([width, height], [view, _]) = (hud_state.size, hud_state.view);
     if width == view || view == 0 {
@@ -91,7 +91,7 @@ pub fn size(hud_state: &HudState) -> String {
     }
 }
 
-/// As many of the segments as are not wider than `room`.
+/// Joins as many segments as fit into `room` points.
 fn fitting(ui: &Ui, segments: &[String], room: f32) -> String {
     let font = TextStyle::Monospace.resolve(ui.style());
     let digit = ui.fonts_mut(|fonts| fonts.glyph_width(&font, '0'));

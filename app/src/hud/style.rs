@@ -1,4 +1,4 @@
-//! How the overlay looks: dark, translucent, quiet.
+//! Style of the overlay: dark and translucent.
 
 use egui::style::HandleShape;
 use egui::{
@@ -6,18 +6,18 @@ use egui::{
     RichText, Stroke, Style, TextStyle, Theme, Ui, Visuals, vec2,
 };
 
-/// What is measured and chosen.
+/// Colour of measurements and selected values.
 pub const ACCENT: Color32 = Color32::from_rgb(110, 190, 245);
-/// What is over its budget, or was left out against the scene's wish.
+/// Colour of frame times over the limit, warnings, errors and the marks of sliders.
 pub const WARNING: Color32 = Color32::from_rgb(250, 170, 90);
-/// The least side of what a finger has to hit, in points.
+/// Least side in points of a control for fingers.
 pub const TOUCH_TARGET: f32 = 44.0;
 
 const TEXT: Color32 = Color32::from_gray(225);
 const WEAK: Color32 = Color32::from_gray(160);
 const MOUSE_TARGET: f32 = 26.0;
 
-/// Sets sizes and colours. With `touch` everything is large enough for a finger.
+/// Sets sizes and colours of the overlay. With `touch`, controls are large enough for fingers.
 pub fn apply(ctx: &Context, text_scale: f32, touch: bool) {
     ctx.options_mut(|options| options.zoom_with_keyboard = false);
     ctx.set_theme(Theme::Dark);
@@ -63,13 +63,13 @@ fn colors(visuals: &mut Visuals) {
     visuals.widgets.noninteractive.bg_stroke.color = Color32::from_white_alpha(22);
     visuals.widgets.inactive.weak_bg_fill = Color32::from_white_alpha(16);
     visuals.widgets.hovered.weak_bg_fill = Color32::from_white_alpha(34);
-    // Rails of sliders and the handles on them: opaque, so that the one does not shine through the other.
+    // Slider rails and handles are opaque, so that the rail does not show through the handle.
     visuals.widgets.inactive.bg_fill = Color32::from_gray(72);
     visuals.widgets.hovered.bg_fill = Color32::from_gray(104);
     visuals.widgets.active.bg_fill = Color32::from_gray(128);
 }
 
-/// What the overlay's parts lie on.
+/// Background of the parts of the overlay.
 pub fn card() -> Frame {
     Frame::new()
         .fill(Color32::from_rgba_unmultiplied(14, 16, 20, 218))
@@ -78,15 +78,15 @@ pub fn card() -> Frame {
         .inner_margin(Margin::symmetric(12, 8))
 }
 
-/// A name above what it names.
+/// A small caption above a control.
 pub fn caption(ui: &mut Ui, text: &str) -> Response {
     ui.add(Label::new(RichText::new(text).small().weak()).truncate())
 }
 
-/// A name and, at the right edge, its value in digits of equal width.
+/// A name and, at the right edge, its value in monospace digits.
 pub fn reading(ui: &mut Ui, name: &str, value: &str) {
     ui.scope(|ui| {
-        // Nothing here is pressed: rows may be closer than a finger needs.
+        // Rows may be closer than a finger needs, as nothing here is pressed.
         ui.spacing_mut().interact_size.y = 0.0;
         ui.horizontal(|ui| {
             ui.label(RichText::new(name).weak());
@@ -97,7 +97,7 @@ pub fn reading(ui: &mut Ui, name: &str, value: &str) {
     });
 }
 
-/// A title and, at the right edge, what closes the page; says whether it was pressed.
+/// A title and, at the right edge, a close button; returns whether it was pressed.
 pub fn heading_with_close(ui: &mut Ui, title: &str, close: &str) -> bool {
     ui.horizontal(|ui| {
         ui.heading(title);

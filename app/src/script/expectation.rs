@@ -2,7 +2,7 @@
 
 use std::{cmp::Ordering, fmt};
 
-/// A comparison of the value of a name with a number or a text.
+/// Compares the value of a name with a number or a text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expectation {
     pub(super) name: String,
@@ -37,12 +37,12 @@ impl Operator {
     }
 }
 
-/// The value of a name.
+/// Value of a name.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// Compared as a number.
+    /// A number, compared numerically.
     Number(f64),
-    /// Compared as a text.
+    /// A text, compared as such.
     Text(String),
 }
 
@@ -60,7 +60,7 @@ impl From<glimpse::options::Value> for Value {
         let text = value.to_string();
         match value {
             glimpse::options::Value::Integer(integer) => Self::Number(integer.into()),
-            // As it is written: 0.3, not what is nearest to it in single precision.
+            // Uses the decimal text: 0.3, not its nearest value in single precision.
             glimpse::options::Value::Number(number) => Self::Number(text.parse().unwrap_or(number.into())),
             _ => Self::Text(text),
         }
@@ -68,16 +68,17 @@ impl From<glimpse::options::Value> for Value {
 }
 
 impl Expectation {
-    /// The name whose value is compared.
+    /// Name whose value is compared.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Compares a value. A number that is missing meets no expectation.
+    /// Compares a value. A missing value meets no expectation.
     ///
     /// # Errors
-    /// The comparison does not hold: what was expected and what was found, without the line number.
+    /// Fails if the comparison does not hold; the message has the expected and the found value, without the
+    /// line number.
     pub fn check(&self, found: Option<&Value>) -> Result<(), String> {
         let holds = match (found, self.operator) {
             (None, _) => false,

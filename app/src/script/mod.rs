@@ -2,25 +2,25 @@
 //!
 //! ```text
 //! # Comments and empty lines are skipped. Points are shares of the view: 0,0 is top left, 1,1 bottom right.
-//! open builtin:room            a scene
-//! drop FILE                    a file is dropped on the window
-//! move 0.5,0.5 [over 0.4]      the pointer goes there, in so many seconds
+//! open builtin:room            opens a scene
+//! drop FILE                    drops a file on the window
+//! move 0.5,0.5 [over 0.4]      moves the pointer, within 0.4 seconds
 //! press [left|right|middle]    release [left|right|middle]
 //! scroll 3                     wheel notches, up is positive
-//! pinch 1.2                    a factor on the distance of two fingers of a trackpad
+//! pinch 1.2                    pinches on a trackpad: a factor on the distance of the fingers
 //! touch 0 begin 0.4,0.5        touch 0 move 0.3,0.5 [over 0.4]     touch 0 end
-//! key ctrl+c                   a key, pressed and released; hold KEY and let KEY do one of both
-//! set block 4                  an option of glimpse::options, or show, split (off or a share), lenses (none, cardboard),
-//!                              scale, governor (off, 15, 30, 60), overlay (hidden, brief, full)
+//! key ctrl+c                   presses and releases a key; hold KEY only presses it, let KEY releases it
+//! set block 4                  sets an option of glimpse::options, or show, split (off or a share), scale,
+//!                              lenses (none, cardboard), governor (off, 15, 30, 60), overlay (hidden, brief, full)
 //! size 640x360                 minimise     restore     fullscreen on|off     rotate
-//! pause   resume   lose-surface   lose-device   low-memory     thermal 0.5 (a factor on the time budget)
-//! cost 40                      frames take that many nanoseconds a pixel, whatever they took
-//! wait 0.5                     so many seconds pass
-//! settle                       until the view rests and its frame is complete
-//! screenshot FILE              the frame, as the key S saves it
-//! window FILE                  what the window shows
-//! expect NAME OP VALUE         OP is = != < <= > >= or contains; nothing after = is the empty text
-//! print NAME                   a line NAME = VALUE on the standard output
+//! pause   resume   lose-surface   lose-device   low-memory     thermal 0.5 (a factor on the time limit)
+//! cost 40                      fixes the cost of frames, in nanoseconds per pixel
+//! wait 0.5                     lets 0.5 seconds pass
+//! settle                       waits until the view is at rest and its frame is complete
+//! screenshot FILE              saves the frame, like the key S
+//! window FILE                  saves the content of the window
+//! expect NAME OP VALUE         compares; OP is = != < <= > >= or contains; an empty VALUE is the empty text
+//! print NAME                   prints the line NAME = VALUE to the standard output
 //! quit
 //! ```
 
@@ -35,7 +35,7 @@ use std::path::PathBuf;
 
 use crate::Change;
 
-/// A parsed script: steps in their order.
+/// A parsed script: its steps in order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Script {
     /// Name of the file, for messages.
@@ -59,7 +59,7 @@ pub enum Step {
     Scroll(f32),
     /// Pinches on a trackpad, by a factor on the distance of the fingers.
     Pinch(f32),
-    /// Moves a finger, identified by its number.
+    /// Moves a finger, identified by a number.
     Touch(u64, Finger),
     /// Presses or releases a key, or both.
     Key(egui::Key, egui::Modifiers, Stroke),
@@ -67,7 +67,7 @@ pub enum Step {
     Set(Change),
     /// Simulates an event of the window or the phone.
     Shell(ShellEvent),
-    /// Takes frames to need that many nanoseconds a pixel.
+    /// Fixes the cost of frames in nanoseconds per pixel.
     Cost(f64),
     /// Lets seconds pass.
     Wait(f64),
@@ -77,7 +77,7 @@ pub enum Step {
     Screenshot(PathBuf),
     /// Saves the window's content.
     Window(PathBuf),
-    /// Compares a value with an expectation; the script fails where it does not hold.
+    /// Compares a value with an expectation; the script fails if it does not hold.
     Expect(Expectation),
     /// Prints the value of a name.
     Print(String),
@@ -85,51 +85,51 @@ pub enum Step {
     Quit,
 }
 
-/// What a finger does.
+/// Movement of a finger.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Finger {
-    /// It touches a position.
+    /// Touches a position, given as shares of the view.
     Begin([f32; 2]),
-    /// It moves to a position within seconds.
+    /// Moves to a position within seconds.
     Move([f32; 2], f64),
-    /// It is lifted.
+    /// Lifts the finger.
     End,
 }
 
-/// What happens to a key.
+/// Stroke of a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stroke {
-    /// It is pressed and released.
+    /// Presses and releases the key.
     Tap,
-    /// It is pressed.
+    /// Presses the key.
     Hold,
-    /// It is released.
+    /// Releases the key.
     Let,
 }
 
 /// An event of the window or the phone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ShellEvent {
-    /// The window is resized to that width and height in pixels.
+    /// Resizes the window to that width and height in pixels.
     Size([u32; 2]),
-    /// The window is minimised to an icon.
+    /// Minimises the window to an icon.
     Minimise,
-    /// The window is restored from an icon.
+    /// Restores the window from an icon.
     Restore,
-    /// The window enters or leaves full screen.
+    /// Enters or leaves full screen.
     FullScreen(bool),
-    /// The phone is rotated by 90 degrees.
+    /// Rotates the phone by 90 degrees.
     Rotate,
-    /// Another app comes to the front, and the surface is destroyed.
+    /// Brings another app to the front, which destroys the surface.
     Pause,
-    /// The app comes to the front again.
+    /// Brings the app to the front again.
     Resume,
-    /// The surface is lost and has to be created again.
+    /// Loses the surface, which must be created again.
     LoseSurface,
-    /// The device is lost.
+    /// Loses the device.
     LoseDevice,
-    /// The system asks for memory.
+    /// The system reports low memory.
     LowMemory,
-    /// The device is hot: a factor on the time limit of frames, 1 when cool.
+    /// Changes the temperature: a factor on the time limit of frames, 1 when cool.
     Thermal(f32),
 }

@@ -17,7 +17,7 @@ impl Script {
     /// Parses a script; `file` is its name in messages.
     ///
     /// # Errors
-    /// An invalid line, as `FILE:LINE: expected ..., found ...`.
+    /// Fails for an invalid line, with `FILE:LINE: expected ..., found ...`.
     pub fn parse(file: &str, text: &str) -> Result<Self, String> {
         let mut steps = Vec::new();
         for (index, line) in text.lines().enumerate() {
@@ -68,7 +68,7 @@ fn step(line: &str) -> Result<Step, String> {
     })
 }
 
-/// Parses steps without arguments.
+/// Parses steps that have no arguments.
 fn bare(word: &str, rest: &str) -> Result<Step, String> {
     let step = match word {
         "minimise" => Step::Shell(ShellEvent::Minimise),

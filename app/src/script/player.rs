@@ -1,4 +1,4 @@
-//! Plays a script: one step a frame, at 60 frames a second of simulated time.
+//! Plays a script: one step per frame, at 60 frames per second of simulated time.
 
 use std::{
     collections::BTreeMap,
@@ -15,27 +15,27 @@ use crate::Change;
 /// Time between two frames.
 const FRAME: Duration = Duration::from_nanos(16_666_667);
 
-/// Seconds after which a view that has not come to rest fails the script.
+/// Seconds after which the script fails if the view has not come to rest.
 const TIMEOUT: f64 = 120.0;
 
 /// A request of a step to the app or to the shell.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Ask {
-    /// To open a scene by its name.
+    /// Open a scene by its name.
     Open(String),
-    /// To apply a change of the choices.
+    /// Apply a change of the choices.
     Set(Change),
-    /// To take frames to need that many nanoseconds a pixel.
+    /// Fix the cost of frames in nanoseconds per pixel.
     Cost(f64),
-    /// To save the frame.
+    /// Save the frame.
     Screenshot(PathBuf),
-    /// To save the window's content.
+    /// Save the window's content.
     Window(PathBuf),
-    /// To simulate an event of the window or the phone.
+    /// Simulate an event of the window or the phone.
     Shell(ShellEvent),
-    /// To print that line.
+    /// Print that line.
     Print(String),
-    /// To end the program.
+    /// End the program.
     Quit,
 }
 
@@ -44,11 +44,11 @@ pub struct Player {
     script: Script,
     next: usize,
     now: Duration,
-    /// The step that lasts several frames.
+    /// The step in progress that lasts several frames.
     lasting: Option<Lasting>,
     pointer: [f32; 2],
     fingers: BTreeMap<u64, [f32; 2]>,
-    /// The finger that is reported as the pointer too: the first that came down.
+    /// Finger that is reported as the pointer as well: the first that came down.
     pointing: Option<u64>,
 }
 
@@ -73,7 +73,7 @@ enum Lasting {
 }
 
 impl Player {
-    /// Starts at the first step.
+    /// Starts before the first step.
     #[must_use]
     pub fn new(script: Script) -> Self {
         Self {
@@ -87,16 +87,18 @@ impl Player {
         }
     }
 
-    /// The time of the present frame.
+    /// Simulated time of the current frame.
     #[must_use]
     pub fn now(&self) -> Duration {
         self.now
     }
 
-    /// Plays a frame: adds events to `input` for a view of that rectangle in points, and returns what else the step
-    /// requests. `rests` tells whether the view is at rest with its frame complete; `look` returns the value of a name.
+    /// Plays a frame: adds events to `input` for a view of that rectangle in points, and returns the step's
+    /// request to the app or the shell. `rests` tells whether the view is at rest with its frame complete;
+    /// `look` returns the value of a name.
     ///
-    /// A step failed: `FILE:LINE: expected ..., found ...`.
+    /// # Errors
+    /// Fails with a step, with `FILE:LINE: expected ..., found ...`.
     pub fn frame(
         &mut self,
         input: &mut egui::RawInput,
@@ -118,7 +120,7 @@ impl Player {
         self.step(step, input, view, look).map_err(|reason| format!("{}:{line}: {reason}", self.script.file))
     }
 
-    /// The position of the last step, for messages: `FILE:LINE`.
+    /// Position of the last step, for messages: `FILE:LINE`.
     #[must_use]
     pub fn place(&self) -> String {
         let line =
@@ -298,7 +300,7 @@ mod tests {
         Player::new(Script::parse("a.script", text).expect("a script"))
     }
 
-    /// The events and the request of a frame.
+    /// Events and request of a frame.
     type Played = (Vec<Event>, Option<Ask>);
 
     /// Plays a script to its end.
@@ -358,7 +360,7 @@ mod tests {
             touch 0 move 0.25,0.5\ntouch 0 end";
         let frames = played(script, true).expect("played");
         let counts: Vec<_> = frames.iter().map(|(events, _)| events.len()).collect();
-        // A motion arrives in the frame of the following step.
+        // A motion's last event arrives in the frame of the following step.
         assert_eq!(counts, [3, 1, 0, 2, 0, 6, 0]);
         assert_eq!(frames[5].0[1], Event::PointerMoved(egui::pos2(50.0, 50.0)));
         assert!(played("touch 0 end", true).unwrap_err().contains("expected finger 0 down"));

@@ -1,9 +1,9 @@
-//! Locally ordered clustering (Meister, Bittner 2018): along a Morton curve, boxes that are each other's best partner
-//! merge, round after round.
+//! Parallel locally-ordered clustering (Meister & Bittner 2018): boxes along a Morton curve merge in rounds if
+//! each is the other's best partner.
 //!
-//! Where costs tie (coincident boxes, boxes without area) or only ever decrease along the curve, a round may find a
-//! single pair, and the work would grow with the square of the input. Such a round pairs neighbours on the curve instead,
-//! so that every round removes at least a share of the boxes: work is at most proportional to n log n.
+//! If costs tie (coincident boxes, boxes without area) or decrease monotonically along the curve, a round may
+//! find a single pair, and the work would be quadratic. Such a round merges neighbours on the curve instead, so
+//! that every round removes a minimum share of the boxes and the work is O(n log n).
 
 use glam::{DVec3, Vec3A};
 use obvhs::{
@@ -12,14 +12,15 @@ use obvhs::{
     ploc::morton::morton_encode_u64_unorm,
 };
 
-/// How far along the curve partners are looked for.
+/// Search radius for partners, in boxes along the curve.
 const REACH: usize = 14;
-/// In so many rounds at first only the next box is tried, which is as good there and cheaper.
+/// Number of first rounds that only consider the next box, which is as good there and cheaper.
 const SHORT_ROUNDS: u32 = 3;
-/// The least share of the boxes that a round must remove, as a divisor. Ordinary scenes lose a quarter and more.
+/// Divisor of the least share of the boxes that a round must remove. In ordinary scenes rounds remove a quarter
+/// and more.
 const LEAST_SHARE: usize = 16;
 
-/// A tree over the boxes with one in each leaf.
+/// Builds a binary tree over the boxes with one box per leaf.
 pub fn cluster(boxes: &[Aabb]) -> Bvh2 {
     let mut current = along_a_curve(boxes);
     let mut tree = Bvh2::zeroed(boxes.len());
@@ -58,7 +59,7 @@ fn along_a_curve(boxes: &[Aabb]) -> Vec<Bvh2Node> {
     let center = |b: &Aabb| 0.5 * (b.min.as_dvec3() + b.max.as_dvec3());
     let low = boxes.iter().map(center).fold(DVec3::INFINITY, DVec3::min);
     let size = boxes.iter().map(center).fold(DVec3::NEG_INFINITY, DVec3::max) - low;
-    // The code of 1 would be that of 0.
+    // Slightly below the full scale, as the Morton code of 1 would wrap around to that of 0.
     let scale = size.map(|s| if s > 0.0 { (1.0 - f64::EPSILON) / s } else { 0.0 });
     let mut order: Vec<(u64, u32)> = boxes
         .iter()
@@ -69,7 +70,7 @@ fn along_a_curve(boxes: &[Aabb]) -> Vec<Bvh2Node> {
     order.iter().map(|&(_, index)| Bvh2Node::new(boxes[index as usize], 1, index)).collect()
 }
 
-/// The box within reach with which each would have the least area; of equals the last.
+/// For each box the partner within reach whose union has the least area; among equals the last.
 fn best_partners(current: &[Bvh2Node], reach: usize) -> Vec<usize> {
     let mut best = vec![(f32::INFINITY, 0); current.len()];
     for (i, node) in current.iter().enumerate() {

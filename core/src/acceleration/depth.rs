@@ -1,5 +1,5 @@
-//! No path through the tree is longer than a limit, whatever the input: clustering and reinsertion may make it as deep
-//! as it has leaves (nested boxes are best as a chain), and what walks the tree recurses along it.
+//! Limits the depth of the tree for any input: clustering and reinsertion can make it as deep as it has leaves
+//! (for nested boxes a chain is best), and code that walks the tree recurses along its paths.
 
 use std::cmp::Ordering;
 
@@ -9,11 +9,12 @@ use obvhs::{
     bvh2::{Bvh2, node::Bvh2Node},
 };
 
-/// Nodes on the longest path. The trees of ordinary scenes have 25 to 45; 2^32 leaves can be had with 33.
+/// The most nodes on a path from the root to a leaf. Trees of ordinary scenes have 25 to 45; 2^32 leaves fit into
+/// 33.
 pub const DEPTH_LIMIT: u32 = 64;
 
-/// Splits subtrees at the median that would go deeper than [`DEPTH_LIMIT`], the smallest that suffice, and tells how deep
-/// the tree is.
+/// Rebuilds the smallest subtrees that exceed [`DEPTH_LIMIT`], split at the median. Returns the depth of the
+/// tree.
 pub fn limit(tree: &mut Bvh2) -> u32 {
     if tree.nodes.is_empty() {
         return 0;
@@ -42,13 +43,13 @@ pub fn limit(tree: &mut Bvh2) -> u32 {
 
 #[derive(Clone, Copy, Default)]
 struct Subtree {
-    /// Nodes on the longest path from the root to a leaf.
+    /// Nodes on the longest path from this node to a leaf.
     height: u32,
     leaves: u32,
 }
 
 impl Subtree {
-    /// The height of a balanced tree with these leaves.
+    /// The height of a balanced tree with as many leaves.
     fn least_height(self) -> u32 {
         1 + self.leaves.next_power_of_two().ilog2()
     }
@@ -75,7 +76,7 @@ fn measure(tree: &Bvh2) -> Vec<Subtree> {
     subtrees
 }
 
-/// Builds the subtree anew in its own places: halves along the longest side of the centres.
+/// Rebuilds a subtree in its own nodes, split in halves along the longest side of the centres' box.
 fn balance(tree: &mut Bvh2, root: usize) {
     let (mut leaves, mut pairs, mut pending) = (Vec::new(), Vec::new(), vec![root]);
     while let Some(index) = pending.pop() {

@@ -1,12 +1,13 @@
-//! The acceleration structure: an eight-wide compressed BVH (Ylitie, Karras, Laine 2017) over triangles and spheres.
+//! The acceleration structure: an eight-wide compressed BVH (Ylitie, Karras & Laine 2017) over triangles and
+//! spheres.
 //!
 //! ```text
 //! boxes --cluster--> binary tree --reinsertion, 16 times--> --obvhs--> wide tree --quantise--> nodes
 //!                         +-- depth: no path is longer than DEPTH_LIMIT, before each step
 //! ```
 //!
-//! Guarantees for every input: each decoded box holds its content in exact arithmetic
-//! ([`quantise`]), no path is longer than [`depth::DEPTH_LIMIT`], and the traversal's stack is as large as it can get.
+//! Guarantees for every input: each decoded box contains its primitives in exact arithmetic ([`quantise`]), no
+//! path is longer than [`depth::DEPTH_LIMIT`], and the traversal stack cannot overflow.
 
 mod cluster;
 mod depth;
@@ -24,19 +25,19 @@ use obvhs::{
 
 use crate::scene::{Scene, Sphere};
 
-/// Nodes, and the primitives in the order of their leaves. Primitives below the number of triangles are
-/// triangles, the others spheres.
+/// The nodes of the BVH, and the primitives in the order of its leaves. Primitives with an index below the number
+/// of triangles are triangles, the others spheres.
 pub struct Bvh {
-    /// Compressed eight-wide nodes of 80 bytes (Ylitie 2017, section 3).
+    /// Compressed eight-wide nodes of 80 bytes (Ylitie et al. 2017, section 3).
     pub nodes: Vec<CwBvhNode>,
-    /// Primitive `order[i]` of the scene stands at place `i`.
+    /// Index in the scene of the primitive at position `i` of the leaves.
     pub order: Vec<u32>,
-    /// The most groups that wait on the traversal's stack.
+    /// The most node groups on the traversal stack.
     pub stack: u32,
 }
 
 impl Bvh {
-    /// Builds the structure over everything in the scene.
+    /// Builds the BVH over all primitives of a scene.
     #[must_use]
     pub fn build(scene: &Scene) -> Self {
         let triangles = scene.positions.iter().map(|corners| {
@@ -46,12 +47,13 @@ impl Bvh {
         Self::of_boxes(&triangles.chain(scene.spheres.iter().map(sphere_bounds)).collect::<Vec<_>>())
     }
 
-    /// Builds it over boxes, by their indices.
+    /// Builds the BVH over boxes, which are identified by their indices.
     #[must_use]
     pub fn of_boxes(boxes: &[Aabb]) -> Self {
         let mut tree = cluster::cluster(&in_sane_units(boxes));
         let mut optimizer = ReinsertionOptimizer::default();
-        // All nodes are tried, then fewer and fewer of them, the largest: tree quality pays more than layout.
+        // Reinsertion tries all nodes first, then fewer and fewer of the largest: tree quality matters more than
+        // node layout.
         for divisor in (1..32).step_by(2) {
             tree.max_depth = depth::limit(&mut tree) as usize;
             optimizer.run(&mut tree, 1.0, Some(vec![1.0 / divisor as f32]));
@@ -65,7 +67,7 @@ impl Bvh {
     }
 }
 
-/// The most primitives of a leaf that the node format encodes.
+/// The most primitives per leaf, from the node format.
 const PRIMITIVES_PER_LEAF: u32 = 3;
 
 /// The bounding box of a sphere, rounded outwards.
@@ -77,8 +79,8 @@ fn sphere_bounds(sphere: &Sphere) -> Aabb {
     }
 }
 
-/// The boxes in a unit, a power of two, in which no area overflows and those of visible size do not underflow. They
-/// decide the shape of the tree alone.
+/// Scales the boxes by a power of two, so that areas do not overflow and those of visible size do not underflow.
+/// Only the tree's topology depends on them.
 fn in_sane_units(boxes: &[Aabb]) -> Vec<Aabb> {
     const LARGEST: f64 = 1_048_576.0;
     let largest = boxes.iter().map(|b| b.min.abs().max(b.max.abs()).max_element()).fold(0.0, f32::max);
@@ -90,25 +92,25 @@ fn in_sane_units(boxes: &[Aabb]) -> Vec<Aabb> {
     boxes.iter().map(|b| Aabb { min: scaled(b.min), max: scaled(b.max) }).collect()
 }
 
-/// The children of a node that are nodes themselves.
+/// The range of a node's children that are inner nodes.
 fn inner_children(node: &CwBvhNode) -> std::ops::Range<usize> {
     let first = node.child_base_idx as usize;
     first..first + node.imask.count_ones() as usize
 }
 
-/// The largest stack that a tree may need: each node on a path leaves one group at most.
+/// Upper bound of the traversal stack: each node on a path leaves at most one group.
 pub const MAX_STACK: u32 = DEPTH_LIMIT;
 
-/// A visit leaves the node's other inner children on the stack while it goes down one of them, whichever comes first
-/// for the ray; the last of them leaves nothing.
+/// The stack size that a tree needs. A visit leaves the group of a node's other inner children on the stack while
+/// it descends into one, in an order that depends on the ray; the last one leaves nothing.
 fn stack_bound(nodes: &[CwBvhNode]) -> u32 {
     let mut bounds = vec![0; nodes.len()];
-    // Children stand behind their parents.
+    // Children have larger indices than their parents.
     for (index, node) in nodes.iter().enumerate().rev() {
         let children = inner_children(node);
         let left = u32::from(children.len() > 1);
         bounds[index] = bounds[children].iter().max().map_or(0, |deepest| deepest + left);
     }
-    // WGSL has no empty arrays.
+    // WGSL has no empty arrays, so the stack has at least one entry.
     bounds.first().map_or(1, |&bound| bound.max(1))
 }

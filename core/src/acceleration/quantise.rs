@@ -1,14 +1,16 @@
-//! The boxes of a wide tree in 8 bits a plane, none of which cuts off anything: a plane `p + q 2^e`, in exact arithmetic,
-//! lies at or outside the box it stands for. Boxes come from the primitives up, not from the binary tree.
+//! Quantises the boxes of a wide tree to 8 bits per plane, conservatively: a decoded plane `p + q 2^e`, in exact
+//! arithmetic, lies at or outside the box. Boxes are computed from the primitives upwards, not taken from the
+//! binary tree.
 
 use obvhs::{aabb::Aabb, cwbvh::node::CwBvhNode};
 
 use super::inner_children;
 
-/// Sets origin, exponents and planes of every node; `order[i]` is the box of the primitive at place `i`.
+/// Sets origin, exponents and planes of every node; `order[i]` is the index of the primitive at position `i` of
+/// the leaves.
 pub fn quantise(nodes: &mut [CwBvhNode], order: &[u32], boxes: &[Aabb]) {
     let mut bounds = vec![Aabb::empty(); nodes.len()];
-    // Children stand behind their parents.
+    // Children have larger indices than their parents.
     for (index, node) in nodes.iter_mut().enumerate().rev() {
         let children = child_boxes(node, &bounds, order, boxes);
         let whole = children.iter().flatten().fold(Aabb::empty(), |a, b| a.union(b));
@@ -19,7 +21,7 @@ pub fn quantise(nodes: &mut [CwBvhNode], order: &[u32], boxes: &[Aabb]) {
     }
 }
 
-/// The box in each slot that is taken.
+/// The boxes of a node's children by slot; `None` for empty slots.
 pub fn child_boxes(node: &CwBvhNode, inner: &[Aabb], order: &[u32], boxes: &[Aabb]) -> [Option<Aabb>; 8] {
     let mut children = inner_children(node);
     std::array::from_fn(|slot| {
@@ -45,26 +47,27 @@ fn set_axis(node: &mut CwBvhNode, axis: usize, whole: &Aabb, children: &[Option<
     };
     for (slot, child) in children.iter().enumerate() {
         if let Some(child) = child {
-            // Within 0 to 255: the child lies in the whole.
+            // In 0 to 255, as the child lies inside the node's box.
             low[slot] = (downwards(child.min[axis], origin) / unit(exponent)).floor() as u8;
             high[slot] = (upwards(child.max[axis], origin) / unit(exponent)).ceil() as u8;
         }
     }
 }
 
-/// `2^e` as the shaders read it from a byte.
+/// `2^e` as the shaders decode it from a byte.
 pub fn unit(exponent: u8) -> f64 {
     f64::from(f32::from_bits(u32::from(exponent) << 23))
 }
 
-/// The least exponent with which 255 units span a size. Its unit is never denormal, which a device may read as zero.
+/// The least exponent for which 255 units span `size`. Its unit is not subnormal, as devices may read such as
+/// zero.
 fn exponent(size: f64) -> u8 {
     let guess = (size / 255.0).log2().ceil() + 127.0;
     let least = (guess - 1.0).clamp(1.0, 254.0) as u8;
     (least..254).find(|&e| 255.0 * unit(e) >= size).unwrap_or(254)
 }
 
-/// A device may read denormal numbers as zero; this is no larger before and after.
+/// The nearest number at or below `x` that is not subnormal, as devices may read those as zero.
 fn without_denormals(x: f32) -> f32 {
     if !x.is_subnormal() {
         x
@@ -87,7 +90,7 @@ pub fn upwards(a: f32, b: f32) -> f64 {
     if error > 0.0 { difference.next_up() } else { difference }
 }
 
-/// `a - b`, rounded, and what rounding took away (Knuth's TwoSum; exact).
+/// `a - b` rounded, and the rounding error (Knuth's TwoSum; exact).
 fn difference(a: f32, b: f32) -> (f64, f64) {
     let (a, b) = (f64::from(a), -f64::from(b));
     let sum = a + b;

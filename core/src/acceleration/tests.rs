@@ -1,4 +1,4 @@
-//! Tests of the tree with degenerate, huge and identical boxes.
+//! Tests of the tree with degenerate, huge and coincident boxes.
 
 use glam::{Vec3A, vec3a};
 use obvhs::{aabb::Aabb, bvh2::Bvh2};
@@ -43,7 +43,7 @@ fn hostile() -> Vec<(&'static str, Vec<Aabb>)> {
             "mixed",
             [1e-40, 1e-30, 1e-6, 1.0, 1e6, 1e18].map(|s| random_boxes(500, s, s, Vec3A::ZERO)).concat(),
         ),
-        // The distance from the origin to the second's sides is rounded to a whole number of units.
+        // The distance from the origin to the second box rounds to a whole number of quantisation units.
         (
             "a speck in the middle",
             vec![
@@ -62,10 +62,10 @@ fn hostile() -> Vec<(&'static str, Vec<Aabb>)> {
     ]
 }
 
-/// Is `p + q 2^e` at most (for a negative `sign`, at least) `x` in exact arithmetic?
+/// Whether `p + q 2^e` is at most (for a negative `sign`, at least) `x` in exact arithmetic.
 fn beside(p: f32, q: u8, exponent: u8, x: f32, sign: f64) -> bool {
     let (p, plane) = (f64::from(p), f64::from(q) * quantise::unit(exponent));
-    // The sum as a rounded one and what rounding took away (Dekker), the larger first.
+    // The rounded sum and its rounding error (Dekker), the larger addend first.
     let (large, small) = if p.abs() >= plane { (p, plane) } else { (plane, p) };
     let sum = large + small;
     let error = small - (sum - large);
@@ -96,7 +96,7 @@ fn no_plane_cuts_off_anything() {
     }
 }
 
-/// Every primitive stands in one leaf, and every node but the root below one other.
+/// Every primitive must be in exactly one leaf, and every node except the root must have exactly one parent.
 #[test]
 fn nothing_is_lost() {
     for (name, boxes) in hostile() {
@@ -125,7 +125,7 @@ fn depth_of(tree: &Bvh2) -> u32 {
     deepest
 }
 
-/// A chain: every inner node has a leaf and the rest.
+/// A chain: every inner node has a leaf and the rest of the tree as children.
 fn chain(boxes: &[Aabb]) -> Bvh2 {
     let mut tree = cluster(boxes);
     let leaves: Vec<_> = tree.nodes.iter().filter(|n| n.is_leaf()).copied().collect();
@@ -163,7 +163,7 @@ fn a_shallow_tree_is_left_alone() {
     assert!(bytemuck::cast_slice::<_, u8>(&tree.nodes) == bytemuck::cast_slice::<_, u8>(&before.nodes));
 }
 
-/// Rounds that find a single pair would make these 10^11 steps.
+/// With one pair per round this would take 10^11 steps.
 #[test]
 fn a_million_coincident_boxes_end() {
     let triangle = Aabb { min: Vec3A::ZERO, max: vec3a(1.0, 1.0, 0.0) };

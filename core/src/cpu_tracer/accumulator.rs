@@ -1,4 +1,4 @@
-//! The owner's side: orders out, planes in.
+//! The accumulator: sends views to the workers and sums their finished planes.
 
 use std::sync::{
     Arc,
@@ -8,11 +8,11 @@ use std::sync::{
 
 use super::{Delivery, Order, SampleCounts, SampleImage, Tally, View, Worker};
 
-/// Takes what cores finish, each plane once, and never waits for them until the work ends.
+/// Collects finished planes from the workers, each once. Blocks only in [`Accumulator::finish`].
 pub struct Accumulator {
     order: Arc<Order>,
     cores: Vec<Core>,
-    /// Merged, and not yet with the renderer.
+    /// The sum of collected planes that the renderer has not taken yet.
     fresh: Option<SampleImage>,
     merged: u64,
     tally: Arc<Tally>,
@@ -20,22 +20,22 @@ pub struct Accumulator {
 
 /// The owner's end of the channel to a worker thread.
 struct Core {
-    /// Sends views to trace; `None` once the worker is told to end.
+    /// Sends views to trace; `None` once the worker has been told to end.
     orders: Option<Sender<Arc<Order>>>,
     deliveries: Receiver<Delivery>,
-    /// Number of samples of the present view that were merged into the frame.
+    /// Number of the current view's samples collected from this worker.
     samples: u32,
 }
 
 impl Accumulator {
-    /// Work on a view for so many cores, and the side of each.
+    /// Creates an accumulator for a view and a worker for each CPU thread.
     #[must_use]
     pub fn new(view: &View, cores: usize) -> (Self, Vec<Worker>) {
         let tally = Arc::new(Tally::default());
         let order = Order::new(view, &tally);
         let pairs = (0..cores).map(|_| {
             let (orders, ordered) = channel();
-            // One plane is on its way while the next is being traced.
+            // One plane is in the channel while the worker traces the next.
             let (deliver, deliveries) = sync_channel(1);
             let core = Core { orders: Some(orders), deliveries, samples: 0 };
             (core, Worker::new(ordered, deliver, order.clone()))
@@ -44,7 +44,7 @@ impl Accumulator {
         (Self { order, cores, fresh: None, merged: 0, tally }, workers)
     }
 
-    /// Planes are of this view from now on. What there is of another one is given up.
+    /// Changes the view. Samples of another view, finished or not, are discarded.
     pub fn show(&mut self, view: &View) {
         if self.order.view == *view {
             return;
@@ -57,13 +57,13 @@ impl Accumulator {
         for core in &mut self.cores {
             core.samples = 0;
             if let Some(orders) = &core.orders {
-                // A worker that is gone needs none.
+                // Sending fails only if the worker has ended.
                 let _ = orders.send(self.order.clone());
             }
         }
     }
 
-    /// Merges what cores have handed over; waits for nothing.
+    /// Collects finished planes from all workers without waiting.
     pub fn collect(&mut self) {
         for index in 0..self.cores.len() {
             while let Ok(delivery) = self.cores[index].deliveries.try_recv() {
@@ -72,18 +72,18 @@ impl Accumulator {
         }
     }
 
-    /// What has been merged since this was last asked for.
+    /// Takes the sum of the planes collected since the last call; `None` if there are none.
     pub fn take(&mut self) -> Option<SampleImage> {
         self.fresh.take()
     }
 
-    /// Wants no more. Cores hand over what they have finished, and give up what they have begun.
+    /// Ends the work. Workers still deliver finished planes and discard unfinished ones.
     pub fn close(&mut self) {
         self.cores.iter_mut().for_each(|core| core.orders = None);
     }
 
-    /// [Closes](Accumulator::close), and merges the last of every core: waits until each has come to the end of its row, or is gone.
-    /// For workers on threads of their own; who steps them by itself closes, steps and collects.
+    /// [Closes](Accumulator::close) and collects the last planes: waits until each worker has finished its row or
+    /// ended. For workers on threads of their own; a caller that steps workers itself closes, steps and collects.
     pub fn finish(&mut self) {
         self.close();
         for index in 0..self.cores.len() {
@@ -93,13 +93,13 @@ impl Accumulator {
         }
     }
 
-    /// How many samples of the present view each core has brought.
+    /// Number of the current view's samples collected from each worker.
     #[must_use]
     pub fn samples(&self) -> Vec<u32> {
         self.cores.iter().map(|core| core.samples).collect()
     }
 
-    /// How many samples were begun, finished and dropped so far.
+    /// Number of samples begun, merged and given up so far.
     #[must_use]
     pub fn sample_counts(&self) -> SampleCounts {
         SampleCounts {

@@ -1,9 +1,10 @@
-//! Samples of paths from the cores of a CPU beside those of a GPU (Kim & Sung 2021, 3.1 and Algorithms 1, 2, 4, 5).
+//! Path tracing on CPU threads in addition to the GPU (Kim & Sung 2021, 3.1 and Algorithms 1, 2, 4, 5).
 //!
-//! A core traces *planes*: one sample of every pixel of the picture, both eyes' where there are two, by
-//! [`reference::ReferenceFrame::path`](crate::reference::ReferenceFrame::path), which is the estimator of the shaders in f64. It begins the
-//! next one as soon as it has one, at its own pace. One [`Accumulator`] takes what is finished between two frames of the GPU and
-//! hands the sum to [`Renderer::accumulate`](crate::Renderer::accumulate).
+//! A worker traces *planes*: one sample of every pixel of the image, of both eyes if there are two, by
+//! [`reference::ReferenceFrame::path`](crate::reference::ReferenceFrame::path), the f64 implementation of the
+//! shaders' estimator. It begins the next plane as soon as one is finished, independent of the GPU's frames. An
+//! [`Accumulator`] collects finished planes between two frames of the GPU and passes their sum to
+//! [`Renderer::accumulate`](crate::Renderer::accumulate).
 //!
 //! | Kim & Sung 2021 | here |
 //! | --- | --- |
@@ -13,12 +14,13 @@
 //! | Algorithm 5, lines 4 to 9: merged into the GPU's buffer | `passes/path/accumulate.wgsl` |
 //! | Algorithm 5, lines 10 to 14: noise is removed from the sum | `passes/denoise/median.wgsl`, or `atrous`, once more |
 //!
-//! Nobody waits. The paper's owner looks whether a core has filled its buffer, and cores fill others meanwhile: two buffers
-//! a core. Here a core has a slot for a plane that is on its way, and what it finishes while the slot is taken is added to
-//! what it hands over next. So the owner may come as seldom as it likes, and a slow core delays no other.
+//! No thread waits for another. In the paper the owner polls whether a core has filled its buffer while the core
+//! fills another one: two buffers per core. Here the channel to the accumulator holds one plane per worker, and
+//! planes finished while it is full are added to the next delivery. The accumulator may therefore collect as
+//! rarely as it likes, and a slow worker does not delay the others.
 //!
-//! Samples are numbered, and a number stands for the random numbers of the sample: the GPU counts from 0, the cores
-//! together from [`FIRST_SAMPLE`]. All are of one sequence, and none is drawn twice.
+//! Samples have indices, which determine their random numbers: the GPU counts from 0, all workers together from
+//! [`FIRST_SAMPLE`]. All belong to one sequence, and none is drawn twice.
 
 mod accumulator;
 mod pass;
@@ -37,20 +39,22 @@ pub use worker::Worker;
 
 use crate::{Camera, Denoise, Paths, Settings};
 
-/// The number of the first sample of the cores. No GPU comes so far: at 100 frames a second it takes 248 days.
+/// Index of the workers' first sample. The GPU does not get there: at 100 frames per second it would take 248
+/// days.
 pub const FIRST_SAMPLE: u32 = 1 << 31;
 
-/// A camera, a picture size and the settings that path samples depend on. Samples of different views are never added.
+/// A camera, an image size and the settings that path samples depend on. Samples of different views are never
+/// added.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     camera: Camera,
     size: [u32; 2],
-    /// Default settings except for those that paths depend on.
+    /// The settings that paths depend on; all others have their defaults.
     settings: Settings,
 }
 
 impl View {
-    /// From where, in pixels, and how: settings that paths do not heed make no other view.
+    /// A view of `size` pixels. Settings that paths do not depend on do not distinguish views.
     #[must_use]
     pub fn new(camera: &Camera, size: [u32; 2], settings: &Settings) -> Self {
         let Settings { method, depth, mip, seed, .. } = *settings;
@@ -60,10 +64,10 @@ impl View {
     }
 }
 
-/// The sum of several samples of each pixel.
+/// The sums of one or more samples of every pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SampleImage {
-    /// Number of samples of each pixel.
+    /// Number of samples per pixel.
     pub samples: u32,
     /// Sums of linear RGB radiance, row by row from the top left.
     pub rgb: Vec<f32>,
@@ -76,26 +80,26 @@ impl SampleImage {
     }
 }
 
-/// Numbers of samples by their state, over all views. The rest of those begun are still being traced.
+/// Numbers of samples by state, over all views; begun samples in neither other state are being traced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SampleCounts {
-    /// Samples that were begun.
+    /// Samples begun.
     pub begun: u64,
-    /// Samples that were handed to the renderer or are ready to be.
+    /// Samples collected for the renderer.
     pub merged: u64,
-    /// Samples of a view that was left, or that were unfinished when the work ended.
+    /// Samples discarded because the view changed or the work ended.
     pub given_up: u64,
 }
 
-/// The work on one view: an order is followed until there is another.
+/// The view that workers trace until they receive another.
 struct Order {
     view: View,
-    /// The number of the next sample of the sequence.
+    /// Index of the next sample in the sequence.
     next: AtomicU32,
     tally: Arc<Tally>,
 }
 
-/// Counts samples by what became of them.
+/// Shared counters of samples by state.
 #[derive(Default)]
 struct Tally {
     begun: AtomicU64,
@@ -119,7 +123,7 @@ impl Tally {
     }
 }
 
-/// A plane on its way, with what it was ordered for.
+/// A delivered plane with the order that it belongs to.
 struct Delivery {
     order: Arc<Order>,
     image: SampleImage,

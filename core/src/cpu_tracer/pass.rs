@@ -1,4 +1,4 @@
-//! Planes into the samples of a frame.
+//! The GPU pass that adds planes of CPU samples to the sums of a frame.
 
 use crate::{
     Gpu, Result,
@@ -11,8 +11,8 @@ use crate::{
 /// Side of a workgroup's tile in pixels.
 const TILE: u32 = 16;
 
-/// Runs between frames. It reads and writes two buffers of a frame once, neither larger than a binding: on a phone 128 MiB
-/// each, which are there in less than a tenth of a second.
+/// Adds CPU samples between frames. It reads and writes two buffers of a frame once, neither larger than a
+/// binding (128 MiB on phones), which takes less than a tenth of a second there.
 pub struct AccumulatePass {
     bound: Bound,
     frame: wgpu::Buffer,
@@ -21,10 +21,10 @@ pub struct AccumulatePass {
 }
 
 impl AccumulatePass {
-    /// Links, compiles and binds. `color` is where means go.
+    /// Links, compiles and binds the kernel. `color` is the image that it writes the means to.
     ///
     /// # Errors
-    /// A device that cannot.
+    /// The kernel does not compile, or the device cannot hold its buffers.
     pub fn new(
         gpu: &Gpu,
         targets: &Targets,
@@ -55,10 +55,10 @@ impl AccumulatePass {
         Ok(Self { bound, frame, cpu_samples, groups })
     }
 
-    /// Adds these sums, whose samples the constants count among the merged ones, and shows the means.
+    /// Adds the sums `rgb` and writes the means; the constants already count their samples as merged.
     ///
     /// # Errors
-    /// A device that failed.
+    /// The device failed.
     pub fn run(&self, gpu: &Gpu, constants: &FrameUniform, rgb: &[f32]) -> Result<()> {
         gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(constants));
         gpu.queue.write_buffer(&self.cpu_samples, 0, bytemuck::cast_slice(rgb));

@@ -1,4 +1,5 @@
-//! Cores as steps of one thread: who is how fast is in the order of the steps.
+//! Tests that interleave the workers' steps on one thread; the order of the steps stands for the speed of the CPU
+//! threads.
 
 use glam::DVec3;
 
@@ -11,7 +12,7 @@ use crate::{
 
 const SIZE: [u32; 2] = [4, 3];
 
-/// Steps of a plane.
+/// Number of steps that trace one plane.
 const ROWS: u32 = SIZE[1];
 
 fn view_of(name: &str) -> (Reference, View) {
@@ -21,7 +22,7 @@ fn view_of(name: &str) -> (Reference, View) {
     (Reference::new(&scene), View::new(&camera, SIZE, &settings))
 }
 
-/// One core's own samples in f32, added in order.
+/// The sum in f32 of a worker's samples, added in order.
 fn sum(reference: &Reference, view: &View, samples: impl IntoIterator<Item = u32>) -> Vec<f32> {
     let frame = ReferenceFrame { reference, camera: view.camera, size: view.size, settings: view.settings };
     let mut sum = vec![0.0; 3 * (SIZE[0] * SIZE[1]) as usize];
@@ -41,7 +42,7 @@ fn planes_are_the_samples_of_the_reference_each_once() {
     for _ in 0..2 * ROWS {
         assert!(workers[0].step(&reference));
     }
-    // One on its way, one that waits: the owner has not looked yet.
+    // One plane is in the channel and one waits in the worker; the accumulator has not collected yet.
     accumulator.collect();
     assert_eq!(
         accumulator.take(),
@@ -54,7 +55,7 @@ fn planes_are_the_samples_of_the_reference_each_once() {
         accumulator.take(),
         Some(SampleImage { samples: 1, rgb: sum(&reference, &view, [FIRST_SAMPLE + 1]) })
     );
-    // Its third sample has been begun.
+    // The worker has begun its third sample.
     accumulator.close();
     assert!(!workers[0].step(&reference) && !workers[0].step(&reference));
     assert_eq!(accumulator.sample_counts(), SampleCounts { begun: 3, merged: 2, given_up: 1 });
@@ -109,7 +110,7 @@ fn an_owner_that_seldom_comes_loses_nothing() {
     );
 }
 
-/// A tick is a row of the fast cores and a frame of the GPU, whose owner looks once a frame.
+/// A tick is one row of the fast workers and one frame of the GPU, after which the accumulator collects.
 #[test]
 fn a_core_ten_times_slower_delays_nobody() {
     const TICKS: u32 = 60 * ROWS;
@@ -133,7 +134,7 @@ fn a_core_ten_times_slower_delays_nobody() {
         accumulator.collect();
     }
     assert_eq!(accumulator.samples(), [60, 60, 6]);
-    // Half a row into the next plane nothing is lost but that plane.
+    // Half a row into its next plane, the worker loses only that plane.
     assert!(workers[2].step(&reference));
     accumulator.close();
     workers.iter_mut().for_each(|worker| assert!(!worker.step(&reference)));
@@ -141,7 +142,8 @@ fn a_core_ten_times_slower_delays_nobody() {
     assert_eq!(accumulator.sample_counts(), SampleCounts { begun: 127, merged: 126, given_up: 1 });
     let cpu_samples = accumulator.take().expect("cpu_samples");
     assert_eq!(cpu_samples.samples, 126);
-    // Numbers were dealt to whoever asked: one of the first 127 is not in the sum, and it is the last core's.
+    // Sample indices go to workers on request: the one of the first 127 that is missing from the sum is the last
+    // worker's.
     let expected = sum(&reference, &view, FIRST_SAMPLE..FIRST_SAMPLE + 127);
     let is_missing = |sample: &u32| {
         let one = sum(&reference, &view, [*sample]);
@@ -160,7 +162,8 @@ fn planes_of_a_view_that_was_left_are_never_merged() {
     let (reference, view) = view_of("cornell");
     let elsewhere = View { camera: view.camera.panned(90.0), ..view };
     let (mut accumulator, mut workers) = Accumulator::new(&view, 2);
-    // The first core has one plane with the owner, one on its way, one that waits and a begun one; the other begins.
+    // The first worker has one plane collected, one in the channel, one waiting and one begun; the other has one
+    // begun.
     for _ in 0..ROWS {
         assert!(workers[0].step(&reference));
     }
@@ -180,7 +183,7 @@ fn planes_of_a_view_that_was_left_are_never_merged() {
     let expected = sum(&reference, &elsewhere, [FIRST_SAMPLE, FIRST_SAMPLE + 1]);
     assert_eq!(accumulator.take(), Some(SampleImage { samples: 2, rgb: expected }));
     assert_eq!(accumulator.sample_counts(), SampleCounts { begun: 7, merged: 2, given_up: 5 });
-    // The same view again is no other view, nor is one by settings that are not of paths.
+    // Neither the same view nor a change of settings that paths do not depend on is another view.
     accumulator.show(&elsewhere);
     accumulator.show(&View::new(&elsewhere.camera, SIZE, &Settings { block: 4, ..elsewhere.settings }));
     assert_eq!(accumulator.samples(), [1, 1]);
@@ -206,7 +209,7 @@ fn threads_that_end_have_brought_everything() {
     assert!(given_up <= 3 && merged >= 50);
     let cpu_samples = accumulator.take().expect("cpu_samples");
     assert_eq!(u64::from(cpu_samples.samples), merged);
-    // Every radiance of the furnace is about 1.
+    // All radiances of the furnace scene are about 1.
     let mean =
         cpu_samples.rgb.iter().sum::<f32>() / cpu_samples.rgb.len() as f32 / cpu_samples.samples as f32;
     assert!((mean - 1.0).abs() < 0.1, "{mean}");

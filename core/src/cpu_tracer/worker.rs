@@ -1,4 +1,4 @@
-//! A core's side: rows, planes, and the way out.
+//! The worker: traces planes row by row and delivers them to the accumulator.
 
 use std::sync::{
     Arc,
@@ -10,17 +10,17 @@ use glam::DVec3;
 use super::{Delivery, Order, SampleImage};
 use crate::reference::{Reference, ReferenceFrame, Rounding};
 
-/// Traces planes on whatever thread calls it.
+/// Traces planes of path samples on the thread that calls it.
 pub struct Worker {
     orders: Receiver<Arc<Order>>,
     deliveries: SyncSender<Delivery>,
     order: Arc<Order>,
     begun: Option<Begun>,
-    /// Finished samples that have not been handed over yet.
+    /// Finished samples that have not been delivered yet.
     finished: Option<SampleImage>,
 }
 
-/// A sample of which the rows above `row` are traced.
+/// A sample in progress; the rows before `row` are traced.
 struct Begun {
     sample: u32,
     row: u32,
@@ -36,8 +36,9 @@ impl Worker {
         Self { orders, deliveries, order, begun: None, finished: None }
     }
 
-    /// Traces a row of pixels, of the newest view; what was begun of another is given up. False once the owner wants no
-    /// more: then what was finished has been handed over, and all further calls do nothing.
+    /// Traces one row of pixels of the newest view; an unfinished plane of another view is discarded. Returns
+    /// false once the accumulator has ended the work and all finished samples are delivered; further calls do
+    /// nothing.
     pub fn step(&mut self, reference: &Reference) -> bool {
         loop {
             match self.orders.try_recv() {
@@ -95,7 +96,7 @@ impl Worker {
         }
     }
 
-    /// Where the slot is taken it is tried again with the next row.
+    /// Delivers finished samples if the channel has room; otherwise retries after the next row.
     fn hand_over(&mut self) {
         let Some(image) = self.finished.take() else { return };
         match self.deliveries.try_send(Delivery { order: self.order.clone(), image }) {
@@ -105,7 +106,7 @@ impl Worker {
         }
     }
 
-    /// The owner waits for what was finished, so this waits for the slot.
+    /// Delivers the last samples; blocks until the channel has room, as the accumulator waits for them.
     fn end(&mut self) {
         if let Some(image) = self.finished.take() {
             let samples = image.samples;

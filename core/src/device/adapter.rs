@@ -1,15 +1,15 @@
-//! Adapters: which there are, what they offer and what of it is used.
+//! Adapters: enumeration, choice, and the limits that are required of them.
 
 use crate::{Error, Result};
 
-/// What an adapter reports of itself.
+/// The properties that an adapter reports.
 #[derive(Clone, Debug)]
 pub struct AdapterFacts {
-    /// Name, backend, driver, as wgpu reports them.
+    /// Name, backend and driver, as wgpu reports them.
     pub info: wgpu::AdapterInfo,
-    /// The limits that the adapter supports.
+    /// The limits that the adapter supports, before any are lowered.
     pub limits: wgpu::Limits,
-    /// Whether frames are timed on the GPU.
+    /// Whether the adapter has timestamp queries, which GPU times need.
     pub timestamps: bool,
 }
 
@@ -23,7 +23,7 @@ impl AdapterFacts {
     }
 }
 
-/// Of the backends that are Vulkan's kind: others' compute is not enough.
+/// An instance of the primary backends (Vulkan, Metal, DX12, WebGPU); others lack the needed compute support.
 #[must_use]
 pub fn instance() -> wgpu::Instance {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
@@ -31,7 +31,8 @@ pub fn instance() -> wgpu::Instance {
     wgpu::Instance::new(descriptor)
 }
 
-/// Hardware before software, among those whose name contains `wanted` and that `serve`.
+/// The best adapter that `serves` accepts and whose name contains `wanted`, ignoring case: hardware before
+/// software.
 pub(super) fn best_adapter(
     instance: &wgpu::Instance,
     wanted: Option<&str>,
@@ -58,8 +59,8 @@ pub(super) fn best_adapter(
     })
 }
 
-/// What is used of limits that are offered: WebGPU's defaults, with as much memory as there is. Large scenes and frames are
-/// checked against it.
+/// The limits that a device is created with: WebGPU's defaults, with buffers and images as large as the adapter
+/// offers. Large scenes and frames are checked against them.
 pub(super) fn used_limits(offered: &wgpu::Limits) -> wgpu::Limits {
     wgpu::Limits {
         max_buffer_size: offered.max_buffer_size,
@@ -70,10 +71,10 @@ pub(super) fn used_limits(offered: &wgpu::Limits) -> wgpu::Limits {
     }
 }
 
-/// Whether all limits are as high as what is used of them.
+/// Checks that all offered limits are at least as high as the required ones.
 ///
 /// # Errors
-/// [`Error::Missing`] names those that are not.
+/// [`Error::Missing`] names the limits that are too low.
 pub(super) fn check_limits(facts: &AdapterFacts, offered: &wgpu::Limits) -> Result<()> {
     let mut missing: [Vec<String>; 2] = Default::default();
     used_limits(offered).check_limits_with_fail_fn(offered, false, |name, need, have| {

@@ -1,5 +1,6 @@
-//! All images of a scene in the pages of one array texture, each with its mip levels: the image in one rectangle, all
-//! smaller ones in a second one, level 1 at its left and from level 2 on one below the other at its right.
+//! The texture atlas: all images of a scene with their mip levels, packed into the layers (pages) of one array
+//! texture. Level 0 of an image is one rectangle. All smaller levels share a second one: level 1 at its left, the
+//! levels from 2 on below each other at its right.
 
 use etagere::{AtlasAllocator, size2};
 
@@ -9,17 +10,17 @@ use crate::{
     scene::{Image8, Scene, Texture, Wrap},
 };
 
-/// Flags and wrap modes in the third word of a place, shared with `texture_atlas.wgsl`.
+/// Flags and wrap modes in the third word of a texture's place, shared with `texture_atlas.wgsl`.
 pub const TEXTURE_NEAREST: u32 = 0x4000_0000;
 pub const TEXTURE_PRESENT: u32 = 0x8000_0000;
 pub const WRAP_REPEAT: u32 = 0;
 pub const WRAP_MIRROR: u32 = 1;
 const WRAP_CLAMP: u32 = 2;
 
-/// The most pages that the numbers in a place can tell apart.
+/// The most pages that the page index in a place can address.
 pub const MAX_PAGES: u32 = 1 << 11;
 
-/// The pages on the device, read as sRGB and as plain numbers.
+/// The pages on the device, with one view as sRGB and one as linear values.
 pub struct Atlas {
     texture: wgpu::Texture,
     /// View as sRGB colours, decoded when read.
@@ -37,10 +38,10 @@ struct Place {
 }
 
 impl Atlas {
-    /// Packs and uploads the images that textures show; a scene without textures gets one white texel.
+    /// Packs and uploads the images that textures use; without textures, a single white texel.
     ///
     /// # Errors
-    /// [`Error::Missing`] where an image or the number of pages exceeds the device.
+    /// [`Error::Missing`] if an image or the number of pages exceeds the device's limits.
     pub fn upload(gpu: &Gpu, scene: &mut Scene) -> Result<Self> {
         let contents = Content::of_images(scene);
         let images = std::mem::take(&mut scene.images);
@@ -103,12 +104,12 @@ impl Atlas {
         })
     }
 
-    /// Where texture `index` stands, as the shaders read it; zeros for no texture.
+    /// The place of a texture in the atlas, encoded for the shaders; zeros for `None`.
     pub fn place(&self, index: Option<u32>) -> [u32; 4] {
         index.and_then(|i| self.places.get(i as usize)).copied().unwrap_or_default()
     }
 
-    /// Bytes on the device.
+    /// Size of the pages in bytes.
     pub fn bytes(&self) -> u64 {
         let size = self.texture.size();
         4 * u64::from(size.width) * u64::from(size.height) * u64::from(size.depth_or_array_layers)
@@ -129,7 +130,7 @@ fn write(gpu: &Gpu, texture: &wgpu::Texture, spot: Place, image: &Image8) {
     );
 }
 
-/// A texture's place as `texture_atlas.wgsl` reads it.
+/// Encodes a texture's place for `texture_atlas.wgsl`: rectangles, page, wrap modes and flags.
 fn shader_place(texture: &Texture, [whole, levels]: [Place; 2], image: &Image8) -> [u32; 4] {
     let wrap = |w| match w {
         Wrap::Repeat => WRAP_REPEAT,
@@ -146,7 +147,7 @@ fn shader_place(texture: &Texture, [whole, levels]: [Place; 2], image: &Image8) 
     ]
 }
 
-/// Where a level from 1 on begins in the rectangle of the levels.
+/// Corner of a level, from 1 on, within the rectangle of the smaller levels.
 fn level_corner(size: [u32; 2], level: u32) -> [u32; 2] {
     if level == 1 {
         return [0, 0];
@@ -155,7 +156,7 @@ fn level_corner(size: [u32; 2], level: u32) -> [u32; 2] {
     [mip::level_size(size, 1)[0], above]
 }
 
-/// Width and height of the rectangle of the levels from 1 on; nothing for a single texel.
+/// Width and height of the rectangle of all levels from 1 on; zero for an image of a single texel.
 fn levels_size(size: [u32; 2]) -> [u32; 2] {
     let last = mip::last_level(size);
     let [right, below] = level_corner(size, last + 1);
@@ -166,21 +167,21 @@ fn levels_size(size: [u32; 2]) -> [u32; 2] {
     }
 }
 
-/// The places of all images in the pages of the atlas.
+/// A packing of all images into pages.
 struct Packing {
     /// Width and height of the pages in texels.
     page: [u32; 2],
     pages: u32,
-    /// The place of each image at full resolution, and that of its mip levels.
+    /// The rectangles of each image: level 0, and all smaller levels.
     spots: Vec<[Place; 2]>,
 }
 
-/// The most texels a side that pages have without need.
+/// Side in texels that pages exceed only for a larger rectangle.
 const PAGE_SIDE: u32 = 4096;
-/// Heights of pages that are tried, in eighths of their width.
+/// Ratios of height to width of the pages that are tried, in eighths.
 const PAGE_EIGHTHS: [u32; 5] = [4, 6, 8, 10, 12];
 
-/// The packing that takes the least memory.
+/// Finds the packing that takes the least memory.
 fn packing(images: &[Image8], longest: u32) -> Result<Packing> {
     let whole = images.iter().map(|i| [i.width, i.height]);
     let sizes: Vec<_> = whole.clone().chain(whole.map(levels_size)).collect();
@@ -198,8 +199,8 @@ fn packing(images: &[Image8], longest: u32) -> Result<Packing> {
     best.map(|(_, packing)| packing).ok_or_else(|| Error::scene("images", "no page holds them"))
 }
 
-/// Width and height of the pages: no larger than all texels need, and as wide and as high as the largest rectangle is. An
-/// image of 16384 x 1 makes a page that is wide and not one that is square.
+/// Width and height of the pages: no larger than the area of all rectangles needs, but at least as wide and as
+/// high as the largest rectangle. An image of 16384 x 1 thus makes wide pages instead of large square ones.
 fn page_size(sizes: &[[u32; 2]], eighths: u32) -> [u32; 2] {
     let area: u64 = sizes.iter().map(|[width, height]| u64::from(*width) * u64::from(*height)).sum();
     let side = ((area as f64 * 1.1).sqrt() as u32).next_power_of_two().min(PAGE_SIDE);
@@ -208,7 +209,8 @@ fn page_size(sizes: &[[u32; 2]], eighths: u32) -> [u32; 2] {
     [side.max(width), (side * eighths / 8).max(height).max(1)]
 }
 
-/// The number of pages, at least one, and a place for each rectangle; large ones are placed first.
+/// Packs the rectangles, largest first. Returns the number of pages, at least one, and the place of each
+/// rectangle.
 fn packed(sizes: &[[u32; 2]], page: [u32; 2]) -> Result<(u32, Vec<Place>)> {
     let mut order: Vec<usize> = (0..sizes.len()).collect();
     order.sort_by_key(|i| std::cmp::Reverse(sizes[*i].iter().max()));
@@ -220,7 +222,7 @@ fn packed(sizes: &[[u32; 2]], page: [u32; 2]) -> Result<(u32, Vec<Place>)> {
     Ok((allocators.len().max(1) as u32, places))
 }
 
-/// A place for a rectangle on the pages, the last of which may be new.
+/// Allocates a rectangle on one of the pages; adds a page if none has room.
 fn place(allocators: &mut Vec<AtlasAllocator>, [width, height]: [u32; 2], page: [u32; 2]) -> Result<Place> {
     let wanted = size2(width as i32, height as i32);
     let found = |number: usize, allocator: &mut AtlasAllocator| {

@@ -1,4 +1,4 @@
-//! A scene on the device.
+//! The scene's buffers and images on the device.
 
 use std::sync::Arc;
 
@@ -12,32 +12,34 @@ use crate::{
     scene::{self, Emitters, Environment, LightKind, MAX_LIGHTS, Material, Scene, Thinness},
 };
 
-/// Marks a sphere among the primitives; triangles are bounded by [`crate::scene::MAX_COORDINATE`].
+/// Coordinate that marks a sphere among the primitives; coordinates of triangles are at most
+/// [`crate::scene::MAX_COORDINATE`].
 pub const SPHERE_MARK: f32 = 3.0e38;
-/// The bits of a primitive's word that hold its object; flags stand above them.
+/// Mask of the object index in a primitive's surface word; the bits above hold flags.
 pub const SURFACE_OBJECT: u32 = 0x00ff_ffff;
-/// Shadow rays pass.
+/// Surface flag: shadow rays ignore the primitive.
 pub const SURFACE_NO_SHADOW: u32 = 0x4000_0000;
-/// There are holes.
+/// Surface flag: the alpha of the primitive's texture cuts holes.
 pub const SURFACE_ALPHA: u32 = 0x8000_0000;
 const MAX_OBJECTS: usize = SURFACE_OBJECT as usize + 1;
 
-/// Flags of an object. A matte one has nothing but its colour to read.
+/// Flags of an object's material: unlit, thin-walled, with vertex weights, matte (only the base colour is read).
 pub const OBJECT_UNLIT: u32 = 1;
 pub const OBJECT_THIN: u32 = 2;
 pub const OBJECT_WEIGHTS: u32 = 4;
 pub const OBJECT_MATTE: u32 = 8;
 
-/// Kinds of lights: E of a point light falls with the square of the distance, that of a constant one does not.
+/// Kinds of lights: the irradiance of a point light falls off with the square of the distance, that of a
+/// directional and of a constant one does not.
 pub const LIGHT_DIRECTIONAL: u32 = 0;
 pub const LIGHT_POINT: u32 = 1;
 pub const LIGHT_CONSTANT: u32 = 2;
 
-/// The most that a light may bring: so many lights, lobes and rays as there can be add up to a finite number.
+/// Limit of a light's irradiance, so that any sum over lights, lobes and rays stays finite in f32.
 const MAX_IRRADIANCE: f32 = 1.0e30;
 
 gpu_struct! {
-    /// An object and its material.
+    /// An object with its material, as shaders read it.
     pub struct Object {
         base_color: [f32; 3], alpha: f32,
         emission: [f32; 3], alpha_cutoff: f32,
@@ -50,7 +52,7 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// A light.
+    /// A punctual light, as shaders read it.
     pub struct Light {
         position: [f32; 3], kind: u32,
         intensity: [f32; 3], radius: f32,
@@ -59,27 +61,27 @@ gpu_struct! {
     }
 }
 
-/// What is known of a scene besides its [`Features`].
+/// Facts of a scene, besides its [`Features`], that kernels are specialized to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SceneFacts {
-    /// It stores texture coordinates.
+    /// Whether vertices have texture coordinates.
     pub has_texcoords: bool,
-    /// It stores vertex colours.
+    /// Whether vertices have colours.
     pub has_colors: bool,
-    /// Some primitive emits.
+    /// Whether any primitive is emissive.
     pub emits: bool,
-    /// Groups on the traversal stack.
+    /// Size of the traversal stack that the acceleration structure needs, in entries.
     pub bvh_stack: u32,
-    /// Lights.
+    /// Number of punctual lights.
     pub lights: u32,
-    /// Objects.
+    /// Number of objects.
     pub objects: u32,
-    /// Points of thin features.
+    /// Number of probe points on thin features.
     pub probe_points: u32,
 }
 
-/// A scene on the device: geometry, acceleration structure, materials, lights, textures. A clone is another handle to the
-/// same memory on the device, which is freed with the last of them.
+/// A scene on the device: geometry, acceleration structure, materials, lights and textures. Clones share the same
+/// device memory, which is freed with the last one.
 #[derive(Clone)]
 pub struct GpuScene {
     nodes: SceneStorage,
@@ -93,10 +95,10 @@ pub struct GpuScene {
     atlas: Arc<Atlas>,
     facts: SceneFacts,
     pub(crate) emitter_count: u32,
-    /// 1 over the sum of strength times area of all emitters; 0 where there are none.
+    /// Reciprocal of the sum of strength times area over all emitters; 0 without emitters.
     pub(crate) emitter_scale: f32,
     pub(crate) environment: Environment,
-    /// What the device's kernels read it as.
+    /// The tier that the scene's data is laid out for.
     pub(crate) tier: Tier,
     features: Features,
     thinness: Arc<Thinness>,
@@ -104,10 +106,10 @@ pub struct GpuScene {
 }
 
 impl GpuScene {
-    /// Builds the acceleration structure and moves everything to the device; the scene's own memory is freed.
+    /// Builds the acceleration structure and uploads the scene; frees the memory of `scene`.
     ///
     /// # Errors
-    /// [`Error::Missing`] where the device cannot hold it, [`Error::Scene`] where there is nothing in it.
+    /// [`Error::Missing`] if the device cannot hold the scene; [`Error::Scene`] if the scene is empty or invalid.
     pub fn upload(gpu: &Gpu, mut scene: Scene) -> Result<Self> {
         scene.validate()?;
         let bounds = scene.bounds().ok_or_else(|| Error::scene("scene", "nothing to trace in it"))?;
@@ -121,7 +123,7 @@ impl GpuScene {
                 ),
             ));
         }
-        // Before the tree is built, which takes long for a scene that does not fit.
+        // Fails early, as building the tree of a scene that does not fit takes long.
         let primitive_count = scene.positions.len() + scene.spheres.len();
         gpu.check_corners("primitives", primitive_count)?;
         let features = Features::of(&scene);
@@ -179,37 +181,37 @@ impl GpuScene {
         })
     }
 
-    /// What the scene needs.
+    /// The features that kernels must support for this scene.
     #[must_use]
     pub fn features(&self) -> Features {
         self.features
     }
 
-    /// Whether things may fall between the samples of a frame of that many rows of samples, in blocks of that side:
-    /// [`Thinness::is_thin`].
+    /// Whether objects may fall between the samples of a frame with that many rows of samples and that block size
+    /// ([`Thinness::is_thin`]).
     #[must_use]
     pub fn is_thin(&self, rows: u32, block: u32) -> bool {
         self.thinness.is_thin(rows, block)
     }
 
-    /// What is known of it besides.
+    /// The other facts that kernels are specialized to.
     pub(crate) fn facts(&self) -> SceneFacts {
         self.facts
     }
 
-    /// The box around everything.
+    /// Bounding box of all primitives in world space: the least and the greatest corner.
     #[must_use]
     pub fn bounds(&self) -> (Vec3, Vec3) {
         self.bounds
     }
 
-    /// The scene's longest box side: the unit of Kim 2016's distance tolerance.
+    /// Longest side of the bounding box, the unit of the distance tolerance (Kim 2016).
     #[must_use]
     pub fn longest_side(&self) -> f32 {
         (self.bounds.1 - self.bounds.0).max_element()
     }
 
-    /// Everything that shaders read of the scene, by name.
+    /// Names and bindings of all scene resources that shaders read.
     pub(crate) fn resources(&self) -> Vec<(&'static str, wgpu::BindingResource<'_>)> {
         vec![
             ("nodes", self.nodes.binding()),
@@ -225,7 +227,7 @@ impl GpuScene {
         ]
     }
 
-    /// Bytes of everything but the acceleration structure, and of the latter.
+    /// Sizes in bytes: everything except the acceleration structure, and the acceleration structure.
     #[must_use]
     pub fn bytes(&self) -> (u64, u64) {
         let buffers = [&self.lights, &self.probe_points, &self.emitters];
@@ -248,7 +250,7 @@ fn primitives(scene: &Scene, order: &[u32]) -> Vec<[[f32; 3]; 3]> {
     order.iter().map(place).collect()
 }
 
-/// The place in the tree of each emissive primitive, and the bits of its cumulative share.
+/// The index of each emissive primitive in the tree's order, and the bits of its cumulative probability.
 fn emitters(emitters: &Emitters, order: &[u32]) -> Vec<[u32; 2]> {
     if emitters.primitives.is_empty() {
         return Vec::new();
@@ -275,7 +277,8 @@ fn shading(scene: &Scene, order: &[u32]) -> Vec<[u32; 4]> {
     order.iter().map(place).collect()
 }
 
-/// Texture coordinates, then colours, as far as the scene has them; every primitive takes the same room.
+/// Vertex attributes by primitive: texture coordinates, then colours, if the scene has them. All primitives have
+/// the same stride.
 fn vertices(scene: &Scene, order: &[u32]) -> Vec<u32> {
     let (textured, colored) = (!scene.texcoords.is_empty(), !scene.colors.is_empty());
     let mut words = Vec::with_capacity(order.len() * (6 * usize::from(textured) + 3 * usize::from(colored)));

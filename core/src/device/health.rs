@@ -1,21 +1,21 @@
-//! Device loss and errors that wgpu reports outside of the call that caused them.
+//! Detects device loss and errors that wgpu reports outside the call that caused them.
 
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::Gpu;
 use crate::{Error, Result};
 
-/// Reports of the device so far.
+/// The errors that the device has reported so far.
 #[derive(Default)]
 pub(super) struct Health {
-    /// The reason of the loss, once the device is lost.
+    /// Reason for the loss of the device; set once it is lost.
     pub lost: OnceLock<String>,
-    /// The first error that no scope caught.
+    /// The first error that no error scope caught.
     uncaught: Mutex<Option<wgpu::Error>>,
 }
 
 impl Health {
-    /// Registers callbacks for loss and uncaptured errors of a device that this crate made.
+    /// Registers callbacks for loss and uncaptured errors on a device that this crate has created.
     pub fn watch(self: &Arc<Self>, device: &wgpu::Device) {
         let sink = Arc::clone(self);
         device.on_uncaptured_error(Arc::new(move |error| {
@@ -24,7 +24,7 @@ impl Health {
         device.set_device_lost_callback(self.on_lost());
     }
 
-    /// What is called when the device is lost.
+    /// The callback for the loss of the device.
     pub fn on_lost(self: &Arc<Self>) -> impl Fn(wgpu::DeviceLostReason, String) + Send + Sync + use<> {
         let sink = Arc::clone(self);
         move |reason, message| {
@@ -32,18 +32,19 @@ impl Health {
         }
     }
 
-    /// Takes the device for lost; the first reason stays.
+    /// Marks the device as lost; only the first reason is kept.
     pub fn lose(&self, reason: String) {
-        // It was lost before: the first reason is the cause.
+        // An earlier reason is the cause and stays.
         let _ = self.lost.set(reason);
     }
 }
 
 impl Gpu {
-    /// Fails where the device has failed. Calls on a lost device return as if they had worked, so this goes after them.
+    /// Returns the failure of the device, if it has failed. Calls on a lost device appear to succeed, so check
+    /// after them.
     ///
     /// # Errors
-    /// [`Error::Lost`] before all others: a lost device gives rise to errors of every other kind.
+    /// [`Error::Lost`] takes precedence: a lost device causes errors of every other kind.
     pub(super) fn check_health(&self) -> Result<()> {
         if let Some(reason) = self.health.lost.get() {
             return Err(Error::Lost { adapter: self.facts.info.name.clone(), reason: reason.clone() });
@@ -54,12 +55,12 @@ impl Gpu {
         }
     }
 
-    /// The error for a failed call, unless the device is lost, which explains every failure.
+    /// The error of a failed call: the loss of the device if it is lost, else [`Error::Device`] with the message.
     pub(super) fn failed(&self, message: impl std::fmt::Display) -> Error {
         self.check_health().err().unwrap_or_else(|| Error::Device(message.to_string()))
     }
 
-    /// The error for what the device refuses to make.
+    /// The error for something that the device refused to create.
     pub(super) fn refused(&self, what: &str, bytes: Option<u64>, error: &wgpu::Error) -> Error {
         match error {
             wgpu::Error::OutOfMemory { .. } => {

@@ -1,4 +1,4 @@
-//! Compute pipelines whose resources are bound by the names they have in WGSL.
+//! Compute pipelines whose resources are bound by their WGSL names.
 
 use std::{
     borrow::Cow,
@@ -12,7 +12,7 @@ use super::{
 };
 use crate::{Error, Result};
 
-/// Kernels by what they are made of: compiled once, bound as often as frames change.
+/// A cache of kernels by their sources: each is compiled once and bound again when buffers change.
 #[derive(Default)]
 pub struct Kernels(HashMap<Vec<Source>, Arc<Kernel>>);
 
@@ -22,10 +22,10 @@ impl Kernels {
         self.0.len()
     }
 
-    /// The kernel of these sources, compiled if it is new.
+    /// Returns the kernel of these sources, compiled on first use.
     ///
     /// # Errors
-    /// As [`Kernel::new`].
+    /// Those of [`Kernel::new`].
     pub fn get(&mut self, gpu: &Gpu, label: &str, sources: Vec<Source>) -> Result<Arc<Kernel>> {
         match self.0.entry(sources) {
             Entry::Occupied(known) => Ok(known.get().clone()),
@@ -48,7 +48,7 @@ impl Kernel {
     /// Links the sources, validates the module and creates the compute pipeline.
     ///
     /// # Errors
-    /// [`Error::Shader`] where it does not compile, here or in the driver; a device that failed.
+    /// [`Error::Shader`] if naga or the driver cannot compile it, or the device failed.
     pub fn new(gpu: &Gpu, label: &str, sources: &[Source]) -> Result<Self> {
         let linked = link(sources)?;
         let slots: HashMap<_, _> =
@@ -78,7 +78,7 @@ impl Kernel {
                 message,
             }
             .into(),
-            // Drivers that cannot compile a kernel may give up the device.
+            // Drivers that cannot compile a kernel may lose the device.
             Error::Lost { adapter, reason } => {
                 Error::Lost { adapter, reason: format!("{reason} while compiling kernel `{label}`") }
             }
@@ -89,10 +89,10 @@ impl Kernel {
         Ok(Self { label: label.to_owned(), pipeline, slots })
     }
 
-    /// Binds exactly the resources that the shader uses, out of those given.
+    /// Creates the bind group with those of the given resources that the shader uses.
     ///
     /// # Errors
-    /// [`ShaderError::Bindings`] where one is missing.
+    /// [`ShaderError::Bindings`] if a used resource is missing.
     pub fn bind(
         &self,
         device: &wgpu::Device,
@@ -127,7 +127,7 @@ impl Kernel {
     }
 }
 
-/// A kernel with its resources, ready to be dispatched.
+/// A pipeline with its bind group, ready to dispatch.
 #[derive(Clone)]
 pub struct Bound {
     pipeline: wgpu::ComputePipeline,
@@ -141,7 +141,7 @@ impl Bound {
         pass.dispatch_workgroups(x, y, 1);
     }
 
-    /// Dispatches as many workgroups as the buffer says at that byte.
+    /// Dispatches the number of workgroups that the buffer holds at byte `offset`.
     pub fn dispatch_indirect(&self, pass: &mut wgpu::ComputePass<'_>, arguments: &wgpu::Buffer, offset: u64) {
         self.set(pass);
         pass.dispatch_workgroups_indirect(arguments, offset);

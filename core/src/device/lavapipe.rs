@@ -1,4 +1,4 @@
-//! Checks for settings of lavapipe that mix up compiled kernels in Mesa's shader cache.
+//! Checks for lavapipe settings that make Mesa's shader cache confuse compiled kernels.
 
 use crate::{Error, Result};
 
@@ -6,9 +6,9 @@ const WIDTH: &str = "LP_NATIVE_VECTOR_WIDTH";
 const DIRECTORY: &str = "MESA_SHADER_CACHE_DIR";
 const DISABLE: &str = "MESA_SHADER_CACHE_DISABLE";
 
-/// Refuses to render where pictures may be wrong without a sign of it: what lavapipe keeps of compiled kernels and texture
-/// reads does not say for how wide vectors it was compiled (Mesa 25.0.7), and a kernel for one width with texture reads for
-/// another shows stripes. Who chooses a width must keep what was compiled apart.
+/// Refuses settings under which lavapipe silently renders wrong images. Its shader cache does not record for
+/// which vector width kernels and texture reads were compiled (Mesa 25.0.7), and mixing widths produces stripes.
+/// A chosen width therefore needs a cache directory of its own, or none.
 pub(super) fn check_cache(driver: &str, is_set: impl Fn(&str) -> bool) -> Result<()> {
     if driver != "llvmpipe" || !is_set(WIDTH) || is_set(DIRECTORY) || is_set(DISABLE) {
         return Ok(());
@@ -19,7 +19,7 @@ pub(super) fn check_cache(driver: &str, is_set: impl Fn(&str) -> bool) -> Result
     Err(Error::setting(WIDTH, expected, found))
 }
 
-/// Whether a variable of the environment is set.
+/// Whether an environment variable is set.
 #[expect(
     clippy::disallowed_methods,
     reason = "the driver reads it there too, so no argument can stand for it"

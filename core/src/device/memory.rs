@@ -1,13 +1,13 @@
-//! Memory on the device, and checked calls that make it.
+//! Allocates device memory with error scopes around the calls.
 
 use super::Gpu;
 use crate::{Error, Result};
 
 impl Gpu {
-    /// Runs device calls that make `what`, which takes that many bytes if it is known.
+    /// Runs calls that create `what`, of `bytes` bytes if known, and turns their errors into results.
     ///
     /// # Errors
-    /// [`Error::Lost`], [`Error::OutOfMemory`], or [`Error::Device`] with the device's words.
+    /// [`Error::Lost`], [`Error::OutOfMemory`], or [`Error::Device`] with the device's message.
     pub(crate) fn checked<T>(
         &self,
         what: &str,
@@ -17,13 +17,13 @@ impl Gpu {
         let scopes = [
             wgpu::ErrorFilter::OutOfMemory,
             wgpu::ErrorFilter::Validation,
-            // What a driver's own compiler reports.
+            // Errors of the driver's own compiler.
             wgpu::ErrorFilter::Internal,
         ]
         .map(|filter| self.device.push_error_scope(filter));
         let result = calls(&self.device);
         let errors = scopes.into_iter().rev().filter_map(|scope| pollster::block_on(scope.pop()));
-        // Memory, the first scope, is the cause where there are several.
+        // An out-of-memory error is the cause of the others; its scope comes first.
         let error = errors.last();
         self.check_health()?;
         match error {
@@ -32,12 +32,12 @@ impl Gpu {
         }
     }
 
-    /// A buffer that only the device touches, filled with zeros.
+    /// Creates a buffer of zeros that is only accessed on the device.
     pub(crate) fn buffer(&self, label: &str, bytes: u64, usage: wgpu::BufferUsages) -> Result<wgpu::Buffer> {
         self.make_buffer(label, bytes, usage, &[])
     }
 
-    /// A storage buffer with this content.
+    /// Creates a storage buffer with this content.
     pub(crate) fn storage<T: bytemuck::NoUninit>(&self, label: &str, content: &[T]) -> Result<wgpu::Buffer> {
         self.filled(label, bytemuck::cast_slice(content), wgpu::BufferUsages::STORAGE)
     }
@@ -68,7 +68,7 @@ impl Gpu {
                 mapped_at_creation: !content.is_empty(),
             });
             if !content.is_empty() {
-                // Without a range the buffer could not be made, and a scope knows why.
+                // If mapping fails, the buffer was not created, and an error scope reports why.
                 if let Ok(mut mapped) = buffer.slice(..).get_mapped_range_mut() {
                     mapped.slice(..content.len()).copy_from_slice(content);
                 }
@@ -78,14 +78,14 @@ impl Gpu {
         })
     }
 
-    /// Whether one binding can hold that many bytes.
+    /// Checks that a binding of `bytes` bytes is within the device's limits.
     pub(crate) fn check_binding(&self, label: &str, bytes: u64) -> Result<()> {
         let limits = self.device.limits();
         let have = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
         self.check_bytes(format!("buffer `{label}`"), bytes, "in one binding", have)
     }
 
-    /// Whether one buffer can take an image that is read back; the bytes that it takes.
+    /// Checks that one buffer can hold an image for readback; returns its size in bytes.
     pub(crate) fn check_readback(
         &self,
         label: &str,
@@ -108,7 +108,7 @@ impl Gpu {
     }
 }
 
-/// Bytes from one row of an image to the next in a buffer.
+/// Bytes between the rows of an image in a buffer, aligned as wgpu requires.
 pub(super) fn padded_row(width: u32, bytes_per_texel: u32) -> u64 {
     let row = u64::from(width) * u64::from(bytes_per_texel);
     row.next_multiple_of(u64::from(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT))

@@ -1,24 +1,25 @@
-//! Mip levels: an image at every half of its size. Each texel of a level is the average of the part of the image that it
-//! covers, with the share of a texel at its border that lies inside: sizes that are not even lose no row.
+//! Mip levels by exact box filtering: each texel of a level is the average of the area of the image that it
+//! covers, with fractional weights at the borders, so that odd sizes lose no row or column.
 
 use glam::Vec4;
 
 use crate::scene::{Image8, Scene};
 
-/// The encoding of an image's bytes, which decides how they are averaged.
+/// The encoding of an image's bytes, which determines how texels are averaged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Content {
-    /// Linear data.
+    /// Linear values.
     Data,
-    /// sRGB, averaged in linear light; alpha is linear and decides nothing.
+    /// sRGB colour, averaged in linear light; alpha is linear and is not a weight.
     Color,
-    /// sRGB with holes cut by alpha: no ray sees the colour of a hole, so colours count by their alpha. Where all is hole
-    /// the colour of the next smaller level stands, as filters reach over the border.
+    /// sRGB colour with alpha cutouts, weighted by alpha, as the colour of holes is never visible. Fully
+    /// transparent texels take the colour of the next smaller level, since filters reach across the edges of
+    /// holes.
     CutColor,
 }
 
 impl Content {
-    /// Of each image of a scene. Of several uses the last one above decides.
+    /// The content of each image of a scene; among several uses, the variant declared last wins.
     pub fn of_images(scene: &Scene) -> Vec<Self> {
         let mut contents = vec![Self::Data; scene.images.len()];
         for m in &scene.materials {
@@ -33,7 +34,7 @@ impl Content {
         contents
     }
 
-    /// What is averaged, of a texel's bytes.
+    /// Decodes a texel's bytes to the values that are averaged.
     fn decode(self, texel: [u8; 4], linear: &[f32; 256]) -> Vec4 {
         let plain = Vec4::from(texel.map(f32::from)) / 255.0;
         let [r, g, b, _] = texel.map(|byte| linear[usize::from(byte)]);
@@ -55,12 +56,12 @@ impl Content {
     }
 }
 
-/// sRGB of a linear value (IEC 61966-2-1).
+/// Encodes a linear value as sRGB (IEC 61966-2-1).
 fn encoded(c: f32) -> f32 {
     if c <= 0.003_130_8 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 }
 }
 
-/// The linear value of each byte of sRGB.
+/// The linear values of all 256 sRGB bytes.
 fn linear_table() -> [f32; 256] {
     std::array::from_fn(|byte| {
         let c = byte as f32 / 255.0;
@@ -68,17 +69,17 @@ fn linear_table() -> [f32; 256] {
     })
 }
 
-/// Width and height of a level; level 0 is the image.
+/// Width and height of a level in texels; level 0 is the image.
 pub fn level_size(size: [u32; 2], level: u32) -> [u32; 2] {
     size.map(|side| (side >> level).max(1))
 }
 
-/// The index of the level that has one texel.
+/// Index of the level of a single texel.
 pub fn last_level([width, height]: [u32; 2]) -> u32 {
     width.max(height).max(1).ilog2()
 }
 
-/// The levels of an image from level 1 on.
+/// The mip levels of an image, from level 1 on.
 pub fn levels(image: &Image8, content: Content) -> Vec<Image8> {
     let linear = linear_table();
     let size = [image.width, image.height];
@@ -108,7 +109,7 @@ pub fn levels(image: &Image8, content: Content) -> Vec<Image8> {
     levels
 }
 
-/// The averages over the parts of a larger grid of texels that those of a smaller one cover.
+/// Averages a grid of texels over the areas that the texels of a smaller grid cover.
 fn averaged(larger: [u32; 2], smaller: [u32; 2], texel: impl Fn(usize) -> Vec4) -> Vec<Vec4> {
     let [columns, rows] = [0, 1].map(|axis| shares(larger[axis], smaller[axis]));
     let mut averages = Vec::with_capacity(rows.len() * columns.len());
@@ -123,11 +124,12 @@ fn averaged(larger: [u32; 2], smaller: [u32; 2], texel: impl Fn(usize) -> Vec4) 
     averages
 }
 
-/// For each of `few` equal parts of a row: the texels of the row's `many` that it covers, with their shares of it.
+/// For each of `few` equal parts of a row of `many` texels: the texels that it covers and their weights, which
+/// sum to 1.
 fn shares(many: u32, few: u32) -> Vec<Vec<(usize, f32)>> {
     let covered = f64::from(many) / f64::from(few);
     let part = |i: u32| {
-        // In texels times `few`, which is exact.
+        // In units of 1 / `few` texel, which is exact.
         let (low, high) = (u64::from(i) * u64::from(many), u64::from(i + 1) * u64::from(many));
         let few = u64::from(few);
         let share = |x: u64| ((x + 1) * few).min(high) - (x * few).max(low);
@@ -137,7 +139,7 @@ fn shares(many: u32, few: u32) -> Vec<Vec<(usize, f32)>> {
     (0..few).map(part).collect()
 }
 
-/// Texels without alpha take the colour of the next smaller level.
+/// Gives fully transparent texels the colour of the next smaller level.
 fn fill_holes(levels: &mut [Image8]) {
     for larger in (1..levels.len()).rev() {
         let (larger, smaller) = levels.split_at_mut(larger);
@@ -168,7 +170,7 @@ mod tests {
         image(width, height, |x, y| [0, 1, 2, 3].map(|channel| byte(4 * (y * width + x) + channel + 1)))
     }
 
-    /// The mean of each channel as it is averaged, in f64, of numbers as they are.
+    /// The mean of each decoded channel, computed in f64.
     fn mean(image: &Image8) -> [f64; 4] {
         let count = image.rgba.len() as f64 / 4.0;
         let linear = linear_table();
@@ -201,7 +203,7 @@ mod tests {
     fn a_checkerboard_is_half_as_bright_and_not_half_the_bytes() {
         let board = image(64, 64, |x, y| [[0, 0, 0, 255], [255, 255, 255, 255]][((x + y) % 2) as usize]);
         for level in levels(&board, Content::Color) {
-            // sRGB of 0.5 is byte 187.52.
+            // The sRGB encoding of 0.5 is 187.52.
             assert!(level.rgba.chunks(4).all(|texel| texel == [188, 188, 188, 255]), "{level:?}");
         }
         for level in levels(&board, Content::Data) {
@@ -209,7 +211,8 @@ mod tests {
         }
     }
 
-    /// Of any size: no row or column counts less than another. Half a byte of sRGB is at most 0.0043 of linear light.
+    /// No row or column is weighted less, whatever the size. Half a step of sRGB is at most 0.0043 in linear
+    /// light.
     #[test]
     fn every_level_has_the_mean_of_the_image() {
         for (width, height) in [(16, 16), (5, 3), (7, 1), (1, 31), (13, 6), (100, 37)] {

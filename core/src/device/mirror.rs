@@ -1,12 +1,12 @@
-//! Rust structs that the shaders read: declared once here and compared with the WGSL by a test.
+//! Rust structs that shaders read; a test compares their layouts with the WGSL declarations.
 
-/// A field of a struct that Rust and WGSL declare alike.
+/// A field that Rust and WGSL both declare.
 #[cfg(test)]
 #[derive(Clone, Copy, Debug)]
 pub struct Field {
     /// The field's name in Rust and WGSL.
     pub name: &'static str,
-    /// Bytes from the start of the struct.
+    /// Offset in bytes from the start of the struct.
     pub offset: usize,
 }
 
@@ -29,7 +29,7 @@ macro_rules! gpu_struct {
         #[derive(Clone, Copy, Debug, Default, bytemuck::Pod, bytemuck::Zeroable)]
         $vis struct $name { $($(#[$field_meta])* pub $field: $type),* }
         impl $name {
-            /// The layout, for the comparison with WGSL.
+            /// The struct's layout, compared with the WGSL declaration.
             #[cfg(test)]
             pub(crate) const MIRROR: $crate::device::mirror::Mirror = $crate::device::mirror::Mirror {
                 name: stringify!($name),
@@ -44,7 +44,8 @@ macro_rules! gpu_struct {
 }
 pub(crate) use gpu_struct;
 
-/// The differences between a Rust struct and the WGSL struct of its name; `None` where the module has none.
+/// The differences between the layouts of a Rust struct and the WGSL struct of the same name; `None` if the
+/// module does not declare it.
 #[cfg(test)]
 pub fn differences(module: &wgpu::naga::Module, mirror: &Mirror) -> Option<Vec<String>> {
     let (_, found) = module.types.iter().find(|(_, t)| t.name.as_deref() == Some(mirror.name))?;

@@ -1,4 +1,4 @@
-//! The device: which adapter, what it can, how memory comes back from it.
+//! The device: choice of an adapter, limits, device memory, submission and readback.
 
 mod adapter;
 pub(crate) mod atlas;
@@ -33,17 +33,17 @@ use adapter::{best_adapter, check_limits, used_limits};
 
 pub use adapter::{AdapterFacts, instance};
 
-/// The longest wait for a frame or a readback unless set otherwise. A device that needs more is taken for hung: the
-/// slowest frame that is still useful (a software driver, 16384x16384) takes a few minutes.
+/// Default limit of the wait for a frame or a readback, after which the device counts as hung. The slowest useful
+/// frames (a software driver, 16384x16384) take a few minutes.
 pub const TIMEOUT: Duration = Duration::from_secs(600);
 
-/// What kernels are made for and how scene data is stored.
+/// The kind of device, which determines kernel variants and the storage of scene data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Tier {
-    /// A software device: scene data in images, which it reads a vector at a time, and workgroups dealt out so that the
-    /// ranges which its cores take cost alike.
+    /// A software device. Scene data is in images, which it reads a vector at a time; workgroups map to
+    /// interleaved tiles, so that the contiguous ranges that its threads take cost about the same.
     Cpu,
-    /// Any other device: scene data in storage buffers, workgroups in order.
+    /// Any other device. Scene data is in storage buffers; workgroups map to tiles in order.
     Gpu,
 }
 
@@ -52,22 +52,22 @@ impl Tier {
         if device == wgpu::DeviceType::Cpu { Self::Cpu } else { Self::Gpu }
     }
 
-    /// Scene data is stored in images, not in buffers.
+    /// Whether scene data is stored in images instead of buffers.
     pub(crate) fn stores_images(self) -> bool {
         self == Self::Cpu
     }
 
-    /// Workgroups are dealt out in strides, not in order.
+    /// Whether workgroups map to interleaved tiles instead of consecutive ones.
     pub(crate) fn deals_workgroups(self) -> bool {
         self == Self::Cpu
     }
 }
 
-/// A device and its queue. Threads may share it; they take turns at waiting for it. A clone is another handle to the same
-/// device.
+/// A device and its queue. Clones are handles of the same device. Threads may share it; they take turns in
+/// waiting for it.
 ///
-/// A device that is lost stays lost: every call on what was made from it gives [`Error::Lost`]. A program recovers by a
-/// new `Gpu`, [`crate::GpuScene::upload`] and [`crate::Renderer::new`], which make the same pictures again.
+/// A lost device stays lost: every call on objects created from it returns [`Error::Lost`]. To recover, create a
+/// new `Gpu`, [`crate::GpuScene`] and [`crate::Renderer`]; they render the same images.
 #[derive(Clone)]
 pub struct Gpu {
     pub(crate) device: wgpu::Device,
@@ -76,29 +76,30 @@ pub struct Gpu {
     facts: Arc<AdapterFacts>,
     health: Arc<Health>,
     timeout: Duration,
-    /// Held from a submission until its result has been copied: whoever polls a lost device frees its buffers, those
-    /// that another thread has mapped included.
+    /// Held from a submission until its result is copied: polling a lost device frees its buffers, also those
+    /// that another thread has mapped.
     submit_lock: Arc<Mutex<()>>,
-    /// Pipelines that the driver compiled in earlier runs.
+    /// The driver's cache of pipelines compiled in earlier runs.
     compiled: Option<wgpu::PipelineCache>,
-    /// Whether the device is a CPU, for which other kernels are linked.
+    /// The kind of device that kernels and scene data are made for.
     pub(crate) tier: Tier,
 }
 
 impl Gpu {
-    /// The best adapter whose name contains `wanted` (any case), without a window: hardware before software.
+    /// Opens the best adapter whose name contains `wanted`, ignoring case, without a window; hardware before
+    /// software.
     ///
     /// # Errors
-    /// [`Error::NoAdapter`] lists what there is.
+    /// [`Error::NoAdapter`] lists the adapters found.
     pub fn headless(wanted: Option<&str>) -> Result<Self> {
         Self::from_instance(&instance(), wanted)
     }
 
-    /// As [`Gpu::from_instance`], of the adapters that can show pictures on a surface, and with no more than `limits`
-    /// whatever the adapter offers (the phone that is emulated).
+    /// Like [`Gpu::from_instance`], but considers only adapters that can present to a surface, and restricts the
+    /// device to `limits`, for example to emulate a phone.
     ///
     /// # Errors
-    /// [`Error::NoAdapter`] lists what there is; [`Error::Missing`] names the limit that is too low.
+    /// [`Error::NoAdapter`] lists the adapters found; [`Error::Missing`] names the limit that is too low.
     pub fn for_surface(
         instance: &wgpu::Instance,
         wanted: Option<&str>,
@@ -109,10 +110,11 @@ impl Gpu {
         Self::from_adapter(best_adapter(instance, wanted, shows)?, limits)
     }
 
-    /// As [`Gpu::headless`], from an instance of the caller's (tests with the noop backend and chosen limits).
+    /// Like [`Gpu::headless`], but with the caller's instance (used by tests with the noop backend and chosen
+    /// limits).
     ///
     /// # Errors
-    /// [`Error::NoAdapter`] lists what there is.
+    /// [`Error::NoAdapter`] lists the adapters found.
     pub fn from_instance(instance: &wgpu::Instance, wanted: Option<&str>) -> Result<Self> {
         Self::for_surface(instance, wanted, None, None)
     }
@@ -135,11 +137,12 @@ impl Gpu {
         Ok(gpu)
     }
 
-    /// Renders on a device of the caller's, made with at least what [`Gpu::requirements`] asks for, beside whatever else it
-    /// does. Frames are timed if it has [`wgpu::Features::TIMESTAMP_QUERY`]. The handles are cloned.
+    /// Renders on a device of the caller, which must meet [`Gpu::requirements`] and may be used for other work as
+    /// well. Frames are timed if it has [`wgpu::Features::TIMESTAMP_QUERY`]. The handles are cloned.
     ///
-    /// Its callbacks stay the caller's: an error of a call of this crate's is caught by an error scope and returned, and
-    /// does not come to the handler of uncaptured errors. A loss is told to one callback alone, which the caller passes on:
+    /// The device's callbacks stay the caller's. Errors of this crate's calls are caught by error scopes and
+    /// returned, so they do not reach the handler of uncaptured errors. A device has only one callback for its
+    /// loss, which the caller must forward:
     ///
     /// ```no_run
     /// # use glimpse::{Gpu, wgpu};
@@ -154,7 +157,7 @@ impl Gpu {
     /// # }
     /// ```
     ///
-    /// Without it a loss is noticed late, and some calls give [`Error::Device`] in place of [`Error::Lost`].
+    /// Without this a loss is noticed late, and some calls return [`Error::Device`] instead of [`Error::Lost`].
     ///
     /// # Errors
     /// [`Error::Missing`] names every limit of the device that is too low.
@@ -165,9 +168,9 @@ impl Gpu {
         Self::new(adapter.clone(), device.clone(), queue.clone(), facts)
     }
 
-    /// What a device of this adapter's should have for [`Gpu::from_device`]: WebGPU's default limits, with buffers and images
-    /// as large as the adapter lets them be, for large scenes and frames; timestamps and a cache of pipelines if it can. A
-    /// caller adds what else it needs.
+    /// The descriptor of a device for [`Gpu::from_device`]: WebGPU's default limits with buffers and images as
+    /// large as the adapter allows, and timestamps and a pipeline cache if the adapter has them. Callers add what
+    /// else they need.
     #[must_use]
     pub fn requirements(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
         wgpu::DeviceDescriptor {
@@ -201,31 +204,32 @@ impl Gpu {
         })
     }
 
-    /// With the kernels that a GPU gets, even if it is none: for tests of them where there is no GPU.
+    /// Uses the kernels and storage for GPUs on any device, to test them where there is no GPU.
     #[must_use]
     pub fn as_hardware(self) -> Self {
         Self { tier: Tier::Gpu, ..self }
     }
 
-    /// Waits at most that long for a frame or a readback ([`TIMEOUT`]).
+    /// Sets the longest wait for a frame or a readback; the default is [`TIMEOUT`].
     #[must_use]
     pub fn with_timeout(self, timeout: Duration) -> Self {
         Self { timeout, ..self }
     }
 
-    /// Gives the device up, as a driver does that resets it: from here on everything made from it gives
-    /// [`Error::Lost`]. For tests of recovery, and for programs that must free a device's memory at once.
+    /// Destroys the device, as if a driver had reset it: everything created from it then returns [`Error::Lost`].
+    /// Used to test recovery, or to free device memory immediately.
     pub fn destroy(&self) {
         self.health.lose("it was destroyed".to_owned());
         self.device.destroy();
     }
 
-    /// What a caller with a device of its own tells of its loss: see [`Gpu::from_device`]. It holds no handle to the device.
+    /// The callback by which the owner of a device reports its loss; see [`Gpu::from_device`]. It holds no handle
+    /// of the device.
     pub fn on_lost(&self) -> impl Fn(wgpu::DeviceLostReason, String) + Send + Sync + use<> {
         self.health.on_lost()
     }
 
-    /// Why the device is lost, if it is. It may be lost the moment after.
+    /// The reason for the loss if the device is lost. It may be lost right after the call.
     #[must_use]
     pub fn lost(&self) -> Option<&str> {
         self.health.lost.get().map(String::as_str)
@@ -238,25 +242,25 @@ impl Gpu {
         adapters.iter().map(AdapterFacts::of).collect()
     }
 
-    /// What the adapter of this device reports.
+    /// The properties of this device's adapter.
     #[must_use]
     pub fn facts(&self) -> &AdapterFacts {
         &self.facts
     }
 
-    /// The device, for what shows the frames.
+    /// The wgpu device, for example to present frames.
     #[must_use]
     pub fn device(&self) -> &wgpu::Device {
         &self.device
     }
 
-    /// Its queue: what is submitted to it comes between the submissions of a frame.
+    /// The wgpu queue. Work submitted to it may run between the submissions of a frame.
     #[must_use]
     pub fn queue(&self) -> &wgpu::Queue {
         &self.queue
     }
 
-    /// The adapter, which knows the formats of a surface.
+    /// The wgpu adapter, which reports the formats that a surface supports.
     #[must_use]
     pub fn adapter(&self) -> &wgpu::Adapter {
         &self.adapter

@@ -1,19 +1,19 @@
-//! Storage of data that kernels read at random: buffers on GPUs, images on CPUs.
+//! Storage of randomly accessed scene data: buffers on GPUs, images on CPUs.
 
 use super::Gpu;
 use crate::Result;
 
-/// Texels of an image's row, of four words each.
+/// Width in texels of the images; a texel holds four words.
 pub const STORAGE_TEXTURE_WIDTH: u32 = 4096;
 
 const TEXEL_BYTES: u32 = 16;
 
-/// 32-bit words in a storage buffer or an image.
+/// Scene data as 32-bit words.
 #[derive(Clone)]
 pub enum SceneStorage {
     /// A storage buffer.
     Buffer(wgpu::Buffer),
-    /// An RGBA32Uint image: four words a texel, row by row.
+    /// An RGBA32Uint image, four words per texel, row by row.
     Texels(wgpu::Texture, wgpu::TextureView),
 }
 
@@ -25,7 +25,7 @@ impl SceneStorage {
         }
     }
 
-    /// Bytes on the device.
+    /// Size on the device in bytes.
     pub fn bytes(&self) -> u64 {
         match self {
             Self::Buffer(buffer) => buffer.size(),
@@ -39,7 +39,7 @@ fn image_bytes(rows: u32) -> u64 {
 }
 
 impl Gpu {
-    /// Words, four at a time, where the device reads them faster.
+    /// Stores words that shaders read four at a time.
     pub(crate) fn words<T: bytemuck::NoUninit>(&self, label: &str, content: &[T]) -> Result<SceneStorage> {
         if self.tier.stores_images() {
             self.texels(label, bytemuck::cast_slice(content))
@@ -48,7 +48,7 @@ impl Gpu {
         }
     }
 
-    /// Three corners a primitive, as [`Gpu::words`]; in an image each has a texel.
+    /// Stores three corners per primitive, like [`Gpu::words`]; in an image each corner has a texel.
     pub(crate) fn corners(&self, label: &str, content: &[[[f32; 3]; 3]]) -> Result<SceneStorage> {
         if self.tier.stores_images() {
             let texels: Vec<_> =
@@ -59,8 +59,8 @@ impl Gpu {
         }
     }
 
-    /// Six words of texture coordinates and three of colours a primitive, as far as there are any, as [`Gpu::words`]; in an
-    /// image two texels and one, which ends by 1.
+    /// Stores vertex attributes by primitive, like [`Gpu::words`]: six words of texture coordinates and three of
+    /// colours, each if present. In an image they take two texels and one, whose fourth word is 1.
     pub(crate) fn vertices(
         &self,
         label: &str,
@@ -87,7 +87,7 @@ impl Gpu {
         self.words(label, &texels)
     }
 
-    /// Whether the device can hold the corners of that many primitives.
+    /// Checks that the device can hold the corners of that many primitives.
     pub(crate) fn check_corners(&self, label: &str, primitives: usize) -> Result<()> {
         if self.tier.stores_images() {
             self.check_storage_texture(label, (primitives * size_of::<[[f32; 4]; 3]>()) as u64)
@@ -96,7 +96,7 @@ impl Gpu {
         }
     }
 
-    /// An image with this content, of at least one row.
+    /// Creates an image with this content and at least one row.
     fn texels(&self, label: &str, content: &[u8]) -> Result<SceneStorage> {
         self.check_storage_texture(label, content.len() as u64)?;
         let row_bytes = image_bytes(1) as usize;
@@ -121,7 +121,7 @@ impl Gpu {
         })
     }
 
-    /// Writes a rectangle of texels from the beginning of a row on.
+    /// Writes `width` x `height` texels from the start of row `row` on.
     fn write_texels(&self, image: &wgpu::Texture, row: u32, [width, height]: [u32; 2], texels: &[u8]) {
         if texels.is_empty() {
             return;
@@ -141,7 +141,7 @@ impl Gpu {
         );
     }
 
-    /// Whether one image can hold that many bytes.
+    /// Checks that one image can hold that many bytes.
     fn check_storage_texture(&self, label: &str, bytes: u64) -> Result<()> {
         let have = image_bytes(self.device.limits().max_texture_dimension_2d);
         self.check_bytes(format!("image `{label}`"), bytes, "in one image", have)

@@ -1,8 +1,8 @@
-//! WGSL files linked into one module per kernel.
+//! Links WGSL files into one module per kernel.
 //!
-//! Files never import each other: a kernel lists what it is made of, and leaving a piece out means listing
-//! another file with the same functions. Resources carry no numbers in WGSL; they are numbered here in the
-//! order of the text and bound by name.
+//! Files do not import each other: a kernel lists its files, and a feature is left out by listing another file
+//! that defines the same functions. Resources have no binding numbers in WGSL; linking numbers them in textual
+//! order and they are bound by name.
 
 use std::{borrow::Cow, error::Error as _};
 
@@ -12,23 +12,23 @@ use wgpu::naga::{
     valid::{Capabilities, ModuleInfo, ValidationFlags, Validator},
 };
 
-/// One WGSL file, or a generated piece.
+/// One WGSL file or generated WGSL text.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Source {
-    /// Path of the file below `core/src`, for error messages.
+    /// Path of the file relative to `core/src`, for error messages.
     pub file: &'static str,
     /// WGSL source code.
     pub text: Cow<'static, str>,
 }
 
-/// A kernel that does not compile or is bound wrongly: a bug of this crate or of the driver.
+/// A kernel does not compile or its bindings do not match: a bug of this crate or of the driver.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ShaderError {
-    /// The compiler's message at its place in the file.
+    /// The WGSL compiler reported an error.
     #[error("{file}:{line}:{column}: {message}")]
     Invalid {
-        /// The WGSL file.
+        /// The WGSL file with the error.
         file: &'static str,
         /// Line, counted from 1.
         line: usize,
@@ -37,7 +37,7 @@ pub enum ShaderError {
         /// The message of the WGSL compiler.
         message: String,
     },
-    /// The device or its driver does not take a module that is valid WGSL.
+    /// The device or its driver rejected a module that is valid WGSL.
     #[error("kernel `{kernel}` does not compile on `{adapter}`: {message}")]
     Refused {
         /// Label of the kernel.
@@ -47,7 +47,7 @@ pub enum ShaderError {
         /// The driver's message.
         message: String,
     },
-    /// The resources given are not those that the shader uses.
+    /// The given resources are not those that the shader uses.
     #[error("kernel `{kernel}`: bound {given:?}, the shader uses {used:?}")]
     Bindings {
         /// Label of the kernel.
@@ -59,18 +59,18 @@ pub enum ShaderError {
     },
 }
 
-/// A module of several WGSL files, validated.
+/// A validated module linked from several WGSL files.
 pub struct Linked {
-    /// The module; its resources are numbered in group 0.
+    /// The module; its resources are numbered in bind group 0.
     pub module: naga::Module,
-    /// What naga's validator derived, such as which resources each function uses.
+    /// The validator's results, such as which resources each function uses.
     pub info: ModuleInfo,
 }
 
-/// Joins the sources in order, numbers the resources and validates the module.
+/// Concatenates the sources, numbers the resources and validates the module.
 ///
 /// # Errors
-/// [`ShaderError::Invalid`] at the file, line and column of the mistake.
+/// [`ShaderError::Invalid`] with the file, line and column of the error.
 pub fn link(sources: &[Source]) -> Result<Linked, ShaderError> {
     let text = Text::new(sources);
     let mut module = wgsl::parse_str(&text.joined)
@@ -98,7 +98,7 @@ pub fn link(sources: &[Source]) -> Result<Linked, ShaderError> {
 }
 
 impl Linked {
-    /// Names and binding numbers of the resources that the entry point `main` uses.
+    /// Names, declarations and binding numbers of the resources that the entry point `main` uses.
     pub fn used_resources(&self) -> impl Iterator<Item = (&str, &naga::GlobalVariable, u32)> {
         let entry = self.info.get_entry_point(0);
         self.module.global_variables.iter().filter_map(move |(handle, global)| {
@@ -109,7 +109,7 @@ impl Linked {
     }
 }
 
-/// Several files read as one, remembering where each began.
+/// Concatenated files that map positions back to the file they came from.
 struct Text {
     joined: String,
     starts: Vec<(usize, &'static str)>,

@@ -1,4 +1,4 @@
-//! What only the inside of this crate can provoke, on a device without a driver.
+//! Tests of device failures that need internals of this crate, on the noop backend.
 
 use std::sync::{
     Arc,
@@ -14,7 +14,7 @@ use crate::{Error, Result};
 fn instance() -> wgpu::Instance {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     descriptor.backends = wgpu::Backends::NOOP;
-    // The check of indirect dispatches would lower the limits below.
+    // Validation of indirect dispatches would lower the limits set below.
     descriptor.flags = wgpu::InstanceFlags::empty();
     descriptor.backend_options.noop = wgpu::NoopBackendOptions {
         limits: Some(wgpu::Limits {
@@ -32,7 +32,7 @@ fn device() -> Gpu {
     Gpu::from_instance(&instance(), None).expect("the noop adapter")
 }
 
-/// A device of the caller's with these limits.
+/// A device created by a caller with these limits.
 fn foreign(limits: wgpu::Limits) -> (wgpu::Adapter, wgpu::Device, wgpu::Queue) {
     let adapters = pollster::block_on(instance().enumerate_adapters(wgpu::Backends::NOOP));
     let adapter = adapters.into_iter().next().expect("the noop adapter");
@@ -60,7 +60,7 @@ fn a_callers_device_keeps_its_handler_and_tells_of_its_loss() {
     });
     let invalid = || {
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        // It lacks the usage for that.
+        // The buffer lacks the usage that clearing needs.
         encoder.clear_buffer(&buffer, 0, None);
         encoder
     };
@@ -72,7 +72,7 @@ fn a_callers_device_keeps_its_handler_and_tells_of_its_loss() {
 
     gpu.submit_all_and_wait([commands(&gpu)]).expect("the device is still usable");
     device.destroy();
-    // Callbacks are called while the device is polled.
+    // Polling the device runs the callbacks.
     let _ = device.poll(wgpu::PollType::Poll);
     let result = gpu.submit_all_and_wait([commands(&gpu)]);
     assert!(matches!(result, Err(Error::Lost { .. })), "{result:?}");
@@ -134,7 +134,7 @@ fn loss_before_a_readback_is_an_error() {
 #[test]
 fn a_buffer_without_memory_is_named_with_its_size() {
     let gpu = device();
-    // More than the address space of any machine.
+    // Larger than any machine's address space.
     let size = 1 << 60;
     let result = gpu.checked("buffer `attributes`", Some(size), |device| {
         device.create_buffer(&wgpu::BufferDescriptor {
@@ -153,7 +153,7 @@ fn a_buffer_without_memory_is_named_with_its_size() {
 
 #[test]
 fn corners_beyond_a_device_are_an_error_by_image_and_by_buffer() {
-    // Without a driver a device counts as a CPU.
+    // The noop device counts as a CPU.
     let (images, buffers) = (device(), device().as_hardware());
     // 8,192 rows of 4,096 texels.
     let most = 8192 * 4096 / 3;
@@ -172,7 +172,7 @@ fn source(text: &'static str) -> Source {
     Source { file: "test.wgsl", text: text.into() }
 }
 
-/// Valid WGSL of a language extension that the device was not asked for: linking accepts it.
+/// A language extension that naga accepts but that was not requested of the device.
 #[test]
 fn a_kernel_that_the_device_refuses_is_named() {
     let gpu = device();

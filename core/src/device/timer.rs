@@ -1,9 +1,9 @@
-//! Timestamp queries around every pass of a frame.
+//! Timestamp queries around the passes of a frame.
 
 use super::Gpu;
 use crate::{FrameTime, PassTime, Result, passes::Tracing};
 
-/// Queries for a fixed list of passes; does nothing where the adapter has no timestamps, or not enough for so many.
+/// Queries for a fixed list of passes; does nothing if the adapter has no timestamps or not enough queries.
 pub struct Timer {
     passes: Vec<(&'static str, Tracing)>,
     queries: Option<Queries>,
@@ -12,15 +12,15 @@ pub struct Timer {
 struct Queries {
     set: wgpu::QuerySet,
     resolved: wgpu::Buffer,
-    /// Nanoseconds of a tick of the timestamp counter.
+    /// Nanoseconds per tick of the timestamp counter.
     period: f32,
 }
 
 impl Timer {
-    /// A timer for passes of these names and classes, in order.
+    /// Creates queries for passes of these names and classes, in order of execution.
     ///
     /// # Errors
-    /// A device that is out of memory.
+    /// The device is out of memory.
     pub fn new(gpu: &Gpu, passes: Vec<(&'static str, Tracing)>) -> Result<Self> {
         let count = 2 * passes.len() as u32;
         let timed = gpu.device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
@@ -45,13 +45,14 @@ impl Timer {
         Ok(Self { passes, queries })
     }
 
-    /// Begins the compute pass at this position of the frame, with its timestamps.
+    /// Begins the compute pass with this index, between timestamps.
     pub fn pass<'e>(&self, encoder: &'e mut wgpu::CommandEncoder, index: usize) -> wgpu::ComputePass<'e> {
         self.part(encoder, index, [true, true])
     }
 
-    /// Begins a part of the pass of that position, which may be its first and may be its last: a pass lasts from the
-    /// beginning of its first part to the end of its last, with the gaps between them, for the frame waits for those.
+    /// Begins one dispatch of the pass with this index, which may be the first and may be the last. A pass lasts
+    /// from the beginning of its first dispatch to the end of its last one, gaps included, as the frame waits for
+    /// those as well.
     pub fn part<'e>(
         &self,
         encoder: &'e mut wgpu::CommandEncoder,
@@ -70,17 +71,17 @@ impl Timer {
         })
     }
 
-    /// Resolves the queries and copies them for reading; comes after the last pass.
+    /// Resolves the queries and copies them for readback; call it after the last pass.
     pub fn resolve(&self, encoder: &mut wgpu::CommandEncoder) {
         if let Some(queries) = &self.queries {
             encoder.resolve_query_set(&queries.set, 0..2 * self.passes.len() as u32, &queries.resolved, 0);
         }
     }
 
-    /// The times of the frame that has just been waited for, passes of one name added up; empty without timestamps.
+    /// GPU times of the last completed frame, with passes of the same name added up; empty without timestamps.
     ///
     /// # Errors
-    /// A device that failed.
+    /// The device failed.
     pub fn read(&self, gpu: &Gpu) -> Result<FrameTime> {
         let Some(queries) = &self.queries else { return Ok(FrameTime::default()) };
         let bytes = gpu.read_buffer(&queries.resolved)?;

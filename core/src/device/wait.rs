@@ -1,4 +1,4 @@
-//! Submissions, the wait for them, and readback.
+//! Submits command buffers, waits for them and reads results back.
 
 use std::{
     iter, mem,
@@ -9,14 +9,14 @@ use std::{
 use super::{Gpu, memory::padded_row};
 use crate::{Error, Result};
 
-/// Attempts to configure a surface: a concurrent submission of another thread makes wgpu abandon one.
+/// Attempts to configure a surface; wgpu abandons one if another thread submits at the same time.
 const CONFIGURATIONS: usize = 100;
 
 impl Gpu {
-    /// Prepares a surface for pictures, between the frames that other threads submit.
+    /// Configures a surface, synchronised with the submissions of other threads.
     ///
     /// # Errors
-    /// A device that failed, or a configuration that the surface does not take.
+    /// The device failed, or the surface does not support the configuration.
     pub fn configure(&self, surface: &wgpu::Surface<'_>, config: &wgpu::SurfaceConfiguration) -> Result<()> {
         let _submit_lock = self.submit_lock();
         let mut done = Ok(());
@@ -29,13 +29,13 @@ impl Gpu {
         done
     }
 
-    /// Submits and waits until the device is done.
+    /// Submits one command buffer and waits until the device has executed it.
     pub(crate) fn submit_and_wait(&self, encoder: wgpu::CommandEncoder) -> Result<()> {
         self.submit_all_and_wait(iter::once(encoder).map(wgpu::CommandEncoder::finish))
     }
 
-    /// Submits each by itself, in order, and waits until the device is done with all. The device works on what has been
-    /// submitted while the next is being recorded.
+    /// Submits each command buffer by itself, in order, and waits until the device has executed all. The device
+    /// executes those submitted while the next one is recorded.
     pub(crate) fn submit_all_and_wait(
         &self,
         commands: impl IntoIterator<Item = wgpu::CommandBuffer>,
@@ -43,8 +43,8 @@ impl Gpu {
         self.submitted(commands, &self.submit_lock())
     }
 
-    /// As [`Gpu::submit_all_and_wait`] with at most two submissions before the device at a time; submits no more once
-    /// `cancelled` says so, and tells whether all were.
+    /// Like [`Gpu::submit_all_and_wait`], but keeps at most two submissions in flight and stops submitting once
+    /// `cancelled` returns true. Returns whether all were submitted.
     pub(crate) fn submit_until(
         &self,
         mut commands: impl ExactSizeIterator<Item = wgpu::CommandBuffer>,
@@ -66,17 +66,17 @@ impl Gpu {
         Ok(true)
     }
 
-    /// Copies a buffer (made with `COPY_SRC`) to main memory.
+    /// Copies a buffer with usage `COPY_SRC` to main memory.
     pub(crate) fn read_buffer(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>> {
         self.read(buffer.size(), |encoder, staging| {
             encoder.copy_buffer_to_buffer(buffer, 0, staging, 0, buffer.size());
         })
     }
 
-    /// Copies a texture (made with `COPY_SRC`) to main memory, rows without gaps.
+    /// Copies a texture with usage `COPY_SRC` to main memory, with tightly packed rows.
     ///
     /// # Errors
-    /// A device that failed or has no memory for it.
+    /// The device failed or has no memory for the copy.
     pub fn read_texture(&self, texture: &wgpu::Texture, bytes_per_texel: u32) -> Result<Vec<u8>> {
         let (width, height) = (texture.width(), texture.height());
         let row = (width * bytes_per_texel) as usize;
@@ -121,7 +121,7 @@ impl Gpu {
         copy(&mut encoder, &staging);
         let (done, mapped) = mpsc::channel();
         encoder.map_buffer_on_submit(&staging, wgpu::MapMode::Read, .., move |result| {
-            // Where nobody listens any more, the wait has failed before.
+            // If the receiver is gone, the wait has already failed.
             let _ = done.send(result);
         });
         let submit_lock = self.submit_lock();
@@ -152,7 +152,7 @@ impl Gpu {
         self.wait_for(last)
     }
 
-    /// Records and submits the next of the commands, if there are more.
+    /// Records and submits the next command buffer, if there is one.
     fn submit_next(
         &self,
         commands: &mut impl Iterator<Item = wgpu::CommandBuffer>,
@@ -160,18 +160,18 @@ impl Gpu {
         self.checked("a frame's commands", None, |_| commands.next().map(|next| self.queue.submit([next])))
     }
 
-    /// Waits for a submission, or for all.
+    /// Waits for one submission, or for all.
     fn wait_for(&self, submission: Option<wgpu::SubmissionIndex>) -> Result<()> {
         let wait = wgpu::PollType::Wait { submission_index: submission, timeout: Some(self.timeout) };
-        // wgpu 30 panics where the driver reports the loss during the wait ("Error in Device::poll"), holding no lock
-        // and after it has called back.
+        // wgpu 30 panics if the driver reports a loss during the wait ("Error in Device::poll"); at that point it
+        // holds no lock and has called its callbacks.
         let polled = catch_unwind(AssertUnwindSafe(|| self.device.poll(wait)));
         self.check_health()?;
         match polled {
             Ok(Ok(_)) => Ok(()),
             Ok(Err(wgpu::PollError::Timeout)) => Err(self.timed_out()),
             Ok(Err(error)) => Err(Error::Device(error.to_string())),
-            // wgpu's own message; a caller who does not pass the loss on (Gpu::on_lost) gets no other.
+            // The panic's message is the only report if the caller does not forward losses (`Gpu::on_lost`).
             Err(panic) => match panic.downcast::<String>() {
                 Ok(message) => Err(Error::Device(*message)),
                 Err(panic) => resume_unwind(panic),
@@ -180,7 +180,7 @@ impl Gpu {
     }
 
     fn timed_out(&self) -> Error {
-        // The last handle of a queue waits for the device without bound when it goes. This one never goes.
+        // Dropping the last handle of a queue waits for the device without a timeout, so this handle is leaked.
         mem::forget(self.queue.clone());
         Error::Timeout { adapter: self.facts.info.name.clone(), waited: self.timeout }
     }

@@ -1,4 +1,5 @@
-//! Adaptive undersampling (Kim 2016): base samples, then similarity checks that interpolate or list, then the listed rays.
+//! Adaptive undersampling (Kim 2016): traces base samples, then interpolates between similar ones and traces the
+//! others.
 
 use super::{FrameSpec, Recipe, full, postcorrect, recipe::{Loops, Storage}, stage::*, supersample};
 use crate::frame::plan::{Band, Plan, tiles};
@@ -48,7 +49,7 @@ stages! {
     }
 }
 
-/// Kim 2016's method, with extra samples (Jin 2009) where they are asked for.
+/// Adaptive undersampling (Kim 2016), with extra samples (Jin 2009) if the settings ask for them.
 pub const RECIPE: Recipe =
     Recipe { plan, traced: &TRACE_A1, storage: Storage { listed: 1, ..Storage::NONE }, interpolated: &[(&SIMILARITY_A1, Loops::OverLights)] };
 

@@ -1,10 +1,10 @@
-//! The baseline that traces every second pixel and interpolates the others, whatever they show.
+//! A baseline: traces every second pixel and interpolates the others without a similarity check.
 
 use super::{Output, Recipe, FrameSpec, recipe::{Loops, Storage}, stage::*};
 use crate::frame::plan::{Band, Plan, tiles};
 
 stages! {
-    /// Traces every second pixel.
+    /// Traces every second pixel of each row, in a checkerboard pattern.
     CHECKERBOARD = {
         name: "checkerboard", wgsl: "passes/checkerboard/checkerboard.wgsl", paper: "a baseline",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours, clears: [],
@@ -13,7 +13,7 @@ stages! {
             samples.tracing_sources([spec.tile_order(), entry])
         },
     }
-    /// Averages the four traced neighbours of each other pixel.
+    /// Fills each other pixel with the average of its traced neighbours.
     FILL = {
         name: "fill", wgsl: "passes/checkerboard/fill.wgsl", paper: "a baseline",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
@@ -21,7 +21,7 @@ stages! {
     }
 }
 
-/// A ray through every second pixel.
+/// Checkerboard rendering: stores the radiance of each pixel.
 pub const RECIPE: Recipe =
     Recipe { plan, traced: &CHECKERBOARD, storage: Storage { radiances: 1, ..Storage::WHOLE }, interpolated: &[(&FILL, Loops::Repeated(4.0))] };
 

@@ -1,5 +1,5 @@
-// Step-II-b and Step-III-b: the dense list is there, the dispatches that work through it are not yet.
-// What of it comes next: list_range_step.wgsl, list_range_all.wgsl, list_range_round.wgsl, list_range_subpixels.wgsl, list_range_pending.wgsl.
+// Step-II-b and Step-III-b (Kim 2016, Table 2): the list is already dense; writes the arguments of the indirect
+// dispatches over a range of it, which one of the files `list_range_*.wgsl` selects.
 
 struct Dispatch {
     x: u32,
@@ -8,7 +8,7 @@ struct Dispatch {
 }
 
 var<storage, read_write> list: List;
-// One for each chunk of the longest list that may be.
+// One entry for each chunk of the longest possible list.
 var<storage, read_write> dispatch: array<Dispatch>;
 
 @compute @workgroup_size(64)

@@ -1,4 +1,5 @@
-//! Numbers that both sides need: each stands here (or where Rust uses it most) and is written into the WGSL.
+//! Numeric constants shared with the shaders: each is defined here, or where Rust uses it most, and generated as
+//! WGSL.
 
 use std::fmt::Write as _;
 
@@ -13,22 +14,23 @@ use crate::{
     scene::OCTAHEDRAL_ERROR,
 };
 
-/// Threads of a workgroup that works through a list.
+/// Threads in a workgroup that processes entries of a list.
 pub const TRACE_GROUP: u32 = 64;
-/// Workgroups along x; a longer list goes on along y.
+/// Largest number of workgroups along x; more continue in the next row along y.
 pub const TRACE_ROW: u32 = 32_768;
 
-/// Samples that a refined pixel gets at once, and in all.
+/// Samples that a refined pixel gets per step, and the most that it gets in total.
 pub const REFINE_STEP: u32 = 4;
 pub const REFINE_MOST: u32 = 16;
-/// Words of what is known of a pixel that is refined: four samples and a sum.
+/// Words of a refined pixel's state in the list buffer: four RGB samples and the sum of all, three words each.
 pub const REFINE_WORDS: u32 = 15;
-/// What subpixels must exceed the least threshold by for the cells between them to get samples.
+/// Factor on the smallest threshold: cells of a refined pixel get a sample if its subpixels differ by more.
 pub const STRATUM_CONTRAST: f32 = 2.0;
 
-/// By what share of the distance a box grows on all sides in the traversal, so that it loses no hit of what is inside.
-/// With `e = 2^-24` (half a unit in the last place), WGSL's 5 e for a quotient and `D`, the largest distance from the ray's
-/// origin to a plane of the node along an axis, rounding moves
+/// Margin by which the traversal enlarges bounding boxes on all sides, relative to the distance, so that rounding
+/// never loses a hit inside the box. With `e = 2^-24` (half a unit in the last place), WGSL's error of 5 e for a
+/// quotient, and `D`, the largest distance along an axis from the ray's origin to a plane of the node, rounding
+/// errors are
 ///
 /// | what | by at most |
 /// | --- | --- |
@@ -37,10 +39,11 @@ pub const STRATUM_CONTRAST: f32 = 2.0;
 /// | the distance of a hit within its box: corner, sum and reciprocal of the weights, products, sum, `1 / d` | 1 + 2 + 5 + 2 + 2 + 6 = 18 e D |
 /// | two hits at the same distance, of which the second must be looked at too | 8 e D |
 ///
-/// together 47 e D; it is 48.
+/// The sum is 47 e D, rounded up to 48.
 pub const BVH_ROUNDING: f32 = 48.0 / 16_777_216.0;
-/// How far off their face new rays start: `OFFSET_COORDINATES |n| . |corners| + OFFSET_SIZE size`, so that the next test of
-/// the same triangle, or of one beside it in its plane and not much larger, finds it behind the ray. With `e = 2^-24`:
+/// Distance of a new ray's origin from the triangle that it starts on: `OFFSET_COORDINATES |n| . |corners| +
+/// OFFSET_SIZE size`. It is large enough that the intersection test finds the same triangle, or a coplanar
+/// neighbour that is not much larger, behind the origin. With `e = 2^-24`:
 ///
 /// | what moves along the normal | by at most |
 /// | --- | --- |
@@ -49,33 +52,34 @@ pub const BVH_ROUNDING: f32 = 48.0 / 16_777_216.0;
 /// | the corners in the next test across the ray, both axes ([`BVH_ROUNDING`]) | 1.42 x 10 e size |
 /// | the distance that it finds | 18 e size |
 ///
-/// The first is doubled for normals of slivers, which lean; the others together are 37.2 e and 40 e are taken.
+/// The first bound is doubled, as normals of slivers are inaccurate; the others sum to 37.2 e, rounded up to 40
+/// e.
 pub const OFFSET_COORDINATES: f32 = 4.0 / 16_777_216.0;
 pub const OFFSET_SIZE: f32 = 40.0 / 16_777_216.0;
 
-/// Two hits at distances that differ by no more than this share count as one, and the lower object has it.
+/// Relative difference up to which two hit distances count as equal; the hit with the lower OID then wins.
 pub const SAME_DISTANCE: f32 = 4.0 / 16_777_216.0;
 
-/// Footprints whose longer axis is so many texels of the level in which one texel is as wide as the shorter axis, or longer,
-/// are taken for wider ones.
+/// Longest footprint axis, in texels of the level whose texels are as wide as the shorter axis. Longer footprints
+/// are sampled from a coarser level.
 pub const TEXTURE_MOST_LENGTH: f32 = 5.0;
-/// Up to where points lie along the longer and the shorter axis, squared, in units of their distance: 9 points and 3.
+/// Squares of the largest lengths of the longer and the shorter axis in sample spacings: at most 9 x 3 points.
 pub const TEXTURE_LONGEST: f32 = 81.0;
 pub const TEXTURE_WIDEST: f32 = 9.0;
-/// One over the part of a level, in its logarithm, in which the next one sets in.
+/// Reciprocal of the part of a level, on the logarithmic scale, over which the next level is blended in.
 pub const TEXTURE_STEPS: f32 = 4.0;
-/// log2 of the second moments of footprints that are stored, in texture coordinates: from a quarter of a texel of the
-/// largest image to more than [`CONE_MOST`].
+/// Range of log2 of stored second moments of footprints, in squared texture coordinates: from a quarter of a
+/// texel of the largest image to more than [`CONE_MOST`].
 pub const FOOTPRINT_LEAST: f32 = -32.0;
 pub const FOOTPRINT_MOST: f32 = 10.0;
-/// Surfaces are seen at no smaller cosine, footprints reach over no more of a texture (which is its smallest level many
-/// times over), and cones grow by no more: everything stays finite.
+/// Limits that keep ray cones finite: the smallest cosine at a surface, the widest footprint in texture
+/// coordinates (many times the smallest mip level), and the largest growth of a cone at a surface.
 pub const CONE_LEAST_COSINE: f32 = 1.0e-4;
 pub const CONE_MOST: f32 = 16.0;
 pub const CONE_MOST_GROWTH: f32 = 8.0;
 
 impl FrameSpec {
-    /// Numbers that both sides need, as WGSL constants.
+    /// Generates the constants that Rust and the shaders share as WGSL.
     pub(super) fn constants(&self) -> Source {
         let f = &self.features;
         let mut text = String::new();
@@ -116,7 +120,7 @@ impl FrameSpec {
             ("CHANNELS", self.stored_channels()),
             ("SAMPLING", self.settings.sampling),
             ("BVH_STACK", self.scene.bvh_stack),
-            // Each level leaves at most one branch for later, the last one none; two are put down at a time.
+            // Each level but the last leaves at most one branch for later; a level pushes two.
             ("SCATTER_STACK", self.settings.depth + 1),
             ("MAX_RAYS", MAX_RAYS),
             ("LIGHT_COUNT", self.scene.lights),
@@ -165,7 +169,8 @@ impl FrameSpec {
             ("BVH_ROUNDING", if self.robustness.boxes { BVH_ROUNDING } else { 0.0 }),
             ("OFFSET_COORDINATES", if self.robustness.offset { OFFSET_COORDINATES } else { 0.0 }),
             ("OFFSET_SIZE", if self.robustness.offset { OFFSET_SIZE } else { 0.0 }),
-            // Rays that pass straight on need one order of the surfaces, without a tolerance.
+            // With panes, rays pass straight through surfaces and need a strict order of hits, without a
+            // tolerance.
             ("SAME_DISTANCE", if self.has_panes { 0.0 } else { SAME_DISTANCE }),
             ("STRATUM_CONTRAST", STRATUM_CONTRAST),
             ("SPHERE_MARK", gpu_scene::SPHERE_MARK),

@@ -1,4 +1,5 @@
-//! What a frame's units of work ask of a device: arithmetic and bytes, from the code of the kernels that do them.
+//! Cost model: the arithmetic and memory traffic of a frame's units of work, counted from the code of its
+//! kernels.
 
 use std::ops::{Add, AddAssign};
 
@@ -13,20 +14,20 @@ use crate::{
     },
 };
 
-/// What some work asks of a device.
+/// Arithmetic and memory traffic of some work.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
 pub struct Demand {
-    /// Arithmetic on one 32-bit number each; a quotient or a transcendental function counts as four, the rate at which
-    /// graphics devices do them. A fused multiply-add would be two.
+    /// Operations on single 32-bit numbers. A quotient or a transcendental function counts as four, from its rate
+    /// on GPUs; a fused multiply-add would count as two.
     pub operations: f64,
-    /// Bytes read of the scene: nodes, primitives, materials, texels. Caches spare most of them.
+    /// Bytes read of nodes, primitives, materials and texels. Caches serve most of them.
     pub scene_bytes: f64,
-    /// Bytes read and written of what is stored by sample: attributes, lists, colours.
+    /// Bytes read and written of per-sample data: attributes, lists, colours.
     pub frame_bytes: f64,
 }
 
 impl Demand {
-    /// So many times this.
+    /// The demand of `count` times this work.
     #[must_use]
     pub fn times(self, count: f64) -> Self {
         Self {
@@ -55,44 +56,45 @@ impl AddAssign for Demand {
     }
 }
 
-/// What few tests need: an edge where rounding does not decide it, a triangle beyond the range of f32, and what is asked
-/// about hits, of which a ray has one or two among many tests.
+/// Functions that a traversal calls only in a few of its primitive tests, so they are left out: edge signs that
+/// rounding does not decide, triangles beyond the range of f32, and the handling of hits, of which a ray has one
+/// or two.
 const RARE: [&str; 5] =
     ["triangle_edge_sign", "triangle_scaled_edges", "bvh_ahead", "bvh_nearer", "any_hit_accepts"];
-/// What texture averages are made of, in loops of their own. They are taken for three rows of three points each, in the second
-/// level of one texture.
+/// Functions that average textures and have loops of their own. The model assumes three rows of three points
+/// each, on level 2 of one texture.
 const AVERAGES: [&str; 2] = ["texture_points", "texture_level"];
 const TRAVERSAL: &str = "bvh_traverse";
 const SHADOWS: &str = "shadow_bits";
 
-/// Demands of the units of work that a frame's counters count.
+/// Demands of each unit of work that the counters of a frame count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
 pub struct Demands {
-    /// A traced sample, besides its rays.
+    /// A traced sample, without its rays.
     pub sample: Demand,
-    /// A ray that is followed (primary, reflection, refraction) and the surface that it meets.
+    /// A primary, reflected or refracted ray and the shading of the surface that it hits.
     pub followed_ray: Demand,
-    /// A light, at each surface that a ray meets.
+    /// The evaluation of one light at one shaded surface.
     pub light: Demand,
-    /// Any ray's entry into the acceleration structure.
+    /// The setup of a traversal, for a ray of any kind.
     pub ray: Demand,
-    /// A visited node.
+    /// A visited node of the acceleration structure.
     pub node_visit: Demand,
-    /// A tested primitive.
+    /// A ray intersection test with a triangle or a sphere.
     pub primitive_test: Demand,
-    /// A sample that is checked and interpolated.
+    /// A sample that passes the similarity checks and is interpolated.
     pub interpolated: Demand,
-    /// A light, at each interpolated sample.
+    /// The evaluation of one light at one interpolated sample.
     pub interpolated_light: Demand,
 }
 
 impl Demands {
-    /// Of frames of a scene with these settings.
+    /// Demands of a scene's frames with these settings.
     ///
     /// # Errors
-    /// [`crate::Error::Shader`] where a kernel does not link.
+    /// [`crate::Error::Shader`] if a kernel does not link.
     pub fn of(scene: &GpuScene, settings: &Settings) -> Result<Self> {
-        // As a GPU has them.
+        // The model describes GPUs, whatever device is used.
         let spec = FrameSpec { tier: Tier::Gpu, ..FrameSpec::new(scene, settings) };
         Self::of_spec(&spec)
     }
@@ -103,7 +105,7 @@ impl Demands {
         let of = |function, apart: &[&str]| count(&kernel, function, apart).unwrap_or_default();
         let tree = [RARE.as_slice(), &AVERAGES, &[TRAVERSAL]].concat();
         let [sample, followed, light] = of(None, &[tree.as_slice(), &[SHADOWS]].concat());
-        // Its own loop is over lights.
+        // The outermost loop of this function is over lights.
         let [surface, shadow, _] = of(Some(SHADOWS), &tree);
         let [ray, node_visit, primitive_test] = of(Some(TRAVERSAL), &RARE);
         let (interpolated, interpolated_light) = between(spec, recipe)?;
@@ -120,14 +122,14 @@ impl Demands {
     }
 }
 
-/// A texture's average, besides what happens once.
+/// A texture average, without the parts outside of its loops.
 fn average(kernel: &Linked) -> Demand {
     let of = |function| count(kernel, Some(function), &[]).unwrap_or_default();
     let [[points, row, point], [level, above, _]] = AVERAGES.map(of);
     points + row.times(3.0) + point.times(9.0) + level + above
 }
 
-/// What is not traced: at each sample, and there for each light.
+/// Demand of one sample that is not traced, and the part of it that recurs for each light.
 fn between(spec: &FrameSpec, recipe: &Recipe) -> Result<(Demand, Demand)> {
     let (mut sample, mut light) = (Demand::default(), Demand::default());
     for (stage, loops) in recipe.interpolated {
@@ -153,18 +155,19 @@ mod tests {
         Demands::of_spec(&spec).expect("links")
     }
 
-    /// The node of Ylitie 2017 has 80 bytes, a triangle of this crate 36: what the code reads of them is the check that the
-    /// walk through it sees what happens where.
+    /// The node of Ylitie et al. 2017 has 80 bytes and a triangle of this crate 36. Reading exactly these shows
+    /// that the counter attributes work to the right loops.
     #[test]
     fn a_node_is_read_once_a_visit_and_a_triangle_once_a_test() {
         for method in Method::ALL {
             let demands = demands("room", method);
             assert_eq!(demands.node_visit.scene_bytes, 80.0, "{method:?}");
-            // And the number that tells a sphere from a triangle.
+            // 4 more bytes for the mark that distinguishes spheres from triangles.
             assert_eq!(demands.primitive_test.scene_bytes, 36.0 + 4.0, "{method:?}");
-            // Eight boxes of six planes, of which each is unpacked, converted, scaled and moved, in five operations.
+            // Eight boxes of six planes: unpacking, conversion, scaling and translation take five operations per
+            // plane.
             assert!((240.0..500.0).contains(&demands.node_visit.operations), "{demands:?}");
-            // Three corners: moved and sheared in seven operations, multiplied in pairs in nine.
+            // Three corners: translation and shear in seven operations, products of pairs in nine.
             assert!((48.0..250.0).contains(&demands.primitive_test.operations), "{demands:?}");
             assert!(demands.ray.operations > 0.0 && demands.ray.scene_bytes == 0.0, "{demands:?}");
             assert!(demands.followed_ray.operations > demands.light.operations, "{demands:?}");
@@ -178,7 +181,7 @@ mod tests {
         assert_eq!((full.sample.frame_bytes, full.interpolated), (4.0, Demand::default()), "a pixel");
         let adaptive = demands("room", Method::Adaptive);
         let channels = 4.0 * f64::from(u8::try_from(adaptive_channels()).expect("few"));
-        // A pixel, its attributes, its entry in the list and the three numbers at the list's head.
+        // The pixel, its attributes, its list entry and the three words of the list's header.
         assert!(adaptive.sample.frame_bytes >= 4.0 + channels + 4.0, "{adaptive:?}");
         assert!(
             adaptive.interpolated.frame_bytes >= 4.0 + 3.0 * channels,
@@ -186,7 +189,8 @@ mod tests {
         );
         assert_eq!(adaptive.node_visit, full.node_visit);
         let checkerboard = demands("room", Method::Checkerboard);
-        // Four neighbours (12 bytes each) and the pixel, and what the other half does beside it: its own sample, its pixel.
+        // Four neighbours of 12 bytes and the pixel; the branch for traced pixels reads its sample and writes its
+        // pixel.
         assert_eq!(checkerboard.interpolated.frame_bytes, (4.0 * 12.0 + 4.0) + (12.0 + 4.0));
     }
 
@@ -201,7 +205,7 @@ mod tests {
         assert!(wires.followed_ray.scene_bytes < room.followed_ray.scene_bytes, "no textures");
     }
 
-    /// A function of another name would be counted with every test.
+    /// Fails if a function is renamed: it would then be counted with every test.
     #[test]
     fn rare_functions_are_there() {
         let settings = Settings { method: Method::Full, ..Settings::default() };

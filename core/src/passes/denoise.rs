@@ -1,4 +1,4 @@
-//! Removal of the noise of paths, after all samples of a frame: what is shown changes, the sums of the samples do not.
+//! Denoising of path-traced frames. It changes the displayed image; the accumulated sums of the samples stay.
 
 use super::{FrameSpec, stage::*, wgsl};
 use crate::{
@@ -14,19 +14,19 @@ stages! {
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.denoise_sources([entry]),
     }
-    /// Prepares the light of all pixels for the a-trous filter.
+    /// Prepares the pixels' light, without albedo and with fireflies clamped, for the a-trous filter.
     ATROUS_BEGIN = {
         name: "atrous_begin", wgsl: "passes/denoise/atrous_begin.wgsl", paper: "ours",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.denoise_sources([wgsl!("wgsl/denoise/atrous_buffer.wgsl"), entry]),
     }
-    /// One level of the a-trous filter.
+    /// Filters the light with one level of the a-trous filter.
     ATROUS = {
         name: "atrous", wgsl: "passes/denoise/atrous.wgsl", paper: "Dammertz et al. 2010, section 2.2",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.atrous_sources(wgsl!("wgsl/denoise/atrous_next_level.wgsl"), entry),
     }
-    /// The last level of the a-trous filter, which writes the pixels.
+    /// Filters the light with the last level of the a-trous filter and writes the pixels.
     ATROUS_END = {
         name: "atrous_end", wgsl: "passes/denoise/atrous.wgsl", paper: "Dammertz et al. 2010, section 2.2",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
@@ -34,10 +34,10 @@ stages! {
     }
 }
 
-/// Levels of the a-trous filter, each of which looks twice as far as the one before.
+/// Number of levels of the a-trous filter; each doubles the distance of the taps.
 const ATROUS_LEVELS: u32 = 4;
 
-/// The passes of one way to remove noise.
+/// Adds the passes of the denoiser.
 pub fn plan(plan: &mut Plan, denoise: Denoise, width: u32, rows: Rows) {
     match denoise {
         Denoise::Off => {}
@@ -58,7 +58,7 @@ impl FrameSpec {
         self.denoise_sources([wgsl!("wgsl/denoise/atrous_buffer.wgsl"), wgsl!("wgsl/denoise/atrous.wgsl"), end, entry])
     }
 
-    /// What a kernel needs that treats noise of paths, and ends in these.
+    /// The sources of a kernel that denoises, ending with `entry`.
     fn denoise_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
         let mut sources = vec![
             self.constants(),

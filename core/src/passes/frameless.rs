@@ -1,4 +1,4 @@
-//! Frameless rendering: a share of the pixels is traced in each frame, the others show what they showed.
+//! Frameless rendering: each frame traces a fraction of the pixels and keeps the others as they were.
 
 use super::{FrameSpec, Recipe, recipe::Storage, stage::*, wgsl};
 use crate::{
@@ -7,7 +7,7 @@ use crate::{
 };
 
 stages! {
-    /// Traces the pixels whose turn it is.
+    /// Traces the pixels whose rank is due in this frame.
     FRAMELESS = {
         name: "frameless", wgsl: "passes/frameless/frameless.wgsl", paper: "lecture, \"Low level optimizations\"",
         work: Work::Ranks, tracing: Tracing::Neighbours, clears: [],
@@ -17,11 +17,11 @@ stages! {
     }
 }
 
-/// The lecture's frameless rendering.
+/// Frameless rendering as in the lecture, over the whole frame as one band.
 pub const RECIPE: Recipe = Recipe { plan, traced: &FRAMELESS, storage: Storage::WHOLE, interpolated: &[] };
 
-/// Tiles that are renewed at once: bounded for a frame that traces all of them. Whatever their share, groups of threads
-/// end with their last one.
+/// Tiles per dispatch, which bounds the work of frames that trace every rank. For any fraction of the ranks, the
+/// tiles of a dispatch fill whole workgroups.
 const TILES: u32 = SAMPLES_PER_SUBMISSION / RANKS;
 
 fn plan(plan: &mut Plan, _: &FrameSpec, band: &Band) {

@@ -1,4 +1,4 @@
-//! Full ray tracing: a sample in every cell of an even grid, and pixels from several samples.
+//! Full ray tracing: a sample in every cell of a regular grid, filtered to pixels if these have several.
 
 use super::{FrameSpec, Recipe, recipe::Storage, stage::*};
 use crate::{
@@ -7,13 +7,13 @@ use crate::{
 };
 
 stages! {
-    /// Traces every sample.
+    /// Traces every sample of the grid.
     FULL = {
         name: "full", wgsl: "passes/full/full.wgsl", paper: "lecture, \"trace() in detail\"",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours, clears: [],
         sources: |spec, entry| spec.tracing_sources([spec.tile_order(), entry]),
     }
-    /// Filters the samples of each pixel.
+    /// Filters the samples around each pixel to its colour.
     RESOLVE = {
         name: "resolve", wgsl: "passes/full/resolve.wgsl", paper: "Kim 2016, 6.1 (\"Sampling\")",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
@@ -21,7 +21,7 @@ stages! {
     }
 }
 
-/// A ray through every sample.
+/// Full ray tracing; stores samples only where pixels have several.
 pub const RECIPE: Recipe = Recipe { plan, traced: &FULL, storage: Storage::NONE, interpolated: &[] };
 
 fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
@@ -32,7 +32,7 @@ fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
     resolve(plan, spec, band);
 }
 
-/// Pixels whose filter covers samples of their neighbours.
+/// Adds passes for a filter that reaches beyond the pixel, into the samples of its neighbours.
 fn filtered(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
     let ([width, height], sampling) = (plan.grid, spec.settings.sampling);
     let (rows, stored) = band.alone(height, sampling);
@@ -42,7 +42,7 @@ fn filtered(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
     plan.push(tiles(&RESOLVE, width / sampling, pixels));
 }
 
-/// Pixels from their own samples, where they have several.
+/// Adds the pass that filters each pixel's own samples, if it has several.
 pub fn resolve(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
     if spec.settings.sampling > 1 {
         plan.push(tiles(&RESOLVE, plan.grid[0] / spec.settings.sampling, band.pixels(spec.settings.sampling)));

@@ -1,4 +1,4 @@
-//! What the kernels of an adaptive frame are made of: what leaving out saves is the difference of two of these.
+//! Which code and data the kernels of an adaptive frame link; shows what specialization to a scene saves.
 
 use std::collections::BTreeSet;
 
@@ -8,29 +8,29 @@ use crate::{
     frame::plan::Plan, scene::Thinness,
 };
 
-/// The frame that is asked about; its size matters to `postcorrect auto` alone.
+/// Size of the assumed frame in pixels; only `postcorrect auto` depends on it.
 const SIZE: [u32; 2] = [2560, 1440];
 
-/// Everything that is linked into the kernels of an adaptive frame of 2560x1440 with default settings.
+/// What the kernels of an adaptive frame of 2560x1440 with default settings link.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Linked {
-    /// WGSL files.
+    /// Linked WGSL files.
     pub files: BTreeSet<&'static str>,
-    /// Buffers and images that some kernel binds.
+    /// Names of the buffers and images that the kernels bind.
     pub bindings: BTreeSet<String>,
-    /// Bytes of the attributes that are stored of two samples, one below the other.
+    /// Bytes of stored attributes for two samples, one below the other.
     pub attribute_bytes: usize,
 }
 
 impl Linked {
-    /// Of a scene that is not on a device yet.
+    /// Links the kernels for a scene that need not be on a device.
     ///
     /// # Errors
-    /// [`crate::Error::Shader`] where a kernel does not link.
+    /// [`crate::Error::Shader`] if a kernel does not link.
     pub fn of(scene: &Scene, specialize: Specialize) -> Result<Self> {
         let settings = Settings { specialize, ..Settings::default() };
         let thinness = Thinness::of(scene);
-        // Everything is more than a scene without thin things would link of it.
+        // `All` links postcorrection even if the scene has nothing thin.
         let everything = specialize == Specialize::All;
         let corrects = everything || thinness.is_thin(SIZE[1], settings.block);
         let postcorrect = if corrects { Postcorrect::On } else { Postcorrect::Off };

@@ -1,5 +1,5 @@
-//! The stages of a frame and what each is made of. A file holds the stages of one method or of one step that methods share,
-//! their order in a frame, and the WGSL files that their kernels are linked from.
+//! The stages of a frame and their kernels. Each file holds the stages of one method, or of a step that methods
+//! share: their order in a frame and the WGSL files that their kernels are linked from.
 
 mod constants;
 mod demand;
@@ -24,11 +24,11 @@ pub use stage::{Clears, PATH_TILE, Stage, Tracing};
 pub use stage::{TRACED_TILE, Work};
 pub(crate) use stage::{stages, wgsl};
 
-/// Declares the files with stages, and the list of all stages.
+/// Declares the modules with stages and the list of all stages.
 macro_rules! files_with_stages {
     ($($file:ident)*) => {
         $(pub mod $file;)*
-        /// Every stage.
+        /// All stages of all methods.
         pub fn stages() -> impl Iterator<Item = &'static Stage> {
             [$($file::STAGES),*].into_iter().flatten().copied()
         }

@@ -1,8 +1,8 @@
-//! Arithmetic and memory traffic of a kernel, counted from its code.
+//! Counts the arithmetic and the memory traffic of a kernel from its code.
 //!
-//! What a statement costs is counted once where it stands, by how many loops are around it: what is around the innermost
-//! loop happens once for each turn of the loop outside of it, however often that is. Of two branches the longer one counts,
-//! as a group of threads takes both where they differ; a condition that is known when the kernel is linked decides.
+//! Each statement is counted once, by the number of loops around it: a statement inside a loop is the demand of
+//! one iteration, however many there are. Of two branches the more expensive one counts, since a group of threads
+//! executes both when it diverges. Conditions that are constant when the kernel is linked select their branch.
 
 #[cfg(test)]
 mod tests;
@@ -16,10 +16,10 @@ use wgpu::naga::{
 use super::Demand;
 use crate::device::shader::Linked;
 
-/// Demands by the number of loops around them; what lies deeper counts with the deepest.
+/// Demand by the number of enclosing loops: none, one, two or more.
 pub type ByLoops = [Demand; 3];
 
-/// Buffers that hold something of each sample. All others hold the scene.
+/// Buffers with per-sample data; all others hold the scene.
 const OF_SAMPLES: [&str; 11] = [
     "attributes",
     "list",
@@ -34,15 +34,15 @@ const OF_SAMPLES: [&str; 11] = [
     "cpu_samples",
 ];
 
-/// Operations of what takes a special unit, of which devices have a quarter as many.
+/// Operations that a special function counts as; GPUs have a quarter as many units for them.
 const SPECIAL: f64 = 4.0;
 
-/// Bytes of a texel, of a displayed pixel, and of what an atomic operation reads and writes.
+/// Bytes of a texel or a displayed pixel, and bytes that an atomic operation reads and writes.
 const TEXEL: f64 = 4.0;
 const ATOMIC: f64 = 8.0;
 
-/// What the function of that name does, or the entry point if none is named, without what is done in the functions
-/// `apart`; `None` where the kernel has no such function.
+/// Counts a function, or the entry point if no function is named, without the calls of functions in `apart`.
+/// `None` if the kernel has no such function.
 pub fn count(linked: &Linked, function: Option<&str>, apart: &[&str]) -> Option<ByLoops> {
     let counter = Counter { module: &linked.module, info: &linked.info, apart };
     let mut found = ByLoops::default();
@@ -71,7 +71,7 @@ struct Counter<'m> {
     apart: &'m [&'m str],
 }
 
-/// The counter inside of a function.
+/// Counts within the body of one function.
 struct Body<'m> {
     counter: Counter<'m>,
     function: &'m Function,
@@ -93,7 +93,7 @@ impl<'m> Counter<'m> {
 }
 
 impl Body<'_> {
-    /// Adds what a block does; tells whether nothing comes after it.
+    /// Adds the demand of a block. Returns whether it always returns.
     fn block(&self, block: &Block, loops: usize, found: &mut ByLoops) -> bool {
         block.iter().any(|statement| self.statement(statement, loops, found))
     }
@@ -135,7 +135,7 @@ impl Body<'_> {
         false
     }
 
-    /// Adds the branch that does most; tells whether nothing comes after any.
+    /// Adds the branch with the greatest demand. Returns whether all of them return.
     fn longer<'b>(
         &self,
         branches: impl IntoIterator<Item = &'b Block>,
@@ -158,7 +158,7 @@ impl Body<'_> {
         ends
     }
 
-    /// A condition that was decided when the kernel was linked.
+    /// The value of a condition that is constant in this kernel.
     fn known(&self, condition: Handle<Expression>) -> Option<bool> {
         let literal = match self.function.expressions[condition] {
             Expression::Literal(literal) => literal,
@@ -182,7 +182,7 @@ impl Body<'_> {
                 operations(SPECIAL * wide)
             }
             Expression::Binary { .. } | Expression::Select { .. } => operations(wide),
-            // A sign is turned where the number is used.
+            // Negation is free, as a modifier of the operand.
             Expression::Unary { op: UnaryOperator::Negate, .. } => Demand::default(),
             Expression::Unary { .. } => operations(wide),
             Expression::As { convert: Some(_), .. } => operations(wide),
@@ -194,7 +194,7 @@ impl Body<'_> {
         }
     }
 
-    /// Bytes that go to or come from a buffer; what a thread has for itself counts nothing, nor do constants.
+    /// Traffic of an access through `pointer`. Private variables and uniform constants count as none.
     fn traffic(&self, pointer: Handle<Expression>, bytes: f64) -> Demand {
         let mut place = pointer;
         loop {
@@ -234,7 +234,7 @@ impl Body<'_> {
     }
 }
 
-/// Operations of a function of `from` numbers that gives `to`.
+/// Operations of a built-in function with `from` components in and `to` components out.
 fn function(function: MathFunction, from: f64, to: f64) -> f64 {
     use MathFunction as F;
     match function {
@@ -260,7 +260,7 @@ fn function(function: MathFunction, from: f64, to: f64) -> f64 {
         | F::Sqrt
         | F::InverseSqrt => SPECIAL * to,
         F::Pow => (2.0 * SPECIAL + 1.0) * to,
-        // A shift and a mask for each number.
+        // A shift and a mask for each component.
         F::Unpack4xU8 | F::Unpack2x16unorm | F::Unpack2x16snorm | F::Unpack4x8unorm => 2.0 * to,
         F::Pack2x16unorm | F::Pack2x16snorm | F::Pack4x8unorm => 2.0 * from,
         _ => to,

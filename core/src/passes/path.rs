@@ -1,4 +1,4 @@
-//! Path tracing (Kajiya 1986): a path through every pixel of each frame, added to those of the frames before.
+//! Path tracing (Kajiya 1986): each frame adds one path per pixel to the samples of the frames before.
 
 use super::{Output, Recipe, recipe::Storage, FrameSpec, denoise, sources::pick, stage::*, stereo, wgsl};
 use crate::{
@@ -8,13 +8,13 @@ use crate::{
 };
 
 stages! {
-    /// Traces a path through every pixel.
+    /// Traces one path through every pixel and adds its radiance to the pixel's sum.
     PATH = {
         name: "path", wgsl: "passes/path/path.wgsl", paper: "Kajiya 1986; Kim & Sung 2021, equation 7",
         work: Work::Tiles(PATH_TILE), tracing: Tracing::Neighbours, clears: [],
         sources: |spec, entry| spec.path_sources(entry),
     }
-    /// Adds samples that were traced elsewhere to the sums of the pixels; it runs between frames.
+    /// Adds samples that were traced by the CPU to the sums of the pixels; runs between frames.
     ACCUMULATE = {
         name: "accumulate", wgsl: "passes/path/accumulate.wgsl", paper: "Kim & Sung 2021, Algorithm 5",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
@@ -28,10 +28,10 @@ stages! {
     }
 }
 
-/// Path tracing of one picture or of one for each eye.
+/// Path tracing of one image, or of one for each eye.
 pub const RECIPE: Recipe = Recipe { plan, traced: &PATH, storage: Storage { radiances: 1, ..Storage::WHOLE }, interpolated: &[] };
 
-/// A path through every pixel, and what is done about their noise.
+/// A path through every pixel, stereo reuse and the denoiser.
 fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
     let (width, rows) = (plan.grid[0], band.rows(1, band.own));
     plan.push(tiles(&PATH, width, rows));
@@ -72,7 +72,7 @@ impl FrameSpec {
         sources
     }
 
-    /// Where colours go whose noise is yet to be removed: what does that shows them.
+    /// Where kernels write colours before the denoiser: nowhere if a denoiser follows, as it writes the pixels.
     pub(super) fn output_before_noise(&self) -> Output {
         if self.settings.paths.denoise == Denoise::Off { self.output } else { Output::Nowhere }
     }

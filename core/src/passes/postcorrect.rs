@@ -1,4 +1,4 @@
-//! Postcorrection (Kim 2016, section 4): interpolated samples beside traced ones of another object are traced too.
+//! Postcorrection (Kim 2016, section 4): traces interpolated samples next to traced ones of another object.
 
 use super::{FrameSpec, stage::*, wgsl};
 use crate::{
@@ -9,13 +9,13 @@ use crate::{
 };
 
 stages! {
-    /// Compacts everything that was listed so far.
+    /// Compacts all samples listed by the adaptive steps for indirect dispatch.
     COMPACT_SEED = {
         name: "compact_seed", wgsl: "passes/compact.wgsl", paper: "Kim 2016, 4; Step-IV",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/adaptive/list_range_all.wgsl"), entry),
     }
-    /// Claims interpolated neighbours of listed samples.
+    /// Claims interpolated neighbours that differ from a listed sample.
     POSTCORRECT_SEED = {
         name: "postcorrect_seed", wgsl: "passes/postcorrect/postcorrect_seed.wgsl", paper: "Kim 2016, 4; Step-IV",
         work: Work::List, tracing: Tracing::No, clears: [],
@@ -25,7 +25,7 @@ stages! {
             sources
         },
     }
-    /// Claims samples where points of thin features are seen that no traced sample has met.
+    /// Claims pixels onto which points of thin features project and that no traced sample has covered.
     POSTCORRECT_PROBE_POINTS = {
         name: "postcorrect_probe_points", wgsl: "passes/postcorrect/postcorrect_probe_points.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
@@ -35,13 +35,13 @@ stages! {
             sources
         },
     }
-    /// Compacts the samples that the last round claimed.
+    /// Compacts the samples claimed in the last round for indirect dispatch.
     COMPACT_POSTCORRECT = {
         name: "compact_postcorrect", wgsl: "passes/compact.wgsl", paper: "Kim 2016, 4; Step-IV",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/adaptive/list_range_round.wgsl"), entry),
     }
-    /// Traces claimed samples and claims their neighbours.
+    /// Traces the claimed samples and claims their differing neighbours.
     POSTCORRECT = {
         name: "postcorrect", wgsl: "passes/postcorrect/postcorrect.wgsl", paper: "Kim 2016, 4; Step-IV",
         work: Work::List, tracing: Tracing::Listed, clears: [],
@@ -50,7 +50,7 @@ stages! {
             spec.tracing_sources_from(claims, spec.hit(), step_sources(entry))
         },
     }
-    /// Scans rows or columns in one direction, as the paper does.
+    /// Scans rows or columns in one direction and traces differing neighbours, as in the paper.
     POSTCORRECT_SCAN = {
         name: "postcorrect_scan", wgsl: "passes/postcorrect/postcorrect_scan.wgsl", paper: "Kim 2016, 5; Step-IV",
         work: Work::Lines, tracing: Tracing::Listed, clears: [],
@@ -60,15 +60,16 @@ stages! {
     }
 }
 
-/// In the first rounds a thread traces one sample: most of what is found is near, and threads that walk on stay in step with
-/// each other no longer. In the others they walk, together twice as far as the longest straight run of a band.
+/// Number of rounds in which each thread traces one sample, and of rounds in which it walks on. Most samples are
+/// found in the short rounds, which keep threads converged; the walks together reach twice the longest straight
+/// run in a band.
 const SHORT_ROUNDS: u32 = 6;
 const LONG_ROUNDS: u32 = 10;
 
 /// The most samples that one round traces.
 pub const ROUND_SAMPLES: u32 = SAMPLES_PER_SUBMISSION / 4;
 
-/// Kim 2016, section 4, inside the band.
+/// Adds the passes of postcorrection (Kim 2016, section 4) within a band.
 pub fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
     let rows = band.rows(1, [band.first, band.end]);
     let samples = plan.grid[0] * rows.count();

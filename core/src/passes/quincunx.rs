@@ -1,4 +1,5 @@
-//! The lecture's adaptive supersampling: centres and corners of pixels, whose quarters are divided where they differ.
+//! The lecture's adaptive supersampling: samples pixels at centre and corners and recursively divides quarters
+//! that differ.
 
 use super::{Output, Recipe, recipe::Storage, FrameSpec, stage::*, wgsl};
 use crate::{
@@ -7,20 +8,20 @@ use crate::{
 };
 
 stages! {
-    /// Traces centres and corners of all pixels.
+    /// Traces the centres and corners of all pixels.
     QUINCUNX_BASE = {
         name: "quincunx_base", wgsl: "passes/quincunx/quincunx_base.wgsl", paper: "lecture, \"Adaptive supersampling (1)\"",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours,
         clears: [Clears::ListHeader, Clears::Attributes],
         sources: |spec, entry| spec.quincunx_tracing_sources([spec.tile_order(), entry]),
     }
-    /// Lists the samples that divide subpixels.
+    /// Lists the samples that divide the quarters of pixels.
     QUINCUNX_SPLIT_A = {
         name: "quincunx_split_a", wgsl: "passes/quincunx/quincunx_split_a.wgsl", paper: "lecture, \"Adaptive supersampling (2)\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.quincunx_split_sources(entry),
     }
-    /// Compacts the samples of the first division.
+    /// Compacts the samples of the first division for indirect dispatch.
     COMPACT_QUINCUNX_A = {
         name: "compact_quincunx_a", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
@@ -32,13 +33,13 @@ stages! {
         work: Work::List, tracing: Tracing::Listed, clears: [],
         sources: |spec, entry| spec.quincunx_listed_sources(entry),
     }
-    /// Lists the samples that divide quarters of quarters.
+    /// Lists the samples that divide the quarters of divided quarters.
     QUINCUNX_SPLIT_B = {
         name: "quincunx_split_b", wgsl: "passes/quincunx/quincunx_split_b.wgsl", paper: "lecture, \"Adaptive supersampling (2)\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.quincunx_split_sources(entry),
     }
-    /// Compacts the samples of the second division.
+    /// Compacts the samples of the second division for indirect dispatch.
     COMPACT_QUINCUNX_B = {
         name: "compact_quincunx_b", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
@@ -50,7 +51,7 @@ stages! {
         work: Work::List, tracing: Tracing::Listed, clears: [],
         sources: |spec, entry| spec.quincunx_listed_sources(entry),
     }
-    /// Weighs the samples of each pixel by the areas that they stand for.
+    /// Averages the samples of each pixel, weighted by the areas that they represent.
     QUINCUNX_RESOLVE = {
         name: "quincunx_resolve", wgsl: "passes/quincunx/quincunx_resolve.wgsl", paper: "lecture, \"Adaptive supersampling (3)\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
@@ -62,14 +63,14 @@ stages! {
     }
 }
 
-/// The lecture's recursion.
+/// The lecture's recursive supersampling with two levels of division.
 pub const RECIPE: Recipe = Recipe { plan, traced: &QUINCUNX_BASE, interpolated: &[], storage: STORAGE };
 
-/// Places for the samples of both levels in a pixel, each of which may be listed. A band has so many rows that the places of
-/// its samples, in eighths of a pixel, are told in 15 bits.
+/// A pixel stores and lists up to 32 samples of both levels. The height of a band is limited because list entries
+/// hold coordinates in eighths of a pixel in 15 bits.
 const STORAGE: Storage = Storage { radiances: 32, listed: 32, band_rows: Some(4000) };
 
-/// Two levels of the recursion, each of which finds what to trace and traces it.
+/// The base samples, then two levels of division: each finds the samples to trace and traces them.
 fn plan(plan: &mut Plan, _: &FrameSpec, band: &Band) {
     let ([width, _], [row, end]) = (plan.grid, band.own);
     let rows = Rows { stride: 1, row, end, turn: row };

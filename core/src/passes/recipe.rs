@@ -1,4 +1,4 @@
-//! How each method makes a frame.
+//! Recipes: how each method plans a frame and what it stores.
 
 use super::{
     FrameSpec, Stage, adaptive, checkerboard, frameless, full, path, quincunx, reproject, supersample,
@@ -8,47 +8,47 @@ use crate::{
     frame::plan::{Band, Plan},
 };
 
-/// What a method is made of.
+/// The plan, storage and cost model of a method.
 pub struct Recipe {
-    /// Adds the dispatches of one band of rows to the plan.
+    /// Adds the dispatches of one band of rows to a plan.
     pub plan: fn(&mut Plan, &FrameSpec, &Band),
-    /// The stage whose kernel stands for its traced samples where the demand of a frame is estimated.
+    /// The stage whose kernel represents traced samples in the cost model.
     pub traced: &'static Stage,
-    /// The stages that make a sample which is not traced, and what the loops in them are over.
+    /// The stages that process samples which are not traced, and the loops in their kernels, for the cost model.
     pub interpolated: &'static [(&'static Stage, Loops)],
-    /// What it stores of each sample besides attributes.
+    /// Storage per sample, without attributes.
     pub storage: Storage,
 }
 
-/// What a method stores of each sample besides attributes, and of how many rows at once.
+/// Storage of a method per sample, without attributes, and the rows that it needs at the same time.
 #[derive(Clone, Copy, Debug)]
 pub struct Storage {
-    /// Radiances, where a pixel has one sample.
+    /// Number of stored RGB radiances, if a pixel has one sample.
     pub radiances: u64,
-    /// Words in the list, without extra samples.
+    /// Number of words in the list, without extra samples.
     pub listed: u64,
-    /// The most rows of a band; `None` where later passes, or frames, look across the borders of bands.
+    /// The most rows of a band; `None` if later passes or frames read across the borders of bands.
     pub band_rows: Option<u32>,
 }
 
 impl Storage {
-    /// Nothing, in bands of any height.
+    /// No storage; bands may have any height.
     pub const NONE: Self = Self { radiances: 0, listed: 0, band_rows: Some(u32::MAX) };
-    /// Nothing, in one band.
+    /// No storage, but the frame must be a single band.
     pub const WHOLE: Self = Self { band_rows: None, ..Self::NONE };
 }
 
-/// What the outermost loops of a kernel are over.
+/// How often the outermost loops of a kernel iterate.
 #[derive(Clone, Copy, Debug)]
 pub enum Loops {
-    /// The lights of the scene.
+    /// Once for each light of the scene.
     OverLights,
-    /// So many turns.
+    /// This many times.
     Repeated(f64),
 }
 
 impl Recipe {
-    /// That of a method.
+    /// The recipe of a method.
     #[must_use]
     pub fn of(method: Method) -> &'static Self {
         match method {

@@ -1,4 +1,5 @@
-//! Refinement of whole pixels: lines are followed from where a centre hits them, then the cells that differ get samples.
+//! Refinement of whole pixels: follows thin lines from the pixels whose centre hits them, then adds samples in
+//! cells that differ.
 
 use super::{REFINE_MOST, REFINE_STEP, FrameSpec, stage::*, wgsl};
 use crate::{
@@ -13,25 +14,25 @@ stages! {
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::No, clears: [Clears::ListHeader],
         sources: |spec, entry| spec.test_sources([wgsl!("wgsl/supersample/refine_list.wgsl")], entry),
     }
-    /// Compacts the pixels of the next round.
+    /// Compacts the pixels of the next round for indirect dispatch.
     COMPACT_REFINE = {
         name: "compact_refine", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/supersample/list_range_pending.wgsl"), entry),
     }
-    /// Traces the first four samples of each listed pixel and lists neighbours that they reveal.
+    /// Traces the first four samples of each listed pixel and lists neighbours with features that these reveal.
     REFINE = {
         name: "refine", wgsl: "passes/refine/refine.wgsl", paper: "ours, after Jin 2009, 4.3.3, and Kim 2016, 4",
         work: Work::List, tracing: Tracing::Listed, clears: [],
         sources: |spec, entry| spec.refine_sources(entry),
     }
-    /// Compacts all refined pixels.
+    /// Compacts all refined pixels for indirect dispatch.
     COMPACT_STRATUM_TEST = {
         name: "compact_stratum_test", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/adaptive/list_range_all.wgsl"), entry),
     }
-    /// Lists the cells of refined pixels that get samples.
+    /// Selects the cells of refined pixels that get a sample and lists the pixels that have any.
     STRATUM_TEST = {
         name: "stratum_test", wgsl: "passes/refine/stratum_test.wgsl", paper: "ours, after Jin 2009, 4.2.2",
         work: Work::List, tracing: Tracing::No, clears: [],
@@ -42,13 +43,13 @@ stages! {
             sources
         },
     }
-    /// Compacts the cells of the next step.
+    /// Compacts the pixels of the next step for indirect dispatch.
     COMPACT_STRATA = {
         name: "compact_strata", wgsl: "passes/compact.wgsl", paper: "ours",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/supersample/list_range_pending.wgsl"), entry),
     }
-    /// Traces four samples in listed cells.
+    /// Traces four more samples in the selected cells of each listed pixel.
     STRATA = {
         name: "strata", wgsl: "passes/refine/strata.wgsl", paper: "ours",
         work: Work::List, tracing: Tracing::Listed, clears: [],
@@ -56,13 +57,13 @@ stages! {
     }
 }
 
-/// Rounds of pixels that are refined: a line is followed over fewer pixels from where a centre hits it.
+/// Number of rounds, which limits how many pixels a line is followed over from where a centre hits it.
 pub const REFINE_ROUNDS: u32 = 16;
 
-/// What is listed after the first is this part of the frame at most.
+/// Rounds after the first list at most the frame's pixels divided by this.
 const REFINE_LATER: u32 = 8;
 
-/// All pixels that the test finds and what they lead to; then the cells in them that differ.
+/// Adds the rounds of refined pixels, then the steps of samples in their differing cells.
 pub fn plan(plan: &mut Plan, rows: Rows) {
     let pixels = plan.grid[0] * rows.count();
     let longest = REFINE_MOST / REFINE_STEP * pixels;
@@ -89,7 +90,7 @@ impl FrameSpec {
     }
 }
 
-/// What is known of pixels that are refined.
+/// The sources of the state of refined pixels.
 fn refined_sources() -> [Source; 4] {
     [
         wgsl!("wgsl/supersample/refine_list.wgsl"),

@@ -1,4 +1,5 @@
-//! Reprojection: points of the frame before are shown where they are seen now; what is lost or old is traced.
+//! Reprojection: shows the last frame's points where the camera sees them now and traces pixels that are lost or
+//! due.
 
 use super::{Recipe, FrameSpec, recipe::{Loops, Storage}, stage::*, wgsl};
 use crate::{
@@ -7,20 +8,20 @@ use crate::{
 };
 
 stages! {
-    /// Finds the nearest reprojected point of each pixel.
+    /// Finds the depth of the nearest reprojected point in each pixel.
     REPROJECT_DEPTH = {
         name: "reproject_depth", wgsl: "passes/reproject/reproject_depth.wgsl", paper: "lecture, \"Reprojection\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No,
         clears: [Clears::ListHeader, Clears::Reprojected],
         sources: |spec, entry| spec.reprojection_sources(entry),
     }
-    /// Finds the pixel that this point comes from.
+    /// Finds the pixel of the last frame that the nearest point comes from.
     REPROJECT_SOURCE = {
         name: "reproject_source", wgsl: "passes/reproject/reproject_source.wgsl", paper: "lecture, \"Reprojection\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.reprojection_sources(entry),
     }
-    /// Shows reprojected points again and lists the other pixels.
+    /// Shows reprojected points and lists the pixels to trace.
     REUSE = {
         name: "reuse", wgsl: "passes/reproject/reuse.wgsl", paper: "lecture, \"Reprojection\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
@@ -54,7 +55,7 @@ stages! {
     }
 }
 
-/// The lecture's reprojection.
+/// The lecture's reprojection, over the whole frame as one band.
 pub const RECIPE: Recipe = Recipe {
     plan,
     traced: &REFRESH, storage: Storage { listed: 1, ..Storage::WHOLE },
@@ -65,7 +66,7 @@ pub const RECIPE: Recipe = Recipe {
     ],
 };
 
-/// The nearest point in each pixel, whose it is, what is lost, and rays for that.
+/// The nearest depth in each pixel, its source, reuse or listing, and the tracing of listed pixels.
 fn plan(plan: &mut Plan, _: &FrameSpec, band: &Band) {
     let ([width, _], rows) = (plan.grid, band.rows(1, band.own));
     for stage in [&REPROJECT_DEPTH, &REPROJECT_SOURCE, &REUSE] {

@@ -1,8 +1,8 @@
-// What Step-II-a and Step-III-a share.
+// Interpolates or lists one sample between two references, as Step-II-a and Step-III-a share it.
 
 fn similarity_step(pixel: vec2u, a_pixel: vec2u, b_pixel: vec2u) {
     if any(b_pixel >= frame.size) {
-        // The border of a frame whose size is not a multiple of the block has one reference only.
+        // At the border of a frame whose size is not a multiple of the block, a sample has one reference only.
         list_append(pixel);
         inspect_failed(pixel, 0u);
         return;

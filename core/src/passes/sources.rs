@@ -1,4 +1,4 @@
-//! The WGSL files that kernels of several methods have in common.
+//! The WGSL files that kernels of several methods share.
 
 use super::{FrameSpec, Output, wgsl};
 use crate::{Filter, Jitter, Mip, Specialize, Unsampled, device::shader::Source};
@@ -17,12 +17,12 @@ impl Output {
 }
 
 impl FrameSpec {
-    /// What a kernel needs that compacts a list; `range` says which part of it.
+    /// The sources of a kernel that compacts a list; `range` selects the part of the list.
     pub(super) fn compact_sources(&self, range: Source, entry: Source) -> Vec<Source> {
         vec![self.constants(), wgsl!("wgsl/adaptive/list.wgsl"), range, entry]
     }
 
-    /// What a kernel needs that interpolates between references or lists.
+    /// The sources of a kernel that checks similarity and interpolates or lists samples.
     pub(super) fn similarity_sources(&self, entry: Source) -> Vec<Source> {
         self.shading_sources(
             wgsl!("wgsl/adaptive/attributes_channels.wgsl"),
@@ -37,7 +37,7 @@ impl FrameSpec {
         )
     }
 
-    /// What a kernel needs that makes pixels from stored samples.
+    /// The sources of a kernel that filters stored samples to pixels.
     pub(super) fn resolve_sources(&self, entry: Source) -> Vec<Source> {
         let mut sources = self.pixel_sources(wgsl!("wgsl/adaptive/attributes_channels.wgsl"));
         sources.extend([wgsl!("wgsl/output/samples.wgsl"), wgsl!("wgsl/supersample/sample_order.wgsl")]);
@@ -50,7 +50,7 @@ impl FrameSpec {
         sources
     }
 
-    /// Which workgroup treats which tile.
+    /// The source of the mapping from workgroups to tiles.
     pub(super) fn tile_order(&self) -> Source {
         if self.tier.deals_workgroups() {
             wgsl!("wgsl/trace/tile_order_interleaved.wgsl")
@@ -74,7 +74,7 @@ impl FrameSpec {
         }
     }
 
-    /// The sources of a kernel that traces rays and ends in these.
+    /// The sources of a kernel that traces rays, ending with `entry`.
     pub(crate) fn tracing_sources(&self, entry: impl IntoIterator<Item = Source>) -> Vec<Source> {
         self.tracing_sources_with(self.hit(), entry)
     }
@@ -87,7 +87,7 @@ impl FrameSpec {
         }
     }
 
-    /// As [`FrameSpec::tracing_sources`], with another say in which hits count.
+    /// Like [`FrameSpec::tracing_sources`], with `hit` to decide which hits count.
     pub(crate) fn tracing_sources_with(
         &self,
         hit: Source,
@@ -121,7 +121,7 @@ impl FrameSpec {
         sources
     }
 
-    /// What a kernel needs that meets surfaces and their lights.
+    /// The sources of a kernel that intersects the scene and evaluates surfaces and lights.
     pub(super) fn scene_sources(&self, attributes: Source, hit: Source) -> Vec<Source> {
         let f = &self.features;
         self.shading_sources(
@@ -173,7 +173,7 @@ impl FrameSpec {
         ]
     }
 
-    /// What a kernel needs that knows pixels and their attributes.
+    /// The sources of a kernel that addresses pixels and their attributes.
     pub(super) fn pixel_sources(&self, attributes: Source) -> Vec<Source> {
         vec![
             self.constants(),

@@ -1,4 +1,4 @@
-//! Everything that decides what the kernels of a frame are made of and what its plan is.
+//! The resolved specification of a frame, from which the plan and the kernels follow.
 
 use crate::{
     Features, GpuScene, Method, Mip, Postcorrect, Robustness, Scene, Settings, Specialize,
@@ -8,23 +8,23 @@ use crate::{
     scene::{Emitters, Thinness},
 };
 
-/// Where colours go.
+/// Where kernels write the colours of pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Output {
-    /// sRGB, 8 bits.
+    /// The display image: sRGB-encoded, 8 bits per channel.
     Display,
-    /// Linear radiance, 32-bit floating point.
+    /// An image of linear radiance, 32-bit floating point.
     Linear,
-    /// Linear radiance of samples that pixels are made of later.
+    /// The buffer of samples, as linear radiance; a later pass makes pixels of them.
     Samples,
-    /// Nowhere: counting kernels of frames with several samples a pixel.
+    /// Nowhere, as in counting kernels of frames with several samples per pixel.
     Nowhere,
 }
 
-/// Whether a frame that interpolates needs a channel.
+/// Whether the frame of an interpolating method needs a channel.
 type Needed = fn(&FrameSpec) -> bool;
 
-/// The channels that the attribute buffer may have, in order, and which frames that interpolate need them.
+/// The possible channels of the attribute buffer, in order, and which interpolated frames need them.
 pub(super) const CHANNELS: &[(&str, Needed)] = &[
     ("DEPTH", |_| true),
     ("OBJECT", |_| true),
@@ -39,40 +39,41 @@ pub(super) const CHANNELS: &[(&str, Needed)] = &[
     ("SHADOW_BETWEEN", |spec| spec.postcorrects() && spec.shadow_shift().is_none()),
 ];
 
-/// A frame that is resolved: settings without `auto`, facts of the scene, tier of the device, and what is written where.
-/// Sources of kernels, plans and targets follow from it.
+/// A resolved frame: settings without `auto`, facts of the scene, the device's tier and the outputs. Kernel
+/// sources, plans and targets follow from it alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameSpec {
-    /// With what `auto` has come to.
+    /// The settings, with `auto` resolved.
     pub settings: Settings,
-    /// What is linked.
+    /// The features that are linked.
     pub features: Features,
-    /// What is known of the scene besides.
+    /// Other facts of the scene that sources depend on.
     pub scene: SceneFacts,
-    /// Light passes straight through some surfaces of the scene, whatever is linked.
+    /// Whether light passes straight through some surfaces of the scene, independent of the linked features.
     pub has_panes: bool,
-    /// What the device gets.
+    /// The kind of device that kernels are made for.
     pub tier: Tier,
-    /// Counting kernels.
+    /// Whether kernels count rays, samples and traversal work.
     pub inspect: bool,
-    /// They keep a record of every pixel.
+    /// Whether counting kernels also write a record per pixel.
     pub records: bool,
-    /// Where colours go.
+    /// Where kernels write colours.
     pub output: Output,
-    /// What differs between neighbours includes the secondary hit.
+    /// Whether the supersampling test also compares the secondary hit.
     pub secondary: bool,
-    /// The measures against rounding.
+    /// Which measures against rounding errors are active.
     pub robustness: Robustness,
 }
 
 impl FrameSpec {
-    /// Timed frames of a scene, by settings without `auto`.
+    /// Frames of an uploaded scene with kernels without counters, by settings without `auto`.
     #[must_use]
     pub fn new(scene: &GpuScene, settings: &Settings) -> Self {
         Self::linked(scene.features(), scene.facts(), scene.tier, settings)
     }
 
-    /// As GPUs have them, of a scene that is not on a device; its tree is not built and may be any.
+    /// Frames of a scene that is not on a device, as a GPU would render them; assumes the deepest traversal
+    /// stack.
     pub(crate) fn of_scene(scene: &Scene, settings: &Settings) -> Self {
         let facts = SceneFacts {
             has_texcoords: !scene.texcoords.is_empty(),
@@ -89,7 +90,7 @@ impl FrameSpec {
     fn linked(needed: Features, scene: SceneFacts, tier: Tier, settings: &Settings) -> Self {
         let (features, scene) = match settings.specialize {
             Specialize::Auto => (needed, scene),
-            // Numbers of lights and of words a vertex are read, not known.
+            // Shaders read the number of lights and the vertex layout instead of having them as constants.
             Specialize::All => (Features::all(), SceneFacts { bvh_stack: MAX_STACK, ..scene }),
         };
         Self {
@@ -106,60 +107,60 @@ impl FrameSpec {
         }
     }
 
-    /// The same with other settings.
+    /// This frame with other settings.
     pub(super) fn with(&self, settings: Settings) -> Self {
         Self { settings, ..*self }
     }
 
-    /// For kernels that see pixels of one sample.
+    /// This frame with one sample per pixel, for kernels that process whole pixels.
     pub(super) fn one_sample(&self) -> Self {
         self.with(Settings { sampling: 1, ..self.settings })
     }
 
-    /// Attributes are kept to interpolate between.
+    /// Whether the method interpolates between stored attributes.
     pub(super) fn interpolates(&self) -> bool {
         self.settings.method == Method::Adaptive
     }
 
-    /// Two eyes are side by side in the picture.
+    /// Whether the image holds the views of two eyes side by side.
     pub(super) fn two_eyes(&self) -> bool {
         self.settings.method == Method::Vr
     }
 
-    /// Where the shadow bits begin in the word of the object; `None` if they need a word of their own.
+    /// First bit of the shadow mask in the object's word; `None` if the mask has a word of its own.
     pub(super) fn shadow_shift(&self) -> Option<u32> {
         let object_bits = 32 - self.scene.objects.leading_zeros();
         (self.settings.specialize == Specialize::Auto && object_bits + self.scene.lights < 32)
             .then_some(object_bits)
     }
 
-    /// Is anything traced again?
+    /// Whether postcorrection runs.
     pub(super) fn postcorrects(&self) -> bool {
         matches!(self.settings.postcorrect, Postcorrect::Objects | Postcorrect::On | Postcorrect::Scans)
     }
 
-    /// Planes of what supersampling compares, for one row of the frame.
+    /// Number of attribute planes that supersampling compares, per row of samples.
     pub(super) fn pixel_edge_channels(&self) -> u32 {
         self.pixel_edge_round() + u32::from(self.settings.refines())
     }
 
-    /// The plane of them that tells in which round a pixel is refined, behind the others.
+    /// Index of the plane with a pixel's refinement round; it comes after the compared ones.
     pub(super) fn pixel_edge_round(&self) -> u32 {
         if self.features.reflection || self.features.refraction { 7 } else { 5 }
     }
 
-    /// All planes of the attribute buffer, for two rows of the frame.
+    /// Number of all planes of the attribute buffer, per two rows of samples.
     pub fn stored_channels(&self) -> u32 {
         let edges = if self.settings.supersamples() { 2 * self.pixel_edge_channels() } else { 0 };
         self.channels().len() as u32 + edges
     }
 
-    /// Do samples show averages of textures?
+    /// Whether textures are averaged over the ray's footprint.
     pub(super) fn averages_textures(&self) -> bool {
         self.features.textures && self.settings.mip == Mip::On
     }
 
-    /// The planes of the attribute buffer that interpolation needs, in order.
+    /// The names of the attribute planes that interpolation needs, in order.
     #[must_use]
     pub fn channels(&self) -> Vec<&'static str> {
         let needed = CHANNELS.iter().filter(|(_, is_needed)| self.interpolates() && is_needed(self));

@@ -1,14 +1,15 @@
-//! What a stage of a frame is: the facts about a kernel that planning, recording and reporting read.
+//! Stages: the facts about a frame's kernels that planning, recording and reporting read.
 
 use serde::{Deserialize, Serialize};
 
 use super::FrameSpec;
 use crate::device::shader::Source;
 
-/// Sides of the square of samples that a workgroup of 64 and of 256 threads treats.
+/// Side in samples of the square that a workgroup of 64 threads, or of 256 threads, processes.
 pub const TRACED_TILE: u32 = 8;
 pub const INTERPOLATED_TILE: u32 = 16;
-/// The same of 64 threads that follow one path after the other.
+/// Side in samples of the square that a workgroup of 64 threads processes when threads trace several paths in
+/// turn.
 pub const PATH_TILE: u32 = 32;
 
 /// Whether and how a stage traces rays.
@@ -37,15 +38,15 @@ impl Tracing {
 /// The shape of a stage's dispatches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Work {
-    /// A workgroup for each square of samples of this side.
+    /// One workgroup for each square of samples of this side.
     Tiles(u32),
-    /// A thread for each entry of the list, dispatched indirectly.
+    /// One thread for each entry of the list, dispatched indirectly.
     List,
     /// A fixed number of workgroups.
     Fixed,
-    /// A thread for each row or column of samples, which it walks along.
+    /// One thread for each row or column of samples, which it walks along.
     Lines,
-    /// A thread for each sample of a tile whose turn it is.
+    /// One thread for each sample whose rank is due in this frame.
     Ranks,
 }
 
@@ -56,18 +57,18 @@ impl Work {
     }
 }
 
-/// A buffer that is zeroed before a stage runs.
+/// A buffer that is cleared to zeros before a stage runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Clears {
-    /// The header of the list: the queue is empty.
+    /// The header of the list, which empties it.
     ListHeader,
-    /// All attributes: no sample is claimed.
+    /// All attributes, so that no sample is claimed.
     Attributes,
     /// The depth keys and sources of reprojected points.
     Reprojected,
 }
 
-/// A kernel of a frame.
+/// A stage: one kernel of a frame.
 pub struct Stage {
     /// Its name in GPU labels, timings and reports.
     pub name: &'static str,
@@ -75,15 +76,15 @@ pub struct Stage {
     pub work: Work,
     /// Whether it traces rays.
     pub tracing: Tracing,
-    /// What is zeroed before its first dispatch.
+    /// The buffers cleared before the stage's first dispatch.
     pub clears: &'static [Clears],
-    /// The WGSL file with its entry point.
+    /// The WGSL file with the entry point.
     pub entry: Source,
-    /// The sources of its kernel in a variant, in order; the last argument is `entry`.
+    /// Returns the kernel's sources for a frame, in link order; the last argument is `entry`.
     pub sources: fn(&FrameSpec, Source) -> Vec<Source>,
 }
 
-/// Stages are told apart by name.
+/// Stages compare by name.
 impl PartialEq for Stage {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
@@ -106,7 +107,7 @@ impl FrameSpec {
     }
 }
 
-/// A file of this crate.
+/// Embeds a WGSL file of this crate.
 macro_rules! wgsl {
     ($path:literal) => {
         $crate::device::shader::Source {
@@ -121,7 +122,8 @@ macro_rules! wgsl {
 }
 pub(crate) use wgsl;
 
-/// Declares the stages of a file, a static each, and `STAGES`, the list of them. `paper` is where a stage comes from.
+/// Declares each stage of a file as a static, and `STAGES`, the list of them. `paper` names the source of a
+/// stage.
 macro_rules! stages {
     ($($(#[$doc:meta])* $stage:ident = {
         name: $name:literal, wgsl: $path:literal, paper: $paper:literal,
@@ -136,7 +138,7 @@ macro_rules! stages {
             entry: $crate::passes::wgsl!($path),
             sources: $sources,
         };)*
-        /// The stages of this file.
+        /// All stages of this file.
         pub static STAGES: &[&$crate::passes::Stage] = &[$(&$stage),*];
     };
 }

@@ -1,4 +1,4 @@
-//! Samples of one eye that count for the other (Kim & Sung 2021).
+//! Stereo reuse: samples of one eye contribute to pixels of the other (Kim & Sung 2021).
 
 use super::{FrameSpec, sources::pick, stage::*, wgsl};
 use crate::{
@@ -8,13 +8,13 @@ use crate::{
 };
 
 stages! {
-    /// Projects what paths have met into the other eye and tests that it is seen from there.
+    /// Reprojects the hit points of paths into the other eye and tests whether it sees them.
     STEREO_REPROJECT = {
         name: "stereo_reproject", wgsl: "passes/stereo/stereo_reproject.wgsl", paper: "Kim & Sung 2021, equations 1 to 6, Algorithm 1",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours, clears: [],
         sources: |spec, entry| spec.stereo_reproject_sources(entry),
     }
-    /// Adds the samples of the other eye to the pixels that they fall into.
+    /// Adds the samples reprojected from the other eye to the pixels that they fall into.
     STEREO_GATHER = {
         name: "stereo_gather", wgsl: "passes/stereo/stereo_gather.wgsl", paper: "Kim & Sung 2021, equations 1 to 6, Algorithm 1",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
@@ -28,7 +28,7 @@ stages! {
     }
 }
 
-/// Both directions, after the paths of both eyes.
+/// Adds both passes; they run after the paths of both eyes.
 pub fn plan(plan: &mut Plan, width: u32, rows: Rows) {
     plan.push(tiles(&STEREO_REPROJECT, width, rows));
     plan.push(tiles(&STEREO_GATHER, width, rows));
@@ -39,12 +39,12 @@ impl FrameSpec {
         pick(self.two_eyes(), wgsl!("wgsl/stereo/eyes_stereo.wgsl"), wgsl!("wgsl/stereo/eyes_mono.wgsl"))
     }
 
-    /// Where samples of one eye count for the other.
+    /// How samples of one eye are reused for the other; off without a second eye.
     fn stereo_reuse(&self) -> StereoReuse {
         if self.two_eyes() { self.settings.paths.stereo_reuse } else { StereoReuse::Off }
     }
 
-    /// What becomes of the samples of paths.
+    /// The sources that store a path's samples.
     pub(super) fn path_samples(&self) -> Vec<Source> {
         let [met, added] = match self.stereo_reuse() {
             StereoReuse::Off => [wgsl!("wgsl/stereo/stereo_reuse_none.wgsl"), wgsl!("wgsl/path/samples_add.wgsl")],
@@ -58,7 +58,7 @@ impl FrameSpec {
         sources
     }
 
-    /// Where they are added up.
+    /// The sources of the sums of the samples.
     pub(super) fn path_sums(&self) -> Vec<Source> {
         match self.stereo_reuse() {
             StereoReuse::Off => vec![wgsl!("wgsl/output/samples.wgsl"), wgsl!("wgsl/path/samples_mean.wgsl")],

@@ -1,4 +1,5 @@
-//! Selective supersampling (Jin 2009): a sample at every pixel's centre, then extra ones in the quarters that differ.
+//! Selective supersampling (Jin 2009): traces every pixel's centre, then extra samples in the quarters that
+//! differ.
 
 use super::{Recipe, recipe::Storage, FrameSpec, refine, stage::*, wgsl};
 use crate::{
@@ -8,13 +9,13 @@ use crate::{
 };
 
 stages! {
-    /// Traces every pixel's centre.
+    /// Traces a sample at every pixel's centre.
     PRESAMPLE = {
         name: "presample", wgsl: "passes/supersample/presample.wgsl", paper: "Jin 2009, 4.3.1",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours, clears: [],
         sources: |spec, entry| spec.tracing_sources([spec.tile_order(), entry]),
     }
-    /// Lists the subpixels that differ from their neighbours.
+    /// Lists the quarters of pixels that differ from their neighbours.
     SUBPIXEL_TEST = {
         name: "subpixel_test", wgsl: "passes/supersample/subpixel_test.wgsl", paper: "Jin 2009, 4.3.2",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::No, clears: [Clears::ListHeader],
@@ -29,7 +30,7 @@ stages! {
         work: Work::Fixed, tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/supersample/list_range_subpixels.wgsl"), entry),
     }
-    /// Traces extra samples in active quarters.
+    /// Traces four extra samples in each active quarter.
     EXTRA_SAMPLES = {
         name: "extra_samples", wgsl: "passes/supersample/extra_samples.wgsl", paper: "Jin 2009, 4.3.3",
         work: Work::List, tracing: Tracing::Listed, clears: [],
@@ -43,10 +44,10 @@ stages! {
     }
 }
 
-/// Jin 2009's method.
+/// Selective supersampling (Jin 2009).
 pub const RECIPE: Recipe = Recipe { plan, traced: &PRESAMPLE, storage: Storage::NONE, interpolated: &[] };
 
-/// The most samples that a pixel gets besides its own.
+/// The most extra samples of a pixel.
 const EXTRA_SAMPLES_MOST: u32 = 16;
 
 fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
@@ -56,7 +57,7 @@ fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
     extra(plan, spec, rows);
 }
 
-/// Jin 2009, 4.1.3 and 4.1.4, for pixels that have a sample.
+/// Adds the passes of extra samples (Jin 2009, 4.1.3 and 4.1.4) for pixels that already have a sample.
 pub fn extra(plan: &mut Plan, spec: &FrameSpec, rows: Rows) {
     if spec.settings.refines() {
         return refine::plan(plan, rows);
@@ -69,7 +70,7 @@ pub fn extra(plan: &mut Plan, spec: &FrameSpec, rows: Rows) {
 }
 
 impl FrameSpec {
-    /// What finds out where extra samples go.
+    /// The sources of a kernel that selects where extra samples go.
     pub(super) fn test_sources(&self, list: impl IntoIterator<Item = Source>, entry: Source) -> Vec<Source> {
         let mut sources = self.pixel_sources(wgsl!("wgsl/adaptive/attributes_channels.wgsl"));
         sources.extend(list);
@@ -86,7 +87,7 @@ impl FrameSpec {
         sources
     }
 
-    /// As a kernel of extra samples sees it, which lie anywhere in their cells unless that is off.
+    /// This frame for kernels of extra samples: positions are jittered in their cells unless jitter is off.
     pub(super) fn extra(&self) -> Self {
         let jitter = if self.settings.jitter == Jitter::Off { Jitter::Off } else { Jitter::On };
         Self { secondary: false, ..self.with(Settings { jitter, ..self.settings }) }

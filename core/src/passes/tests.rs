@@ -1,4 +1,4 @@
-//! Every kernel of every variant, without a GPU.
+//! Links every kernel of every variant, without a GPU.
 
 use wgpu::naga::{AddressSpace, proc::Layouter};
 
@@ -36,8 +36,8 @@ fn features(bits: u32) -> Features {
     }
 }
 
-/// All combinations of features for timed frames; counting and linear ones, and those of several samples a
-/// pixel, for the extremes and each feature alone.
+/// All combinations of features for kernels without counters; for counting kernels, linear output and several
+/// samples per pixel only no feature, all features, and each feature alone.
 fn variants() -> impl Iterator<Item = FrameSpec> {
     let make = |bits, inspect, output| FrameSpec {
         settings: Settings {
@@ -69,7 +69,7 @@ fn variants() -> impl Iterator<Item = FrameSpec> {
             emits: bits & 4 != 0,
             bvh_stack: 12,
             lights: 2,
-            // With the shadow bits in the object's word, and without.
+            // With and without room for the shadow bits in the object's word.
             objects: if bits & 1 != 0 { 1 << 31 } else { 100 },
             probe_points: 0,
         },
@@ -139,7 +139,8 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
     assert_eq!(mirrored.len(), 8, "every mirrored struct was compared: {mirrored:?}");
 }
 
-/// Stages of paths are linked by a method of paths, of one eye or of two.
+/// The variant with a method that links the stage: stages of paths need a path tracing method, for one eye or
+/// two.
 fn of_stage(variant: FrameSpec, stage: &Stage) -> FrameSpec {
     let of_paths = [path::STAGES, stereo::STAGES, denoise::STAGES].concat().contains(&stage);
     let paths = if variant.features.refraction { Method::Vr } else { Method::Path };
@@ -147,7 +148,7 @@ fn of_stage(variant: FrameSpec, stage: &Stage) -> FrameSpec {
     variant.with(Settings { method, ..variant.settings })
 }
 
-/// Some kernels are not without extra samples, or without their refinement.
+/// Whether a variant links the stage; some need extra samples or their refinement.
 fn is_linked(variant: &FrameSpec, stage: &Stage) -> bool {
     let of_extra = [&supersample::SUBPIXEL_TEST, &supersample::EXTRA_SAMPLES].contains(&stage);
     let of_refinement =
@@ -155,7 +156,7 @@ fn is_linked(variant: &FrameSpec, stage: &Stage) -> bool {
     (!of_extra || variant.settings.supersamples()) && (!of_refinement || variant.settings.refines())
 }
 
-/// A stage traces if, and only if, its kernel calls the traversal: the class is not a matter of opinion.
+/// A stage's tracing class must agree with its kernel: it traces exactly if the kernel calls the traversal.
 #[test]
 fn stages_trace_where_their_kernels_call_the_traversal() {
     for stage in stages() {
@@ -178,7 +179,7 @@ fn stages_trace_where_their_kernels_call_the_traversal() {
     }
 }
 
-/// A counter that no kernel counts, or a check that none makes, would be 0 for ever.
+/// A counter that no kernel counts, or a check that none makes, would always be 0.
 #[test]
 fn every_counter_is_counted_by_some_kernel() {
     let counting: Vec<_> = variants().filter(|variant| variant.inspect).collect();
@@ -199,7 +200,7 @@ fn every_counter_is_counted_by_some_kernel() {
     }
 }
 
-/// Names identify stages: in timings, in reports, and among compiled kernels.
+/// Names identify stages in timings, in reports and among compiled kernels.
 #[test]
 fn names_of_stages_are_distinct() {
     let names: std::collections::HashSet<_> = stages().map(|stage| stage.name).collect();
@@ -210,7 +211,7 @@ fn names_of_stages_are_distinct() {
     assert_eq!(Tracing::of_pass("no such stage"), None);
 }
 
-/// Threads of a workgroup, which the dispatches of each shape of work are counted in.
+/// Workgroup sizes must match the units in which dispatches of each shape of work are counted.
 #[test]
 fn workgroups_fit_the_shape_of_their_work() {
     for stage in stages() {

@@ -1,4 +1,4 @@
-//! Scenes built in code.
+//! Methods to build a scene in code.
 
 use glam::{Vec2, Vec3};
 
@@ -11,8 +11,8 @@ impl Scene {
         (self.materials.len() - 1) as u32
     }
 
-    /// Adds an object of flat triangles; returns its OID. Corners are in world space, counter-clockwise where they are seen
-    /// from the side that the triangle faces. Triangles without an area are left out.
+    /// Adds an object of flat triangles; returns its OID. Corners are in world space, counter-clockwise seen from
+    /// the front. Triangles without area are left out.
     pub fn add_triangles(&mut self, name: impl Into<String>, material: u32, triangles: &[[Vec3; 3]]) -> u32 {
         let object = self.add_object(name, material);
         let (textured, colored) = (!self.texcoords.is_empty(), !self.colors.is_empty());
@@ -22,7 +22,7 @@ impl Scene {
             self.positions.push(*corners);
             self.normals.push([octahedral_encode(normal.as_vec3()); 3]);
             self.triangle_objects.push(object);
-            // Every triangle has them once one has.
+            // If any triangle has these attributes, all must.
             self.texcoords.extend(textured.then_some([Vec2::ZERO; 3]));
             self.colors.extend(colored.then_some([u32::MAX; 3]));
         }

@@ -1,21 +1,21 @@
-//! Cameras: where primary rays start and where they go.
+//! Cameras, which define the primary rays.
 
 use glam::{Mat4, Vec3};
 
-/// A camera in world space. With x right and y up in [-1, 1] over the frame's height (x scaled by the aspect
-/// ratio), a pixel's ray is `origin + spread_origin` along `forward + spread_direction`, where the spread is
-/// `x right + y up` and goes to the direction (perspective) or to the origin (orthographic).
+/// A camera in world space. A point of the frame has coordinates x (right) and y (up), in units of half the
+/// frame's height from the centre. The spread `x right + y up` is added to `forward` for the ray's direction
+/// (perspective) or to `origin` for its origin (orthographic).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// World-space eye (perspective) or centre of the near side (orthographic).
+    /// World-space position of the eye (perspective) or of the frame's centre (orthographic).
     pub origin: Vec3,
-    /// Vector to the right in the image plane, half a frame height long.
+    /// Vector to the right in the image plane, as long as half the frame's height.
     pub right: Vec3,
-    /// Vector upwards in the image plane, half a frame height long.
+    /// Vector upwards in the image plane, as long as half the frame's height.
     pub up: Vec3,
-    /// The view direction: unit length unless the lens is shifted.
+    /// View direction: unit length unless the lens is shifted.
     pub forward: Vec3,
-    /// Whether rays are parallel.
+    /// Whether the projection is orthographic, with parallel rays.
     pub orthographic: bool,
 }
 

@@ -1,18 +1,18 @@
-//! Emissive primitives as a distribution that points are sampled from.
+//! Emissive primitives as a distribution to sample points from.
 
 use super::Scene;
 
-/// The emissive primitives of a scene.
+/// The emissive primitives of a scene as a discrete distribution.
 ///
-/// A point on them is drawn with the density `strength / total` per unit of area, where `strength` is the sum of the
-/// channels of the object's emission, without its texture: the density follows from the object alone.
+/// Points are sampled with density `strength / total` per unit of area, where `strength` is the sum of the
+/// channels of the object's emission factor, without its texture: the density is constant over an object.
 #[derive(Clone, Debug, Default)]
 pub struct Emitters {
     /// Each emissive primitive: triangles by index, then spheres as `triangles + index`.
     pub primitives: Vec<u32>,
     /// Cumulative distribution over the primitives; the last value is 1.
     pub cumulative: Vec<f32>,
-    /// The sum of emitted strength times area over all emissive primitives.
+    /// Sum of strength times area over all emissive primitives.
     pub total: f64,
 }
 
@@ -50,7 +50,7 @@ impl Emitters {
         Self { primitives: emissive.iter().map(|(index, _)| *index as u32).collect(), cumulative, total }
     }
 
-    /// The place in the list of the primitive that a number in [0, 1) draws.
+    /// Index into `primitives` of the primitive that a uniform number in [0, 1) selects.
     #[must_use]
     pub fn draw(&self, number: f32) -> usize {
         self.cumulative.partition_point(|share| *share <= number).min(self.primitives.len().saturating_sub(1))

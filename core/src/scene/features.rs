@@ -1,41 +1,42 @@
-//! Features of a scene: the facts that decide which pieces of the shaders are linked.
+//! Features of a scene, which decide the parts of the shaders that are linked.
 
 use glam::Vec3;
 
 use super::Scene;
 
-/// Facts of a scene. `false` means that the piece is left out of every kernel.
+/// Features that kernels need for a scene. `false` leaves the feature's code out of every kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Features {
-    /// Some object shows a texture: coordinates are stored and check TX is linked.
+    /// Some object is textured: texture coordinates are stored and check TX is linked.
     pub textures: bool,
-    /// Some material is more than matte: it shines, mirrors, lets light through, emits, is unlit or has its shares given.
+    /// Some material is not matte: it is metallic, reflective, transmissive, emissive, unlit or has explicit
+    /// weights.
     pub glossy: bool,
-    /// At least one material has an emissive factor above zero.
+    /// Some material has an emissive factor above zero.
     pub emission: bool,
-    /// Some object has a texture of metallic and roughness.
+    /// Some material has a metallic-roughness texture.
     pub metallic_roughness_textures: bool,
-    /// Some object has a texture of emission.
+    /// Some material has an emissive texture.
     pub emissive_textures: bool,
-    /// At least one object has vertex colours.
+    /// Some object has vertex colours.
     pub vertex_colors: bool,
-    /// Shading normals differ from those of the faces somewhere.
+    /// Some shading normals differ from face normals.
     pub smooth_normals: bool,
-    /// Some object has holes cut by alpha.
+    /// Some material cuts holes by alpha.
     pub alpha_mask: bool,
-    /// At least one object casts no shadow, so that shadow rays must look at flags.
+    /// Some object casts no shadow, so that shadow rays must test flags.
     pub shadow_filter: bool,
-    /// The scene holds analytic spheres.
+    /// There are analytic spheres.
     pub spheres: bool,
-    /// Some material reflects like a mirror.
+    /// Some material reflects specularly.
     pub reflection: bool,
-    /// At least one material transmits light.
+    /// Some material transmits light.
     pub refraction: bool,
-    /// Light passes straight through some surfaces.
+    /// Some thin surfaces transmit light without refraction.
     pub panes: bool,
-    /// There are lights: shadow rays and check SH are linked.
+    /// There are punctual lights: shadow rays and check SH are linked.
     pub lights: bool,
-    /// The scene has more than one light.
+    /// There is more than one punctual light.
     pub several_lights: bool,
 }
 
@@ -85,7 +86,7 @@ impl Features {
         }
     }
 
-    /// Every feature with its name in the statistics.
+    /// All features with their names in the statistics.
     #[must_use]
     pub fn list(&self) -> [(&'static str, bool); 15] {
         [

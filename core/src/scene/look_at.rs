@@ -4,41 +4,41 @@ use glam::{DVec3, Vec3};
 
 use crate::{Camera, Error, Result};
 
-/// The projection.
+/// The camera's projection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Lens {
     /// A pinhole camera: all rays start at the eye.
     Perspective {
-        /// Angle from the lower to the upper edge of the picture in degrees, inside (0, 180).
+        /// Angle between the lower and the upper edge of the image in degrees, inside (0, 180).
         vertical_fov_degrees: f32,
     },
     /// An orthographic camera: all rays are parallel.
     Orthographic {
-        /// World units from the lower to the upper edge of the picture.
+        /// Distance between the lower and the upper edge of the image in world units.
         height: f32,
     },
 }
 
-/// A camera by points: four options of the command line are one pose.
+/// A camera pose by eye, target, up vector and projection, as the command line states it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LookAt {
     /// Position of the eye in world space.
     pub eye: Vec3,
-    /// The world-space point in the middle of the picture. Only its direction from the eye counts.
+    /// World-space point in the centre of the image. Only its direction from the eye matters.
     pub target: Vec3,
-    /// The up vector, of any length, not parallel to the view.
+    /// The up vector: any length, not parallel to the view direction.
     pub up: Vec3,
-    /// The projection.
+    /// The camera's projection.
     pub lens: Lens,
 }
 
 impl LookAt {
-    /// The camera of this pose: the same bits for the same pose.
+    /// Converts the pose to a camera, bitwise reproducibly.
     ///
     /// # Errors
-    /// [`Error::Setting`] names `eye`, `target`, `up`, `fov` or `ortho` where a number is not finite, the target
-    /// is the eye, the view is along `up` (no other axis is guessed: the picture would turn by as much as the guess), or
-    /// the lens is out of its range.
+    /// [`Error::Setting`] names `eye`, `target`, `up`, `fov` or `ortho` if a number is not finite, the target is
+    /// the eye, the view is parallel to `up` (no other axis is guessed, as the image would turn with it), or the
+    /// projection is out of range.
     pub fn camera(&self) -> Result<Camera> {
         for (option, point) in [("eye", self.eye), ("target", self.target), ("up", self.up)] {
             if !point.is_finite() {
@@ -64,8 +64,8 @@ impl LookAt {
         })
     }
 
-    /// The pose of a camera, with its target at that distance from the eye. What a pose cannot say is lost: a shifted lens
-    /// looks straight ahead, a mirrored picture is the right way round.
+    /// The pose of a camera with the target at `distance` from the eye. A lens shift and mirroring are lost, as a
+    /// pose cannot express them.
     #[must_use]
     pub fn of(camera: &Camera, distance: f32) -> Self {
         let (right, up) = (camera.right.as_dvec3(), camera.up.as_dvec3());
@@ -87,11 +87,12 @@ impl LookAt {
     }
 }
 
-/// Sine of the least angle between the view and `up`: below it, rounding of `f32` decides what is right.
+/// Least sine of the angle between the view direction and `up`; below it, f32 rounding would decide the
+/// orientation.
 const LEAST_SINE: f64 = 1e-6;
 
 impl Lens {
-    /// Half the height of the picture at distance 1, and whether rays are parallel.
+    /// Half the height of the image (at distance 1 if perspective), and whether rays are parallel.
     fn half_height(self) -> Result<(f64, bool)> {
         let (option, expected, found, half) = match self {
             Self::Perspective { vertical_fov_degrees: fov } => {

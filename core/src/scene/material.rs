@@ -1,5 +1,5 @@
-//! Materials in Whitted's terms: how a surface emits, scatters, reflects and transmits light. The formulas, and how glTF's
-//! materials become these, are in `core/MATERIALS.md`.
+//! Materials by how a surface emits, scatters, reflects and transmits light (Whitted 1980). The formulas, and the
+//! mapping of glTF's materials, are in `core/MATERIALS.md`.
 
 use glam::Vec3;
 
@@ -8,46 +8,46 @@ use glam::Vec3;
 pub struct Material {
     /// The material's name in the file, for messages.
     pub name: String,
-    /// Linear RGB; multiplied by the texture and the vertex colours.
+    /// Base colour in linear RGB, multiplied by the texture and the vertex colours.
     pub base_color: Vec3,
-    /// Share of metallic reflection: 0 for dielectrics, 1 for metals.
+    /// Metalness: 0 for dielectrics, 1 for metals.
     pub metallic: f32,
     /// glTF roughness (alpha = roughness^2).
     pub roughness: f32,
     /// Emitted radiance in linear RGB.
     pub emission: Vec3,
-    /// Share of the light that is not reflected and passes through.
+    /// Fraction of the light entering the surface that is transmitted instead of scattered diffusely.
     pub transmission: f32,
     /// Index of refraction relative to air, at least 1.
     pub ior: f32,
-    /// A pane without thickness: light passes straight on.
+    /// A surface without thickness: light passes through without refraction.
     pub thin: bool,
-    /// Base colour as it is, without lighting (KHR_materials_unlit).
+    /// Shows the base colour without lighting (KHR_materials_unlit).
     pub unlit: bool,
-    /// Texels whose alpha is lower are holes.
+    /// Alpha cutoff: surface points with lower alpha are holes; `None` for opaque materials.
     pub alpha_cutoff: Option<f32>,
     /// Alpha factor that multiplies the texture's alpha before the cut.
     pub alpha: f32,
-    /// False where shadow rays pass (transmissive surfaces, after import).
+    /// Whether shadow rays stop at the surface; false for transmissive materials after import.
     pub casts_shadow: bool,
     /// Index of the base colour's texture: sRGB colour and linear alpha.
     pub base_color_texture: Option<u32>,
-    /// Green is roughness, blue is metallic.
+    /// Index of the metallic-roughness texture: green is roughness, blue is metalness.
     pub metallic_roughness_texture: Option<u32>,
-    /// Index of the emission's texture, sRGB.
+    /// Index of the emissive texture, sRGB.
     pub emissive_texture: Option<u32>,
-    /// Where the shares are given instead of following from Fresnel's equations (Heckbert's minray).
+    /// Explicit weights in place of Fresnel's equations (Heckbert's minray).
     pub weights: Option<Weights>,
 }
 
-/// Constant shares of local, reflected and transmitted light.
+/// Constant weights of local, reflected and transmitted light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weights {
-    /// Times base colour: the local diffuse part.
+    /// Weight of the diffuse lobe, times the base colour.
     pub diffuse: f32,
-    /// Weight of the mirrored ray's radiance, untinted.
+    /// Weight of the reflected ray's radiance, untinted.
     pub mirror: f32,
-    /// Times white: the refracted ray; lost on total internal reflection.
+    /// Weight of the refracted ray's radiance, untinted; lost on total internal reflection.
     pub refraction: f32,
 }
 
@@ -82,7 +82,8 @@ impl Material {
             .flatten()
     }
 
-    /// Whether the base colour is all there is: a rough dielectric that neither emits nor lets light through.
+    /// Whether the material is determined by its base colour: a rough dielectric that neither emits nor transmits
+    /// light.
     #[must_use]
     pub fn is_matte(&self) -> bool {
         self.metallic == 0.0

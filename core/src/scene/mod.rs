@@ -1,7 +1,7 @@
-//! The scene: flat arrays of what is there, in world space (right-handed, Y up, the file's unit of length).
+//! The scene: flat arrays in world space (right-handed, Y up, in the file's unit of length).
 //!
-//! One mesh primitive of one node is one *object*; its index is the object identification number (OID) of
-//! Kim 2016, section 3.2. Instances are flattened: every triangle is stored where it stands.
+//! An *object* is one mesh primitive of one node; its index is the object identification number (OID) of Kim
+//! 2016, section 3.2. Instances are flattened: each has its own triangles.
 
 mod build;
 mod builtin;
@@ -35,17 +35,17 @@ use crate::scene::camera::Camera;
 /// The most lights a scene may have: one bit each in a pixel's shadow mask (SHDBIT).
 pub const MAX_LIGHTS: usize = 32;
 
-/// The largest absolute coordinate: beyond it squared lengths overflow f32.
+/// The largest absolute coordinate; squared lengths of larger ones overflow in f32.
 pub const MAX_COORDINATE: f32 = 1.0e18;
 
-/// The largest radiance or intensity of a channel: what materials and distances of ordinary size make of it stays
-/// finite in f32.
+/// The largest radiance or intensity of a channel, so that results stay finite in f32 for ordinary materials and
+/// distances.
 pub const MAX_RADIANCE: f32 = 1.0e30;
 
-/// The largest index of refraction: it reflects 0.9996 of the light at normal incidence.
+/// The largest index of refraction, with a reflectance of 0.9996 at normal incidence.
 pub const MAX_IOR: f32 = 1.0e4;
 
-/// The least range of a light: the fourth power of its inverse is finite in f32.
+/// The least range of a light; the fourth power of its inverse is finite in f32.
 pub const MIN_RANGE: f32 = 1.0e-9;
 
 /// The most camera names that an error message lists.
@@ -58,13 +58,14 @@ pub struct Scene {
     pub positions: Vec<[Vec3; 3]>,
     /// Unit shading normals of each triangle's corners, [`octahedral_encode`]d; flat triangles repeat the face normal.
     pub normals: Vec<[u32; 3]>,
-    /// Texture coordinates of each triangle's corners; empty where no object is textured.
+    /// Texture coordinates of each triangle's corners; empty if no object is textured.
     pub texcoords: Vec<[Vec2; 3]>,
-    /// Vertex colours (linear RGBA, 8 bits a channel, red lowest); empty where no object has them.
+    /// Vertex colours of each triangle's corners (linear RGBA, 8 bits per channel, red lowest); empty if no
+    /// object has any.
     pub colors: Vec<[u32; 3]>,
     /// OID of each triangle: index into [`Scene::objects`].
     pub triangle_objects: Vec<u32>,
-    /// Analytic spheres, behind the triangles in the numbering of primitives.
+    /// Analytic spheres; primitives are numbered with the triangles first, then the spheres.
     pub spheres: Vec<Sphere>,
     /// Objects, indexed by their OID.
     pub objects: Vec<Object>,
@@ -72,13 +73,13 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// Textures, indexed by the texture slots of [`Material`].
     pub textures: Vec<Texture>,
-    /// Images that textures show, by index.
+    /// Images, indexed by [`Texture::image`].
     pub images: Vec<Image8>,
     /// Punctual lights, at most [`MAX_LIGHTS`].
     pub lights: Vec<Light>,
     /// Cameras of the file with their names; never empty after import.
     pub cameras: Vec<(String, Camera)>,
-    /// Radiance of rays without a hit, and of light that is not traced.
+    /// Radiance of rays that hit nothing, ambient radiance, and radiance of rays that are not traced.
     pub environment: Environment,
     /// Parts of the file that the import left out: one sentence each that names the element.
     pub warnings: Vec<String>,
@@ -87,13 +88,13 @@ pub struct Scene {
 /// One mesh primitive of one node, or one sphere.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
-    /// `node/mesh[primitive]` or a name of the built-in scene.
+    /// Name: `node/mesh[primitive]` for files, descriptive for built-in scenes.
     pub name: String,
-    /// Index into [`Scene::materials`].
+    /// Index of the material in [`Scene::materials`].
     pub material: u32,
 }
 
-/// A sphere that is intersected analytically, not tessellated.
+/// An analytic sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
     /// Centre in world space.
@@ -104,22 +105,22 @@ pub struct Sphere {
     pub object: u32,
 }
 
-/// How coordinates outside [0, 1) are read (glTF 2.0, section 3.8.4.5).
+/// Wrap mode of texture coordinates outside [0, 1) (glTF 2.0, section 3.8.4.5).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Wrap {
-    /// Tiles the image: the fraction of the coordinate is used.
+    /// Repeats the image: uses the fraction of the coordinate.
     #[default]
     Repeat,
-    /// Every second repetition is mirrored.
+    /// Repeats the image, every second time mirrored.
     MirroredRepeat,
-    /// Repeats the texels of the image's border.
+    /// Extends the texels at the image's border.
     ClampToEdge,
 }
 
-/// An image with wrap modes and filtering: what glTF calls a texture with its sampler.
+/// A texture: an image with wrap modes and filtering (texture and sampler in glTF).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Texture {
-    /// Index into [`Scene::images`].
+    /// Index of the image in [`Scene::images`].
     pub image: u32,
     /// Wrap modes along s and t.
     pub wrap: [Wrap; 2],
@@ -134,43 +135,44 @@ pub struct Image8 {
     pub width: u32,
     /// Height in texels.
     pub height: u32,
-    /// RGBA, 8 bits a channel, rows from the top: `width * height * 4` bytes.
+    /// RGBA, 8 bits per channel, rows from the top: `width * height * 4` bytes.
     pub rgba: Vec<u8>,
 }
 
-/// A punctual light (KHR_lights_punctual), without exposure: reflected radiance is albedo / pi x E x cos.
+/// A punctual light (KHR_lights_punctual) without exposure: reflected radiance is albedo / pi x E x cos.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
     /// The light's geometry.
     pub kind: LightKind,
-    /// Linear RGB; W/sr for point and spot lights, W/m^2 for directional ones.
+    /// Linear RGB: radiant intensity in W/sr for point and spot lights, irradiance in W/m^2 for directional ones.
     pub intensity: Vec3,
-    /// Shadow rays stop at this distance before the light: an emitter's own body does not shadow it. No meaning
-    /// for directional lights. Lights of a file get a hundredth of the scene's longest side.
+    /// Shadow rays end at this distance from the light, so that the body of a lamp does not shadow it. Unused for
+    /// directional lights. Lights of a file get a hundredth of the scene's longest side.
     pub radius: f32,
 }
 
 /// The kind of a punctual light with its geometry.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LightKind {
-    /// Shines in all directions from `position`; E = intensity / d^2, windowed to zero at `range` if that is finite.
+    /// A point light: E = intensity / d^2, windowed to zero at `range` if that is finite.
     Point {
         /// Position in world space.
         position: Vec3,
-        /// Where the light ends; infinite without limit.
+        /// Distance at which the light ends; infinite if unlimited.
         range: f32,
-        /// False for lights whose E does not fall with distance (Heckbert's minray).
+        /// Whether E falls off with the distance; false for Heckbert's minray.
         falloff: bool,
     },
-    /// A point light that shines inside of a cone.
+    /// A point light restricted to a cone.
     Spot {
         /// Position in world space.
         position: Vec3,
-        /// Where the light ends; infinite without limit.
+        /// Distance at which the light ends; infinite if unlimited.
         range: f32,
         /// Unit vector of the cone's axis, away from the light.
         direction: Vec3,
-        /// Half angles in radians, `inner <= outer <= pi/2`; full inside `inner`, none outside `outer`.
+        /// Half angles of the cone in radians, `inner <= outer <= pi/2`: full intensity inside `inner`, none
+        /// outside `outer`.
         cone: Range<f32>,
     },
     /// A light at infinity: parallel rays.
@@ -180,14 +182,14 @@ pub enum LightKind {
     },
 }
 
-/// Constant radiance around the scene, linear RGB.
+/// The environment: constant radiances in linear RGB.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Environment {
-    /// Radiance of a ray that meets nothing.
+    /// Radiance of rays that hit nothing.
     pub background: Vec3,
-    /// Radiance that reaches every surface from everywhere (Whitted's ambient term).
+    /// Ambient radiance that reaches every surface from all directions (Whitted 1980).
     pub ambient: Vec3,
-    /// Radiance that stands for a ray which the recursion does not follow any more.
+    /// Radiance in place of rays that are not traced because of a limit.
     pub fallback_radiance: Vec3,
 }
 
@@ -198,8 +200,8 @@ impl Default for Environment {
 }
 
 impl Environment {
-    /// The environment of a file that states a background alone: a quarter of it, and no less than 0.05,
-    /// is taken as ambient radiance and stands for rays that are not followed.
+    /// The environment of a file that only states a background. A quarter of the background, but at least 0.05,
+    /// is the ambient radiance and the radiance of rays that are not traced.
     #[must_use]
     pub fn with_background(background: Vec3) -> Self {
         let ambient = (0.25 * background).max(Vec3::splat(0.05));
@@ -208,7 +210,7 @@ impl Environment {
 }
 
 impl Scene {
-    /// Reads glTF 2.0: `.glb`, or `.gltf` with embedded data; `resolve` gives the bytes of an external URI.
+    /// Reads glTF 2.0: `.glb`, or `.gltf`; `resolve` returns the bytes of an external URI.
     ///
     /// # Errors
     /// [`crate::Error::Scene`] names the element of the file, what was expected and what was found.
@@ -220,7 +222,7 @@ impl Scene {
         gltf::read(bytes, resolve)
     }
 
-    /// The axis-aligned box around everything, `(low, high)`; `None` for an empty scene.
+    /// The axis-aligned bounding box of all primitives, `(low, high)`; `None` for an empty scene.
     #[must_use]
     pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
         let corners = self.positions.iter().flatten().map(|p| (*p, *p));
@@ -228,10 +230,10 @@ impl Scene {
         corners.chain(spheres).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
     }
 
-    /// The camera of that name or index; `None` gives the first.
+    /// Finds a camera by name or index; `None` selects the first.
     ///
     /// # Errors
-    /// [`crate::Error::Setting`] lists the cameras that are there.
+    /// [`crate::Error::Setting`] lists the scene's cameras.
     pub fn camera(&self, wanted: Option<&str>) -> crate::Result<&Camera> {
         let found = match wanted {
             None => self.cameras.first(),

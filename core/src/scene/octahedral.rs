@@ -1,13 +1,13 @@
-//! Unit vectors in 32 bits: octahedral mapping, 16-bit signed normalised (Cigolle et al. 2014, "A Survey of
-//! Efficient Representations for Independent Unit Vectors", section 3.1). The angular error is below
-//! [`MAX_ERROR`]; a test says so.
+//! Unit vectors in 32 bits: octahedral mapping to two 16-bit signed normalised integers (Cigolle et al. 2014, "A
+//! Survey of Efficient Representations for Independent Unit Vectors", section 3.1). A test checks that the
+//! angular error is below [`MAX_ERROR`].
 
 use glam::{DVec3, Vec3};
 
-/// Largest angle in radians between a unit vector and its stored form.
+/// Largest angle in radians between a unit vector and its decoded encoding.
 pub const MAX_ERROR: f32 = 6.5e-5;
 
-/// Packs a unit vector; the x half is the lower one.
+/// Encodes a unit vector; x is in the lower half of the word.
 #[must_use]
 pub fn encode(n: Vec3) -> u32 {
     let n = n.as_dvec3();
@@ -20,13 +20,13 @@ pub fn encode(n: Vec3) -> u32 {
     quantise(x) | quantise(y) << 16
 }
 
-/// Decodes the unit vector of a packed octahedral word.
+/// Decodes a unit vector in f32.
 #[must_use]
 pub fn decode(packed: u32) -> Vec3 {
     decode_exact(packed).as_vec3()
 }
 
-/// The unit vector of a packed one, in f64.
+/// Decodes a unit vector in f64.
 #[must_use]
 pub fn decode_exact(packed: u32) -> DVec3 {
     let component = |bits: u32| f64::from(bits as u16 as i16).max(-32767.0) / 32767.0;

@@ -1,20 +1,23 @@
-//! How thin the things of a scene are: what `postcorrect auto` goes by (Kim 2016, section 4, corrects what is so thin
-//! that it falls between samples, and section 6.2 turns that off by hand where there is nothing thin).
+//! Thickness statistics of a scene's objects, by which `postcorrect auto` decides. Postcorrection (Kim 2016,
+//! section 4) finds objects so thin that they fall between samples; the paper turns it off by hand for scenes
+//! without any (section 6.2).
 //!
-//! A *thing* is a connected component of an object's triangles, welded where positions are equal bit by bit, or a
-//! sphere. Along the principal axes of its surface it is `a >= b >= c` long:
+//! A *thing* is a sphere or a connected component of an object's triangles, welded where positions are bitwise
+//! equal. Its extents along the principal axes of its surface are `a >= b >= c`:
 //!
-//! - a rod, a wire or a plate is `b` thick: it looks narrower only from where it is seen on edge;
-//! - what fills little of its `a x b` is a frame, a grid or a bent wire: as thick as its surface, rolled out along the
-//!   outline of the box: `area / (4 (a + b))`, right within a factor of two for a single ring of strips or bars.
+//! - a rod, a wire or a plate is `b` thick: it only looks narrower when seen edge-on;
+//! - a thing whose surface covers little of `a x b` is a frame, a grid or a bent wire. Its thickness is that of
+//!   its surface unrolled along the outline of the box, `area / (4 (a + b))`, which is right within a factor of
+//!   two for a single ring of strips or bars.
 //!
-//! The measure is the length `a` of all things that are thinner than a width, added up: a few small things between the
-//! samples are no reason to look for them in every frame, and a hundred short ones count as a long one does. The camera
-//! is not known when a scene is loaded; what a sample is wide is taken at a distance of the scene's longest side.
+//! The measure is the total length `a` of all things thinner than a given width: a few small things do not
+//! justify a search in every frame, and a hundred short ones count like one long one. The camera is unknown when
+//! a scene is loaded, so the width of a sample is taken at a distance of the scene's longest side.
 
 //!
-//! Beside that, points on things are kept that may be small in a frame: their *probe points*. Postcorrection goes from traced
-//! pixels to their neighbours; what lies between the samples as a whole has none, and is found through these.
+//! Things that may be small in a frame also get *probe points*. Postcorrection spreads from traced pixels to
+//! their neighbours, so it cannot find things that lie entirely between samples; it traces the pixels onto which
+//! probe points project.
 
 #[cfg(test)]
 mod tests;
@@ -23,38 +26,42 @@ use glam::{DMat3, DVec3, Vec3};
 
 use super::{Scene, Sphere};
 
-/// Widths are told apart by half octaves, the last one from 2^-15.5 of the longest side down.
+/// Number of histogram bins of half an octave each; the last one holds all widths below 2^-15.5 of the longest
+/// side.
 const BINS: usize = 32;
 
-/// A thing whose surface covers less of its box than this is a frame or a bent wire.
+/// A thing whose surface covers a smaller part of its box `a x b` than this is a frame or a bent wire.
 const SPARSE: f64 = 0.25;
 
-/// A frame is as high as the scene is long, from where things count: its vertical field of view is 53 degrees.
+/// Height of a frame at the assumed distance, in units of the longest side: a vertical field of view of 53
+/// degrees.
 const FRAME_HEIGHT: f32 = 1.0;
 
-/// How long all thin things must be together, in units of the scene's longest side.
+/// Total length of thin things, in units of the scene's longest side, from which the scene counts as thin.
 const LEAST_LENGTH: f32 = 1.0;
 
-/// Thicker things have no probe points, in units of the longest side: ten pixels of 1,440 rows at half that distance.
+/// Greatest thickness of things with probe points, in units of the longest side: ten pixels of 1,440 rows at half
+/// the assumed distance.
 const PROBE_POINT_THICKNESS: f64 = 1.0 / 256.0;
 
-/// The most probe points of a thing: a long one is met by samples somewhere.
+/// The most probe points per thing; longer things are hit by some sample.
 const PROBE_POINTS_PER_THING: usize = 8;
 
-/// The most probe points of a scene: as many rays at most are traced for nothing.
+/// The most probe points per scene, which bounds the rays that are traced without finding anything.
 const MAX_PROBE_POINTS: usize = 1 << 16;
 
-/// How much of what thickness there is.
+/// Histogram of the lengths of a scene's things by thickness, and probe points of the thin ones.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Thinness {
-    /// The length of all things by thickness, in units of the longest side: bin i has those from `2^(-i/2)` of it down.
+    /// Total length of things by thickness, in units of the longest side; bin i starts at a thickness of
+    /// `2^(-i/2)` and goes down.
     lengths: [f32; BINS],
-    /// Points of thin things, in world space.
+    /// Points on thin things, in world space.
     probe_points: Vec<Vec3>,
 }
 
 impl Thinness {
-    /// Looks at every triangle and sphere once.
+    /// Measures all triangles and spheres of a scene.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let mut thinness = Self::default();
@@ -74,7 +81,7 @@ impl Thinness {
     }
 
     fn add(&mut self, thing: &Thing, longest: f64) {
-        // Zero goes to the last bin.
+        // A thickness of zero goes to the last bin.
         let bin = (-2.0 * (thing.thickness / longest).log2()).clamp(0.0, (BINS - 1) as f64);
         self.lengths[bin as usize] += (thing.length / longest) as f32;
         if thing.thickness < PROBE_POINT_THICKNESS * longest {
@@ -82,34 +89,34 @@ impl Thinness {
         }
     }
 
-    /// Points of things that may be small in a frame, in world space.
+    /// Points on things that may be small in a frame, in world space.
     #[must_use]
     pub fn probe_points(&self) -> &[Vec3] {
         &self.probe_points
     }
 
-    /// The length of all things thinner than `width`, both in units of the scene's longest side; `width` is rounded up
-    /// to half an octave.
+    /// Total length of all things thinner than `width`, both in units of the scene's longest side; `width` is
+    /// rounded up to half an octave.
     #[must_use]
     pub fn length_below(&self, width: f32) -> f32 {
         let first = (-2.0 * width.log2()).floor().clamp(0.0, BINS as f32);
         self.lengths[first as usize..].iter().sum()
     }
 
-    /// Whether things may fall between the base samples of a frame of that many rows of samples, of which one in every
-    /// `block` is traced: whether those that are narrower than a block, where a frame is as high as the scene is long,
-    /// are together longer than the scene.
+    /// Whether things may fall between the base samples of a frame with `rows` rows of samples, one of which is
+    /// traced per block of side `block`: whether things narrower than a block at the assumed distance are in
+    /// total longer than the scene's longest side.
     #[must_use]
     pub fn is_thin(&self, rows: u32, block: u32) -> bool {
         self.length_below(FRAME_HEIGHT * block as f32 / rows.max(1) as f32) >= LEAST_LENGTH
     }
 }
 
-/// Extents of a connected object, in the scene's unit of length.
+/// Extents of a connected component in the scene's unit of length.
 struct Thing {
     thickness: f64,
     length: f64,
-    /// Points of it, spread over its length.
+    /// Points on it, spread along its length.
     probe_points: Vec<DVec3>,
 }
 
@@ -119,14 +126,14 @@ impl Thing {
         Self { thickness: width, length: width, probe_points: vec![sphere.center.as_dvec3()] }
     }
 
-    /// Measures the connected object that consists of these triangles.
+    /// Measures the connected component that consists of these triangles.
     fn of<'a>(triangles: impl Iterator<Item = &'a [Vec3; 3]> + Clone) -> Self {
         let (center, axes, extents, area) = box_around(triangles.clone());
         let mut order = [0, 1, 2];
         order.sort_by(|i, j| extents[*i].total_cmp(&extents[*j]));
         let [_, b, a] = order.map(|axis| extents[axis]);
         if area < SPARSE * a * b {
-            // Its middle may be empty.
+            // The centre of the box may not be on the surface.
             let middles: Vec<_> =
                 triangles.map(|t| t.map(|p| p.as_dvec3())).map(|[a, b, c]| (a + b + c) / 3.0).collect();
             let every = middles.len().div_ceil(PROBE_POINTS_PER_THING).max(1);
@@ -140,12 +147,12 @@ impl Thing {
     }
 }
 
-/// The middle of a thing's box along its principal axes, these, its extents along them, and the thing's area.
+/// The centre of the box along the principal axes, these axes, the extents along them, and the surface's area.
 fn box_around<'a>(triangles: impl Iterator<Item = &'a [Vec3; 3]> + Clone) -> (DVec3, DMat3, [f64; 3], f64) {
     let corners = || triangles.clone().flatten().map(|p| p.as_dvec3());
     let origin = corners().next().unwrap_or_default();
-    // Of the surface, so that it does not matter how it is divided: the second moment of a triangle is
-    // area / 12 (the sum of its corners' and nine times its middle's).
+    // Moments of the surface, which do not depend on its tessellation. A triangle's second moment is area / 12
+    // times the sum over its corners plus nine times that of its centroid.
     let (mut area, mut first, mut second) = (0.0, DVec3::ZERO, DMat3::ZERO);
     for [a, b, c] in triangles.clone().map(|t| t.map(|p| p.as_dvec3() - origin)) {
         let part = 0.5 * (b - a).cross(c - a).length();
@@ -168,7 +175,7 @@ fn square(v: DVec3) -> DMat3 {
     DMat3::from_cols(v * v.x, v * v.y, v * v.z)
 }
 
-/// The eigenvectors of a symmetric matrix, by Jacobi's rotations.
+/// The eigenvectors of a symmetric matrix, by Jacobi rotations.
 fn principal_axes(mut m: DMat3) -> DMat3 {
     let mut axes = DMat3::IDENTITY;
     for _ in 0..6 {
@@ -194,7 +201,7 @@ fn principal_axes(mut m: DMat3) -> DMat3 {
 /// Calls `visit` with the indices of the triangles of each connected component.
 fn each_component(scene: &Scene, mut visit: impl FnMut(&[u32])) {
     let mut sets = joined(scene);
-    // Triangles sorted by the root of their set: counts, then places.
+    // Sorts triangles by the root of their set (counting sort).
     let roots: Vec<u32> = (0..scene.positions.len() as u32).map(|t| sets.root(t)).collect();
     let mut starts = vec![0_u32; roots.len() + 1];
     for root in &roots {
@@ -205,7 +212,7 @@ fn each_component(scene: &Scene, mut visit: impl FnMut(&[u32])) {
     }
     let mut order = vec![0_u32; roots.len()];
     for (triangle, root) in roots.iter().enumerate() {
-        // A root's set ends where the next one began, once all of it is placed.
+        // `starts` of a root is the end of its set until all of its triangles are placed.
         order[starts[*root as usize] as usize] = triangle as u32;
         starts[*root as usize] += 1;
     }
@@ -214,7 +221,7 @@ fn each_component(scene: &Scene, mut visit: impl FnMut(&[u32])) {
     }
 }
 
-/// Triangles of one object that share a corner, in one set.
+/// Disjoint sets of triangles of one object that share a corner.
 fn joined(scene: &Scene) -> Sets {
     let mut sets = Sets((0..scene.positions.len() as u32).collect());
     let mut corners = Corners::new(3 * scene.positions.len());
@@ -236,7 +243,7 @@ fn joined(scene: &Scene) -> Sets {
 }
 
 fn hash(position: Vec3, object: u32) -> u64 {
-    // Adding zero makes both zeros one.
+    // Adding zero turns negative zero into positive zero.
     let [x, y, z] = (position + 0.0).to_array().map(|x| u64::from(x.to_bits()));
     let mut h = (x | y << 32).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     h ^= h >> 29;
@@ -244,7 +251,7 @@ fn hash(position: Vec3, object: u32) -> u64 {
     h ^ h >> 32
 }
 
-/// A hash table of corners, by linear probing; entries are one more than the corner's number.
+/// A hash table of corners with linear probing; entries are 1 + the corner's index, 0 if empty.
 struct Corners(Vec<u32>);
 
 impl Corners {
@@ -252,7 +259,7 @@ impl Corners {
         Self(vec![0; (most + most / 2 + 1).next_power_of_two()])
     }
 
-    /// The corner that is the `same`, or `None` after inserting this one.
+    /// The corner that satisfies `same`; inserts `corner` and returns `None` if there is none.
     fn find_or_insert(&mut self, hash: u64, corner: u32, same: impl Fn(u32) -> bool) -> Option<u32> {
         let mask = self.0.len() - 1;
         let mut at = hash as usize & mask;
@@ -267,7 +274,7 @@ impl Corners {
     }
 }
 
-/// Disjoint sets, by path halving (Tarjan, van Leeuwen 1984).
+/// Disjoint sets with path halving (Tarjan & van Leeuwen 1984).
 struct Sets(Vec<u32>);
 
 impl Sets {

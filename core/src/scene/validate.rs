@@ -1,4 +1,4 @@
-//! Validation of scenes, whether a file, a program or a built-in function made them.
+//! Validation of scenes from files, programs or built-in functions.
 
 use std::ops::RangeInclusive;
 
@@ -7,10 +7,10 @@ use glam::Vec3;
 use super::{LightKind, MAX_COORDINATE, MAX_IOR, MAX_LIGHTS, MAX_RADIANCE, MIN_RANGE, Material, Scene};
 use crate::{Camera, Error, Result};
 
-/// Unit vectors may be this far from unit length.
+/// Allowed deviation of unit vectors from unit length.
 const UNIT_TOLERANCE: f32 = 1.0e-4;
 
-/// Lengths of a camera's axes: half a frame's sides for an eye at distance 1, or in the scene's unit.
+/// Allowed length of a camera's axes: half the frame's sides at distance 1, or in the scene's unit of length.
 const FRAME_HALVES: RangeInclusive<f32> = 1.0e-16..=MAX_COORDINATE;
 
 impl Scene {
@@ -184,7 +184,7 @@ fn check_radiance(what: String, color: Vec3) -> Result<()> {
     fail(what, format!("expected three numbers from 0 to {MAX_RADIANCE:e}, found {color}"))
 }
 
-/// The sides of the frame span a plane, and their products neither vanish nor overflow.
+/// Checks that the frame's axes span a plane and that their products neither vanish nor overflow.
 fn check_camera(camera: &Camera, what: &str) -> Result<()> {
     let measurable = |axis: Vec3| FRAME_HALVES.contains(&axis.length());
     let spans = camera.right.cross(camera.up) != Vec3::ZERO;
@@ -224,7 +224,7 @@ mod tests {
     use super::*;
     use crate::scene::{Image8, Light, Object, Sphere, Texture, builtin};
 
-    /// Changes a valid scene, whose error must then hold every one of `parts`.
+    /// Applies `change` to a valid scene and expects an error that contains all `parts`.
     fn fails(change: impl Fn(&mut Scene), parts: &[&str]) {
         static ROOM: std::sync::OnceLock<Scene> = std::sync::OnceLock::new();
         let mut scene = ROOM.get_or_init(|| builtin("room").expect("room")).clone();

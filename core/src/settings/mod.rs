@@ -1,7 +1,7 @@
-//! Settings of a frame: every option, with what more and less of it costs and buys.
+//! Settings of a frame: the method and its parameters, with their cost and benefit.
 
-/// An enum whose values are those of an option: each with its name, a name that it had before after `or`, and what it does
-/// in one sentence.
+/// Declares an enum that is a choice of an option. Each variant has a name, an earlier name after `or`, and a
+/// description in one sentence.
 macro_rules! choices {
     (
         $(#[$doc:meta])*
@@ -16,23 +16,23 @@ macro_rules! choices {
         }
 
         impl $kind {
-            /// All of them.
+            /// All variants, in order of declaration.
             pub const ALL: [Self; [$(Self::$variant),+].len()] = [$(Self::$variant),+];
 
-            /// Names and sentences, in the order of `ALL`.
+            /// Names and descriptions, in the order of `ALL`.
             pub const CHOICES: &'static [$crate::options::Choice] = &[$($crate::options::Choice {
                 name: $name,
                 old_name: choices!(@old $($old)?),
                 summary: $summary,
             }),+];
 
-            /// The one of that name, present or old.
+            /// Finds a variant by its present or earlier name.
             #[must_use]
             pub fn named(name: &str) -> Option<Self> {
                 Self::CHOICES.iter().position(|choice| choice.is(name)).map(|index| Self::ALL[index])
             }
 
-            /// Its name as a value of an option.
+            /// The variant's name as a value of an option.
             #[must_use]
             pub fn name(self) -> &'static str {
                 Self::CHOICES[self as usize].name
@@ -54,65 +54,70 @@ pub use paths::{
 pub use supersampling::{Filter, Focus, Jitter, Preset, Refine, THRESHOLD_NAMES, Thresholds, Unsampled};
 
 choices! {
-    /// How a frame is made.
+    /// The rendering method of a frame.
     pub enum Method {
-        /// One ray through every pixel: the reference.
+        /// Full ray tracing: a ray through every sample. The reference for the other methods.
         Full = "full" or "fixed": "A ray through every sample",
-        /// Kim 2016, section 3: rays where the seven similarity checks ask for them, interpolation elsewhere.
+        /// Adaptive undersampling (Kim 2016, section 3): traces samples where one of seven similarity checks
+        /// fails and interpolates elsewhere.
         Adaptive = "adaptive": "Rays where neighbours differ, interpolation elsewhere (Kim 2016)",
-        /// A baseline: a ray through every second pixel in the order of a checkerboard, the average of their neighbours in the
-        /// others. One sample a pixel.
+        /// A baseline: traces every second pixel in a checkerboard pattern and averages neighbours in the others.
+        /// One sample per pixel.
         Checkerboard = "checkerboard": "A ray through every second sample, averages elsewhere",
-        /// Jin 2009: a ray through every pixel, and four more through those subpixels whose neighbours differ.
+        /// Selective supersampling (Jin 2009): a ray through every pixel, and four more through each subpixel
+        /// that differs.
         Supersample = "supersample": "A ray through every pixel, extra samples where neighbours differ (Jin 2009)",
-        /// Lecture, "Adaptive supersampling": rays through centres and corners of pixels, and more between those that differ.
+        /// Adaptive supersampling (lecture): rays through centres and corners of pixels, and more between those
+        /// that differ.
         Quincunx = "quincunx": "Rays through centres and corners of pixels, more between those that differ (lecture)",
-        /// The lecture's "frameless rendering": a share of the pixels is traced anew, in a well-spread order; the others stay
-        /// as they are, whatever has moved. One sample a pixel.
+        /// Frameless rendering (lecture): traces a fraction of the pixels in a well-distributed order and keeps
+        /// the others, even if the view changes. One sample per pixel.
         Frameless = "frameless": "Rays through a share of the pixels; the others stay as they are (lecture)",
-        /// The lecture's "reprojection": what the frame before showed is moved to where the camera sees it now. What is not
-        /// covered, what mirrors or lets light through, and a share of the pixels are traced. One sample a pixel.
+        /// Reprojection (lecture): projects the points of the last frame into the current view. Traces pixels
+        /// that no point covers, mirrors and transparent surfaces, and a fraction of all pixels. One sample per
+        /// pixel.
         Reproject = "reproject": "The last frame moved to where the camera sees it; rays where that leaves gaps (lecture)",
-        /// Monte Carlo path tracing (Kajiya 1986): unbiased, one sample a pixel and frame, added up while the camera rests.
+        /// Monte Carlo path tracing (Kajiya 1986): unbiased; each frame adds one sample per pixel while the
+        /// camera rests.
         Path = "path": "Path tracing, a sample of every pixel in each frame",
-        /// Kim & Sung 2021: paths for two eyes, side by side in one picture, the left one on the left. What one eye sees of a
-        /// point the other may show too.
+        /// Stereo path tracing (Kim & Sung 2021): the views of two eyes side by side, the left eye's on the left.
+        /// Samples of one eye may be reused for the other.
         Vr = "vr": "Path tracing for two eyes side by side, each of the frame's size (Kim & Sung 2021)",
     }
 }
 
 impl Method {
-    /// A frame keeps something of the frames before it.
+    /// Whether frames reuse data of the frames before them.
     #[must_use]
     pub fn has_history(self) -> bool {
         matches!(self, Self::Frameless | Self::Reproject) || self.is_path_traced()
     }
 
-    /// A frame is a sample of each pixel, added to those before it.
+    /// Whether frames accumulate one path sample per pixel each.
     #[must_use]
     pub fn is_path_traced(self) -> bool {
         matches!(self, Self::Path | Self::Vr)
     }
 
-    /// The picture of a frame whose eyes see so many pixels each: two of them are side by side.
+    /// Size of the image for eyes with `width` x `height` pixels each; two eyes are side by side.
     #[must_use]
     pub fn picture(self, [width, height]: [u32; 2]) -> [u32; 2] {
         [if self == Self::Vr { width.saturating_mul(2) } else { width }, height]
     }
 
-    /// What an eye sees of such a picture.
+    /// Size of one eye's view in an image of `width` x `height` pixels.
     #[must_use]
     pub fn eye(self, [width, height]: [u32; 2]) -> [u32; 2] {
         [if self == Self::Vr { width.div_ceil(2) } else { width }, height]
     }
 
-    /// Levels of rays where nothing else is wished: all of them for paths, which end by themselves.
+    /// Default ray depth: the maximum for path tracing, where paths end by themselves, else 3.
     #[must_use]
     pub fn usual_depth(self) -> u32 {
         if self.is_path_traced() { MAX_DEPTH } else { 3 }
     }
 
-    /// It knows pixels of one sample alone.
+    /// Whether the method supports only one sample per pixel.
     #[must_use]
     pub fn takes_one_sample(self) -> bool {
         !matches!(self, Self::Full | Self::Adaptive)
@@ -120,66 +125,68 @@ impl Method {
 }
 
 choices! {
-    /// What is traced again after an adaptive frame, from traced pixels into interpolated neighbours that differ from them
-    /// (Kim 2016, section 4).
+    /// Postcorrection after an adaptive frame (Kim 2016, section 4): which interpolated pixels next to differing
+    /// traced ones are traced.
     pub enum Postcorrect {
-        /// Objects and shadows, if the scene holds something so thin that it may fall between samples.
+        /// `On` if the scene has objects so thin that they may fall between samples, else `Off`.
         Auto = "auto": "Objects and shadows, where the scene holds things thinner than a block",
-        /// Nothing.
+        /// None.
         Off = "off": "Nothing",
-        /// Where the object differs.
+        /// Those with a different object.
         Objects = "objects": "Where the object differs",
-        /// Where the object or the shadow bits differ.
+        /// Those with a different object or different shadow bits.
         On = "on": "Where the object or the shadow differs",
-        /// As `On`, by the paper's scans along rows and columns (section 5).
+        /// Like `On`, by the paper's scans along rows and columns (Kim 2016, section 5).
         Scans = "scans": "As on, by scans along rows and columns",
     }
 }
 
 choices! {
-    /// What of a texture a sample shows.
+    /// Texture filtering of a sample.
     pub enum Mip {
-        /// The texture at the one point that the ray meets: it aliases where it is seen small.
+        /// The texture at the hit point, which aliases under minification.
         Off = "off": "The texture at the point that the ray meets",
-        /// Its average over the part that the sample stands for, from mip levels; wherever texels are seen larger than
-        /// samples, the same.
+        /// The average of the texture over the sample's footprint, from mip levels; identical under
+        /// magnification.
         On = "on": "Its average over what a sample stands for",
     }
 }
 
 choices! {
-    /// Which pieces of the shaders are linked.
+    /// Which parts of the shaders are linked.
     pub enum Specialize {
-        /// Only what the scene needs.
+        /// Only the parts that the scene needs.
         Auto = "auto": "Only what the scene needs",
-        /// Everything: the check that leaving out changes nothing.
+        /// All parts. Images must be the same, which tests the specialization.
         All = "all": "Everything",
     }
 }
 
-/// The tolerances of the similarity checks (Kim 2016, section 6). A pair of reference pixels passes a check
-/// while its difference stays *below* the tolerance; stricter means more rays and less error.
+/// Tolerances of the similarity checks (Kim 2016, section 6). Two reference pixels pass a check while their
+/// difference is *below* the tolerance; stricter tolerances trace more rays and reduce the error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerances {
-    /// G2, distance of the hit points in units of the scene's longest box side. 0 traces every pixel.
+    /// G2: distance between the hit points in units of the longest side of the scene's bounding box. 0 traces
+    /// every pixel.
     pub pos: f32,
-    /// G3, least cosine between the normals.
+    /// G3: least cosine of the angle between the normals.
     pub norm: f32,
-    /// TX, width of the border zone of the texture, [0, 0.5].
+    /// TX: width of the zone at the texture's border, in texture coordinates, 0 to 0.5.
     pub tex: f32,
-    /// GC, distance of the secondary radiances in linear RGB.
+    /// GC: distance between the secondary radiances in linear RGB.
     pub gcol: f32,
 }
 
 impl Tolerances {
-    /// What references may differ by that lie so many samples apart; as they stand for 2.
+    /// The tolerances for references `stride` samples apart; the fields hold those for a distance of 2.
     ///
-    /// An interpolated quantity is wrong by as much as it bends between the references, which grows with the square of
-    /// their distance, while the checks see how much it changes. For normals the bound on 1 - cos, the square of an angle,
-    /// shrinks with the square of the distance, so that the angle shrinks with the distance. What mirrors and glass show
-    /// has no shape of its own to interpolate: its bound shrinks with the fourth power, so that larger blocks interpolate
-    /// only where it is nearly constant. Distances grow with the stride by themselves, and the zone at the border of a
-    /// texture is wider than any step: both stay. Chosen by measurement: desktop/MEASUREMENTS.md, "Larger blocks".
+    /// The error of interpolation is the curvature of a quantity between the references, which grows with the
+    /// square of their distance, while the checks measure its change. For normals the bound on 1 - cos (the
+    /// square of an angle) shrinks with the square of the distance, so that the angle shrinks linearly. Reflected
+    /// and refracted radiance has no shape of its own to interpolate: its bound shrinks with the fourth power, so
+    /// that larger blocks interpolate only where it is nearly constant. Distances grow with the stride by
+    /// themselves, and the texture border zone is wider than any step: both stay. Chosen by measurement
+    /// (desktop/MEASUREMENTS.md, "Larger blocks").
     #[must_use]
     pub fn at(&self, stride: u32) -> Self {
         let nearer = 2.0 / stride as f32;
@@ -193,62 +200,62 @@ impl Default for Tolerances {
     }
 }
 
-/// Everything that can be wished of a frame besides its size and camera.
+/// All settings of a frame except its size and camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// How the frame is made.
+    /// The rendering method.
     pub method: Method,
-    /// When to trace.
+    /// Tolerances of the adaptive method's similarity checks.
     pub tolerances: Tolerances,
-    /// Side of the square of samples of which one is always traced: 2, 4 or 8. Larger ones trace fewer samples and lose
-    /// more of what is small.
+    /// Side of the square of samples of which one is always traced: 2, 4 or 8. Larger blocks trace fewer samples
+    /// and miss more small features.
     pub block: u32,
-    /// Samples along a side of a pixel, 1 to [`MAX_SAMPLING`]: the method works on the finer grid, whose samples are
-    /// averaged (Kim 2016's "Sampling" column).
+    /// Samples along a side of a pixel, 1 to [`MAX_SAMPLING`]. The method works on this finer grid and the filter
+    /// makes pixels of its samples (Kim 2016, "Sampling").
     pub sampling: u32,
-    /// What is traced again.
+    /// Which interpolated pixels postcorrection traces.
     pub postcorrect: Postcorrect,
-    /// What of a texture a sample shows.
+    /// Texture filtering.
     pub mip: Mip,
-    /// Levels of rays: 1 is primary rays alone. More shows more mirrors in mirrors, 1 to [`MAX_DEPTH`].
+    /// Levels of the ray tree, 1 to [`MAX_DEPTH`]; 1 traces primary rays only.
     pub depth: u32,
-    /// Rays that would contribute less than this share of the pixel are not traced. 0 follows them all.
+    /// Rays with a smaller weight in the pixel's radiance are not traced, 0 to 1; 0 traces them all.
     pub min_weight: f32,
-    /// The share of the pixels that a frame traces anew which keeps the others, above 0 and at most 1: more costs time,
-    /// less leaves longer what is no longer so. No pixel is older than `1 / refresh_fraction` frames.
+    /// Fraction of the pixels that a frame of a method with history traces, above 0 and at most 1. Larger
+    /// fractions cost more time, smaller ones keep outdated pixels longer: up to `1 / refresh_fraction` frames.
     pub refresh_fraction: f32,
-    /// Which pieces are linked.
+    /// Which parts of the shaders are linked.
     pub specialize: Specialize,
-    /// Extra samples after an adaptive frame too, where its pixels differ from their neighbours.
+    /// Whether adaptive frames also get extra samples where pixels differ from their neighbours.
     pub supersample: bool,
-    /// Where extra samples go.
+    /// Contrast thresholds for extra samples.
     pub thresholds: Thresholds,
-    /// Whose differences count; `None` for everything's.
+    /// The objects whose attributes are compared for extra samples; `None` compares all.
     pub focus: Option<Focus>,
-    /// Whether extra samples go to whole pixels, step by step.
+    /// Whether extra samples are given to whole pixels in several steps.
     pub refine: Refine,
-    /// What stands for the rest of a pixel.
+    /// The colour of subpixels without extra samples.
     pub unsampled: Unsampled,
-    /// Where samples lie.
+    /// Where samples lie within their cells.
     pub jitter: Jitter,
-    /// How a pixel follows from several samples.
+    /// The filter that makes pixels of several samples.
     pub filter: Filter,
-    /// How much the ends of a quincunx may differ, 0 to 1, before there are samples between them; as [`Thresholds`].
+    /// Contrast threshold of method quincunx, 0 to 1, as in [`Thresholds`]: samples that differ more are divided.
     pub quincunx_threshold: f32,
-    /// Of whatever is random; the same seed gives the same samples.
+    /// Seed of all random numbers; equal seeds give equal samples.
     pub seed: u32,
-    /// What paths do.
+    /// Settings of path tracing.
     pub paths: Paths,
 }
 
-/// The deepest recursion: what the ray stack of the refraction kernels is sized for.
+/// Largest ray depth, which the ray stack of the refraction kernels is sized for.
 pub const MAX_DEPTH: u32 = 64;
 
-/// The finest grid: 256 samples a pixel.
+/// Largest sampling: 16 x 16 = 256 samples per pixel.
 pub const MAX_SAMPLING: u32 = 16;
 
-/// The most rays that a sample follows, shadow rays aside: nested glass would send 2^depth. Branches beyond count as the
-/// environment's fallback radiance, as those that other limits cut off.
+/// Largest number of rays per sample, shadow rays excluded; nested glass would otherwise trace 2^depth. Further
+/// branches have the environment's fallback radiance, like those that other limits cut off.
 pub const MAX_RAYS: u32 = 1024;
 
 impl Default for Settings {
@@ -279,13 +286,13 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Does a frame get extra samples?
+    /// Whether the frame gets extra samples.
     #[must_use]
     pub fn supersamples(&self) -> bool {
         self.method == Method::Supersample || self.supersample
     }
 
-    /// Do they go to whole pixels, step by step?
+    /// Whether extra samples are given to whole pixels in several steps ([`Refine::On`]).
     #[must_use]
     pub fn refines(&self) -> bool {
         match self.refine {
@@ -295,35 +302,36 @@ impl Settings {
         }
     }
 
-    /// Can samples that were traced elsewhere be [merged](crate::Renderer::accumulate)? Not where pixels count them one by one.
+    /// Whether [`crate::Renderer::accumulate`] can add CPU samples. Unweighted stereo reuse counts samples per
+    /// pixel and cannot.
     #[must_use]
     pub fn accepts_cpu_samples(&self) -> bool {
         let copied = self.reuses_stereo() && self.paths.stereo_reuse == StereoReuse::Paper;
         self.method.is_path_traced() && !copied
     }
 
-    /// What is done about noise: it is that of paths.
+    /// The active denoiser; methods other than path tracing have none.
     #[must_use]
     pub fn denoise(&self) -> Denoise {
         if self.method.is_path_traced() { self.paths.denoise } else { Denoise::Off }
     }
 
-    /// Do samples of one eye count for the other?
+    /// Whether samples of one eye contribute to the other.
     #[must_use]
     pub fn reuses_stereo(&self) -> bool {
         self.method == Method::Vr && self.paths.stereo_reuse != StereoReuse::Off
     }
 }
 
-/// The measures against rounding that traversal and spawned rays take. All are on in every frame; the stress cases leave
-/// one out to see that they notice, and to measure what it costs.
+/// Measures against rounding errors in traversal and at the origins of secondary rays. All are on in every frame;
+/// stress tests leave one out to show its effect and to measure its cost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Robustness {
-    /// Edges of triangles are decided exactly (after Woop 2013).
+    /// Exact edge tests of triangles (after Woop et al. 2013).
     pub watertight: bool,
-    /// Boxes are widened by what rounding may move a ray (after Ize 2013).
+    /// Bounding boxes enlarged by the bound of rounding errors (after Ize 2013).
     pub boxes: bool,
-    /// Spawned rays start off their surface.
+    /// Secondary rays start at an offset from their surface.
     pub offset: bool,
 }
 
@@ -369,7 +377,7 @@ mod tests {
         }
     }
 
-    /// What traces everything still does: no pair is closer than 0, no cosine above 1.
+    /// Tolerances that trace every pixel do so at any stride: no distance is below 0, no cosine above 1.
     #[test]
     fn the_strictest_tolerances_stay_so() {
         let strictest = Tolerances { pos: 0.0, norm: 1.0, tex: 0.5, gcol: 0.0 };

@@ -1,133 +1,136 @@
-//! Wishes for path tracing.
+//! Settings of path tracing.
 
 choices! {
-    /// How the light of emitters is found.
+    /// How paths find the light of emissive surfaces.
     pub enum DirectLight {
-        /// By the path's own steps alone, as in Kim & Sung 2021: a path brings light where it happens to hit an emitter.
+        /// Sampling of the BSDF alone, as in Kim & Sung 2021: a path gathers light when it happens to hit an
+        /// emitter.
         Bsdf = "bsdf" or "walk": "By meeting them: sampling of the BSDF alone",
-        /// By rays to points on emitters from every diffuse surface (next-event estimation), and where the path came by a
-        /// mirror or glass.
+        /// Next-event estimation: shadow rays from every diffuse surface to points on emitters. Emitters that a
+        /// path hits count only directly or after specular reflection or refraction.
         Nee = "nee" or "light": "By rays to points on them: next-event estimation",
-        /// Both, each weighted by how likely it was to find that point (Veach 1995, balance heuristic).
+        /// Both, combined by multiple importance sampling with the balance heuristic (Veach & Guibas 1995).
         Mis = "mis": "By both, each weighted by how likely it was to find the point (balance heuristic)",
     }
 }
 
 choices! {
-    /// What shines.
+    /// Which light sources illuminate the scene.
     pub enum LightSelection {
         /// Emissive surfaces and punctual lights.
         All = "all": "Emissive surfaces and punctual lights",
-        /// Emissive surfaces alone: for files whose punctual lights stand for those.
+        /// Emissive surfaces only, for files whose punctual lights stand in for them.
         Emitters = "emitters": "Emissive surfaces, for files whose punctual lights stand for those",
-        /// Punctual lights alone; emissive surfaces are as bright as ever to the eye, but light nothing.
+        /// Punctual lights only. Emissive surfaces are visible but illuminate nothing.
         Punctual = "punctual": "Punctual lights",
     }
 }
 
 choices! {
-    /// Where the random numbers of a path come from.
+    /// The random number generator of paths.
     pub enum Sampler {
-        /// A hash: independent numbers.
+        /// Independent numbers from a hash function.
         Random = "random": "Independent numbers",
-        /// Owen-scrambled Sobol' pairs (Burley 2020): the samples of a pixel are spread evenly.
+        /// Owen-scrambled Sobol' pairs (Burley 2020), which stratify the samples of each pixel.
         Sobol = "sobol": "Owen-scrambled Sobol' pairs: the samples of a pixel are spread evenly",
     }
 }
 
 choices! {
-    /// Whether long paths are ended at random, their survivors counting for more: no error in the mean.
+    /// Russian roulette: ends long paths at random and weights the others up, which keeps the estimate unbiased.
     pub enum Roulette {
-        /// From the third bounce on, by how much light the path can still bring.
+        /// From the third bounce on, with a probability that depends on the path's throughput.
         On = "on": "From the third bounce on",
-        /// Paths go on up to the depth limit.
+        /// All paths continue to the depth limit.
         Off = "off": "Paths go on up to the depth limit",
     }
 }
 
 choices! {
-    /// What happens to paths away from the gaze (Kim & Sung 2021, equation 7).
+    /// Foveated path tracing: stops paths away from the gaze (Kim & Sung 2021, equation 7).
     pub enum Foveation {
-        /// They go on.
+        /// No path is stopped.
         Off = "off": "Paths go on",
-        /// They stop with a probability that grows with the distance, and what they would have brought is missing: darker.
+        /// Paths stop with a probability that grows with the distance from the gaze. The others are not weighted
+        /// up, so pixels become darker.
         Paper = "paper": "Paths stop, and those that go on count as before: darker",
-        /// They stop, and those that go on count for more: noisier away from the gaze, but right.
+        /// Paths stop as with `Paper`, and the others are weighted up: unbiased, but noisier away from the gaze.
         Compensated = "compensated": "Paths stop, and those that go on count for more: noisier",
     }
 }
 
 choices! {
-    /// Whether what one eye finds out about a point counts for the other eye too (Kim & Sung 2021, equations 1 to 6).
+    /// Stereo reuse: whether samples of one eye contribute to the other (Kim & Sung 2021, equations 1 to 6).
     pub enum StereoReuse {
-        /// Each eye for itself.
+        /// Eyes are rendered independently.
         Off = "off": "Each eye for itself",
-        /// As in the paper: a sample counts as one more wherever it is seen, though points are not seen equally often by both
-        /// eyes, and what a mirror shows goes where the reflected ray meets the other eye's picture. Biased.
+        /// As in the paper: a sample counts fully in the other eye wherever that sees its point, although the
+        /// eyes sample points with different density. Mirrored points go to where the reflected ray meets the
+        /// other eye's image. Biased.
         Paper = "paper": "Wherever the other eye sees the point: biased",
-        /// Points of diffuse surfaces, seen straight or in plane mirrors, each sample weighted by how often both eyes find
-        /// its point (Veach, Guibas 1995, balance heuristic): no error in the mean.
+        /// Points on diffuse surfaces, seen directly or in planar mirrors. Weighted by the density with which
+        /// both eyes sample the point (balance heuristic, Veach & Guibas 1995). Unbiased.
         Weighted = "weighted": "Weighted by how often both find the point: unbiased",
     }
 }
 
 choices! {
-    /// What is done about noise in the picture that is shown. What is added up is what paths brought, with or without it.
+    /// The denoiser of the displayed image; the accumulated samples are not affected.
     pub enum Denoise {
-        /// Nothing.
+        /// No denoiser.
         Off = "off": "Nothing",
-        /// Kim & Sung 2021, section 3: a pixel whose last path was [stopped](Foveation) and met diffuse surfaces alone shows,
-        /// channel by channel, the median of its 3x3 pixels. It does so however many samples there are: the picture stays
-        /// darker than the mean, and more samples do not help there.
+        /// Kim & Sung 2021, section 3: a pixel whose last path was [stopped](Foveation) and hit only diffuse
+        /// surfaces shows the median of its 3x3 pixels, channel by channel. This does not depend on the number of
+        /// samples, so the image stays darker than the mean.
         Median = "median": "Stopped paths that met diffuse surfaces alone show the median of their 3x3 pixels",
-        /// An edge-avoiding a-trous wavelet filter (Dammertz et al. 2010) of the light that arrives at the first diffuse
-        /// surface, guided by its position, normal and albedo. Its colour weights narrow as samples are added up: the picture
-        /// tends to the mean.
+        /// An edge-avoiding a-trous wavelet filter (Dammertz et al. 2010) of the light that arrives at the first
+        /// diffuse surface, guided by position, normal and albedo. Its colour weights narrow as samples
+        /// accumulate, so that the image converges to the mean.
         Atrous = "atrous": "An edge-avoiding a-trous filter that narrows with every sample",
     }
 }
 
-/// Everything that can be wished of paths.
+/// Settings of the path-tracing methods.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Paths {
-    /// Samples a pixel after which a resting view is finished; a frame adds one.
+    /// Samples per pixel at which a still view is complete; each frame adds one.
     pub samples: u32,
-    /// How the light of emitters is found.
+    /// How paths find the light of emissive surfaces.
     pub direct_light: DirectLight,
-    /// Points on emitters for each diffuse surface that a path meets.
+    /// Shadow rays towards emitters at each diffuse surface of a path.
     pub light_samples: u32,
-    /// What shines.
+    /// Which light sources illuminate the scene.
     pub lights: LightSelection,
-    /// Where random numbers come from.
+    /// The random number generator.
     pub sampler: Sampler,
     /// Whether long paths end at random.
     pub roulette: Roulette,
-    /// What happens to paths away from the gaze.
+    /// Whether paths away from the gaze are stopped.
     pub foveation: Foveation,
-    /// Where the eyes look, in widths and heights of the picture from its upper left corner.
+    /// Position of the gaze in widths and heights of one eye's image, from its upper left corner.
     pub gaze: [f32; 2],
-    /// The probability of stopping where the picture is farthest from the gaze, at each bounce.
+    /// Probability of stopping at each bounce in the corner of the image farthest from the gaze.
     pub foveation_max: f32,
-    /// Bounces that no path does without; [`Paths::foveation_level`] has where they may stop.
+    /// Number of bounces before a path may be stopped; see [`Paths::foveation_level`].
     pub foveation_start: u32,
-    /// Whether samples of one eye count for the other.
+    /// Whether samples of one eye contribute to the other.
     pub stereo_reuse: StereoReuse,
-    /// From one eye to the other, in the scene's units, which glTF has in metres.
+    /// Distance between the eyes in the scene's unit of length (metres in glTF).
     pub eye_distance: f32,
-    /// From the eyes to where both see the same in the middle of their pictures, in the scene's units; none for eyes that
-    /// look in parallel.
+    /// Distance at which the centres of both eyes' images show the same point, in the scene's unit of length;
+    /// `None` for parallel views.
     pub convergence: Option<f32>,
-    /// What is done about noise.
+    /// The denoiser of the displayed image.
     pub denoise: Denoise,
-    /// Threads of the CPU that trace samples beside the GPU. A [`crate::Renderer`] starts none: its caller runs them, and
-    /// [merges](crate::Renderer::accumulate) what they bring.
+    /// Number of CPU threads that trace samples in addition to the GPU. A [`crate::Renderer`] starts none: the
+    /// caller runs them and passes their samples to [`crate::Renderer::accumulate`].
     pub cpu_threads: u32,
 }
 
-/// The most points on emitters for a surface.
+/// Largest number of shadow rays towards emitters per surface.
 pub const MAX_LIGHT_SAMPLES: u32 = 64;
 
-/// The most threads of the CPU.
+/// Largest number of CPU threads.
 pub const MAX_CPU_THREADS: u32 = 256;
 
 impl Default for Paths {
@@ -153,13 +156,13 @@ impl Default for Paths {
 }
 
 impl Paths {
-    /// The first surface that a path may stop at, counted from 1 for what the eye sees. Kim & Sung 2021, Algorithm 3, follows
-    /// every path to the surface behind the threshold and shades it. Where those that go on count for more, that surface is
-    /// as right without: only one in 1 / (1 - p) paths is followed there.
+    /// Index of the first surface at which a path may stop, counted from 1 for the visible surface. Kim & Sung
+    /// 2021, Algorithm 3, traces every path to the surface after the threshold and shades it. With compensated
+    /// weights the estimate is correct without that surface, so only one in 1 / (1 - p) paths is traced there.
     pub fn foveation_level(&self) -> u32 {
         self.foveation_start.saturating_add(if self.foveation == Foveation::Compensated { 1 } else { 2 })
     }
 }
 
-/// How far outside the picture the eyes may look, in its widths and heights.
+/// Farthest position of the gaze outside the image, in widths and heights of the image.
 pub const MAX_GAZE: f32 = 1000.0;

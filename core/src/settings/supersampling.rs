@@ -1,43 +1,44 @@
-//! Wishes about extra samples: which differences between pixels are worth some (Jin 2009).
+//! Settings of selective supersampling (Jin 2009): which differences between pixels get extra samples.
 
-/// How strong a contrast must be, by what differs between neighbouring pixels, for a subpixel to get extra
-/// samples (Jin 2009, Table 1), each from 0, always, to 1, never.
+/// Contrast thresholds for extra samples in a subpixel, by the attribute that differs between neighbouring pixels
+/// (Jin 2009, Table 1). 0 always gives extra samples, 1 never.
 ///
-/// Where several attributes differ the smallest counts, where none does that of the colour. All equal to `col` is the
-/// colour measure alone.
+/// If several attributes differ, the smallest of their thresholds applies; if none does, that of the colour. With
+/// all equal to `col` only the colour decides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thresholds {
-    /// Nothing but the colour.
+    /// Threshold where no attribute but the colour differs.
     pub col: f32,
-    /// Primary hit: object.
+    /// Primary hit: different objects.
     pub poid: f32,
-    /// Primary hit: surface normal.
+    /// Primary hit: different surface normals.
     pub psn: f32,
-    /// Primary hit: number of lights that do not reach it.
+    /// Primary hit: different numbers of shadowed lights.
     pub psc: f32,
-    /// Primary hit: it is textured, whatever its neighbours are.
+    /// Primary hit: a textured surface, with or without a difference.
     pub pte: f32,
-    /// Secondary hit: object.
+    /// Secondary hit: different objects.
     pub soid: f32,
-    /// Secondary hit: surface normal.
+    /// Secondary hit: different surface normals.
     pub ssn: f32,
-    /// Secondary hit: number of lights that do not reach it.
+    /// Secondary hit: different numbers of shadowed lights.
     pub ssc: f32,
-    /// Secondary hit: it is textured.
+    /// Secondary hit: a textured surface.
     pub ste: f32,
 }
 
-/// The names of [`Thresholds`], in order.
+/// Names of the fields of [`Thresholds`], in order.
 pub const THRESHOLD_NAMES: [&str; 9] = ["col", "poid", "psn", "psc", "pte", "soid", "ssn", "ssc", "ste"];
 
 impl Thresholds {
-    /// One threshold for everything: the colour measure alone.
+    /// The same threshold for all attributes, which makes only the colour decide.
     #[must_use]
     pub const fn uniform(col: f32) -> Self {
         Self::paper(col, col, col)
     }
 
-    /// The paper's: of colour and textures, of shadows, of objects and normals.
+    /// The paper's parameters: `alpha` for colour and textures, `shadow` for shadows, `geometry` for objects and
+    /// normals.
     const fn paper(alpha: f32, shadow: f32, geometry: f32) -> Self {
         Self {
             col: alpha,
@@ -52,7 +53,7 @@ impl Thresholds {
         }
     }
 
-    /// In the order of [`THRESHOLD_NAMES`].
+    /// The thresholds in the order of [`THRESHOLD_NAMES`].
     #[must_use]
     pub fn values(&self) -> [f32; 9] {
         let t = self;
@@ -67,23 +68,25 @@ impl Default for Thresholds {
 }
 
 choices! {
-    /// Thresholds by name.
+    /// Named sets of thresholds.
     pub enum Preset {
-        /// The paper's default (Table 2, tau_alpha = 0.6).
+        /// The paper's default (Jin 2009, Table 2, tau_alpha = 0.6).
         Balanced = "balanced": "Edges and shadows, textures where they are strong (Jin 2009, Table 2)",
-        /// Strict about textures too (Table 2, tau_alpha = 0.1).
+        /// Stricter for textures (Jin 2009, Table 2, tau_alpha = 0.1).
         Textures = "textures": "Textures too",
-        /// Edges alone, of objects and in mirrors (Table 2, Fairy Forest with tau_alpha = tau_beta = 1).
+        /// Edges of objects only, also in mirrors (Jin 2009, Table 2, Fairy Forest with tau_alpha = tau_beta =
+        /// 1).
         Edges = "edges": "Edges alone",
-        /// The colour measure alone (Figure 7, tau_col = 0.1).
+        /// Colour only (Jin 2009, Figure 7, tau_col = 0.1).
         Color = "color": "Colours alone, whatever their cause",
-        /// Edges and shadows wherever they show, textures where they are strong: ours, for [`Refine::On`] and averaged textures.
+        /// Visible edges and shadows, and strong textures. Our own values, for [`Refine::On`] with averaged
+        /// textures.
         Refined = "refined": "Edges and shadows wherever they show, textures where they are strong: for refine on",
     }
 }
 
 impl Preset {
-    /// What it stands for.
+    /// The thresholds of the preset.
     #[must_use]
     pub const fn thresholds(self) -> Thresholds {
         match self {
@@ -96,8 +99,8 @@ impl Preset {
     }
 }
 
-/// The objects whose differences count: the first and the last of a run of [`crate::Scene::objects`] (Jin 2009, section 5,
-/// "Fairy focused"). Elsewhere the colour decides alone.
+/// The range of [`crate::Scene::objects`] whose attributes are compared (Jin 2009, section 5, "Fairy focused");
+/// elsewhere only the colour decides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Focus {
     /// Index of the first object.
@@ -107,31 +110,33 @@ pub struct Focus {
 }
 
 choices! {
-    /// What stands for the subpixels that get no extra samples.
+    /// The colour of subpixels without extra samples.
     pub enum Unsampled {
-        /// The sample at the pixel's centre.
+        /// The colour of the sample at the pixel's centre.
         Nearest = "nearest": "The sample at the pixel's centre",
-        /// The four centres around them, bilinearly (Jin 2009, section 6): softer textures, softer everything.
+        /// Bilinear interpolation of the four nearest pixel centres (Jin 2009, section 6), which blurs textures
+        /// and edges.
         Bilinear = "bilinear": "The centres around it, bilinearly (Jin 2009, section 6)",
     }
 }
 
 choices! {
-    /// How a pixel follows from samples (lecture, "Supersampling").
+    /// The reconstruction filter from samples to pixels (lecture, "Supersampling").
     pub enum Filter {
-        /// The mean of its own.
+        /// The mean of the pixel's own samples.
         Box = "box": "The mean of its own samples",
-        /// Those of the neighbours too, the less the farther off: smoother edges, softer textures.
+        /// A tent filter that also covers the neighbours' samples, with weights that fall with distance: smoother
+        /// edges, softer textures.
         Tent = "tent": "The neighbours' samples too, the less the farther off",
     }
 }
 
 choices! {
-    /// Where in its cell a sample lies.
+    /// Where samples lie within their cells.
     pub enum Jitter {
-        /// Anywhere for extra samples (Jin 2009, 4.1.4), in the centre for all others.
+        /// At a random position for extra samples (Jin 2009, 4.1.4), in the centre for all others.
         Auto = "auto": "Extra samples do, others lie in the centre",
-        /// Anywhere: noise in the place of aliasing (lecture, "Jittered sampling").
+        /// At a random position for all samples, which turns aliasing into noise (lecture, "Jittered sampling").
         On = "on": "All do: noise in the place of aliasing",
         /// In the centre.
         Off = "off": "None do",
@@ -139,14 +144,15 @@ choices! {
 }
 
 choices! {
-    /// Which samples pixels get that differ from their neighbours.
+    /// How extra samples are distributed over pixels that differ from their neighbours.
     pub enum Refine {
-        /// [`Refine::On`] after an adaptive frame, [`Refine::Off`] as a method of its own.
+        /// [`Refine::On`] with the adaptive method, [`Refine::Off`] with method `supersample`.
         Auto = "auto": "On after the adaptive method, off with method supersample",
-        /// One in each subpixel, and where they show what no pixel around a neighbour does, of the neighbour; then four to
-        /// twelve more, where quarters differ by twice the least of the thresholds.
+        /// One sample in each quarter first. Where these show colours that no pixel around a neighbour has, the
+        /// neighbour gets them as well. Then four to twelve more where quarters differ by twice the smallest
+        /// threshold.
         On = "on": "Whole pixels, step by step",
-        /// Four in each quarter that differs (Jin 2009, 4.1.4).
+        /// Four samples in each quarter that differs (Jin 2009, 4.1.4).
         Off = "off": "Subpixels that differ (Jin 2009)",
     }
 }

@@ -60,7 +60,7 @@ pub fn read(path: &Path) -> anyhow::Result<Vec<u8>> {
     fs::read(path).with_context(|| format!("cannot read {}", path.display()))
 }
 
-/// Fails for folders, pipes, devices and files longer than [`MAX_BYTES`], which [`read`] must not be given.
+/// Fails for folders, pipes, devices and files longer than 4 GiB, which [`read`] must not be given.
 pub fn readable(path: &Path) -> anyhow::Result<()> {
     let failed = || format!("cannot read {}", path.display());
     let about = fs::metadata(path).with_context(failed)?;

@@ -36,7 +36,7 @@ mod tests {
         // Equal cost: the better one. Equal quality: the cheaper one.
         assert_eq!(of(&[(1.0, 30.0), (1.0, 31.0)]), [false, true]);
         assert_eq!(of(&[(1.0, 30.0), (2.0, 30.0)]), [true, false]);
-        // The same point twice beats nobody.
+        // Equal points do not beat each other.
         assert_eq!(of(&[(1.0, 30.0), (1.0, 30.0)]), [true, true]);
     }
 

@@ -1,11 +1,11 @@
-//! An X server without a screen.
+//! An X server without a screen (Xvfb).
 
 use std::{
     io::{BufRead, BufReader},
     process::{Child, Command, Stdio},
 };
 
-/// Runs until it is dropped.
+/// A running server, ended when dropped.
 pub struct Display {
     server: Child,
     name: String,
@@ -14,7 +14,7 @@ pub struct Display {
 impl Display {
     pub fn new() -> Self {
         let mut server = Command::new("Xvfb")
-            // It chooses a number that is free and tells it when it is ready.
+            // Xvfb chooses a free display number and prints it when it is ready.
             .args(["-displayfd", "1", "-screen", "0", "2560x1600x24", "-nolisten", "tcp", "-noreset"])
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
@@ -26,7 +26,7 @@ impl Display {
         Self { server, name: format!(":{}", number.trim()) }
     }
 
-    /// As `DISPLAY` has it.
+    /// Value of the `DISPLAY` variable.
     pub fn name(&self) -> &str {
         &self.name
     }

@@ -1,13 +1,13 @@
-//! Thousands of events in any order: nothing panics, nothing is refused by the device, nothing is kept for ever.
+//! Thousands of events in random order: no panic, no error of the device, and no unbounded growth of memory.
 
 use std::fmt::Write;
 
 use crate::harness::ScriptHarness;
 
-/// The program's memory is looked at after so many events.
+/// Number of events between measurements of the program's memory.
 const SAMPLE: usize = 10;
 
-/// Marsaglia's xorshift64.
+/// Marsaglia's xorshift64 generator.
 struct Dice(u64);
 
 impl Dice {
@@ -26,7 +26,7 @@ impl Dice {
         self.below(1000) as f64 / 999.0
     }
 
-    /// From 1 to the most; small sides are likely, so that much happens in little time.
+    /// A side from 1 to `most`; small sides are likely, so that many events fit into little time.
     fn side(&mut self, most: usize) -> usize {
         let most = [1, 3, most / 16, most / 8, most / 8, most / 4, most / 4, most][self.below(8)];
         1 + self.below(most)
@@ -113,10 +113,10 @@ const CHOICES: [&str; 34] = [
 
 const FILES: [&str; 4] = ["gone.glb", "text.glb", "folder.glb", "picture.png"];
 
-/// Scenes that are small.
+/// Small built-in scenes.
 const SCENES: [&str; 3] = ["builtin:cornell", "builtin:minray", "builtin:furnace"];
 
-/// Which fingers are down, and whether there is a surface.
+/// The fingers that are down, and whether the app is paused.
 #[derive(Default)]
 struct State {
     fingers: [bool; 2],
@@ -163,7 +163,7 @@ impl State {
         event.to_owned()
     }
 
-    /// Everything is let go, and as it was.
+    /// Script that releases everything and restores the initial state.
     fn end(&self) -> String {
         let mut script = String::new();
         for finger in [0, 1].into_iter().filter(|finger| self.fingers[*finger]) {
@@ -206,8 +206,8 @@ impl State {
     }
 }
 
-/// Plays the events of a seed in so many rounds, the same ones every time; the medians of the memory in KiB, a quarter of
-/// the time each.
+/// Plays the events of a seed in `rounds` rounds, the same ones each time. Returns the median memory in KiB
+/// of each quarter of the run.
 fn play(seed: u64, events: usize, rounds: usize) -> [u64; 4] {
     let mut script = "settle\n".to_owned();
     for _ in 0..rounds {
@@ -220,7 +220,7 @@ fn play(seed: u64, events: usize, rounds: usize) -> [u64; 4] {
         }
         script += &state.end();
     }
-    // Frames of the usual kind, after which the device has told what it had against the others.
+    // Ordinary frames at the end, by which time the device has reported errors of earlier ones.
     script += "key escape\nopen builtin:minray\nset method full\nsettle\nset method adaptive\nsettle\n\
         expect problem =\nexpect scene = builtin:minray\n";
     let harness = ScriptHarness::with_window();
@@ -249,21 +249,21 @@ fn median(samples: &[u64]) -> u64 {
     sorted[sorted.len() / 2]
 }
 
-/// Every combination of settings has kernels of its own, which are kept while their scene is shown: new ones need memory,
-/// but no frame keeps any.
+/// Each combination of settings has its own kernels, which are kept while their scene is shown: new ones need
+/// memory, but frames must not.
 #[test]
 fn two_thousand_events_do_no_harm() {
     let [_, second, _, last] = play(0x5EED, 2000, 1);
     assert!(last < second + second / 3, "resident memory grew from {second} KiB to {last} KiB");
 }
 
-/// All kernels were there in the first round. What the allocator keeps differs by a few percent from round to round; it is
-/// less than if every event kept a picture of the smallest view that is played in.
+/// All kernels exist after the first round. The allocator's reserve differs by a few percent between rounds,
+/// which is less than if each event kept a picture of the smallest view.
 #[test]
 fn the_same_events_again_need_no_more_memory() {
     const EVENTS: u64 = 300;
     let [_, second, _, last] = play(0xCAFE, EVENTS as usize, 4);
-    // From the middle of the second round to that of the last.
+    // From the middle of the second round to the middle of the last.
     let pictures = 2 * EVENTS * (160 * 90 * 4 / 1024);
     assert!(last < second + pictures, "resident memory grew from {second} KiB to {last} KiB");
 }

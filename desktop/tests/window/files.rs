@@ -1,4 +1,4 @@
-//! Files that are dropped on the window.
+//! Files dropped on the window.
 
 use std::fs;
 

@@ -1,8 +1,9 @@
-//! What is shown and saved is what `glimpse render` makes.
+//! The picture in the window and the saved one equal the output of `glimpse render`.
 
 use crate::harness::ScriptHarness;
 
-/// Plays the script in a window of 160x90 and renders its last frame by the command that it tells: all three are equal.
+/// Plays the script in a window of 160x90 and renders its last frame with the printed command: all three
+/// pictures are equal.
 fn is_rendered_again(scene: &str, script: &str) -> String {
     let harness = ScriptHarness::with_window();
     let all = format!(
@@ -59,7 +60,7 @@ fn other_settings() {
     is_rendered_again("builtin:cornell", "set method full");
 }
 
-/// What is kept from before the camera came to rest is renewed until nothing of it is left.
+/// Pixels kept from before the camera came to rest are renewed until none is left.
 #[test]
 fn frames_that_are_kept() {
     for method in ["frameless", "reproject"] {

@@ -1,14 +1,15 @@
-//! The governor in the program itself, on heat that comes and goes.
+//! The governor in the program itself, on a device that heats up and cools down.
 
 use crate::harness::ScriptHarness;
 
-/// A factor on the time of a frame, every four seconds: heat as phones have it in stress tests, by steps of their clocks.
+/// Factors on the time limit of a frame, four seconds each: heat as in stress tests of phones, in steps of
+/// their clocks.
 const HEAT: [f64; 9] = [1.0, 0.9, 0.8, 0.72, 0.6, 0.5, 0.72, 0.9, 1.0];
 
 #[test]
 fn frames_stay_within_their_time_while_the_device_gets_hot() {
     let harness = ScriptHarness::with_window();
-    // A full frame takes 1.3 times what it may at the best.
+    // A full frame at the best level takes 1.3 times the limit.
     let mut script = "settle\ncost 752\nset governor 30\npress\n".to_owned();
     for (step, heat) in HEAT.iter().enumerate() {
         let x = if step % 2 == 0 { 0.9 } else { 0.1 };

@@ -1,4 +1,4 @@
-//! Plays scripts with the program, in a window or without one, and judges how it ended.
+//! Plays scripts with the program, in a window or without one, and checks how it ended.
 
 use std::{
     fs::{self, File},
@@ -14,16 +14,16 @@ use tempfile::TempDir;
 
 use crate::display::Display;
 
-/// A program that takes longer hangs.
+/// Timeout, after which the program is considered hung.
 const TIMEOUT: Duration = Duration::from_secs(600);
 
-/// A folder to play in, and a display where there is to be a window.
+/// A working folder, and a display for tests with a window.
 pub struct ScriptHarness {
     folder: TempDir,
     display: Option<Display>,
 }
 
-/// How the program ended.
+/// Exit code and output of the program.
 pub struct Ended {
     pub code: Option<i32>,
     pub stdout: Vec<String>,
@@ -31,7 +31,7 @@ pub struct Ended {
 }
 
 impl Ended {
-    /// What the script's `print` told of a name, in order.
+    /// Values printed by the script for a name, in order.
     pub fn told(&self, name: &str) -> Vec<&str> {
         let value = |line: &'_ String| line.strip_prefix(name)?.strip_prefix(" = ").map(str::len);
         let of = |line| value(line).map(|length: usize| &line[line.len() - length..]);
@@ -57,19 +57,20 @@ impl ScriptHarness {
         Picture::decode(&bytes).unwrap().into_display()
     }
 
-    /// The script must be met, and nothing may be complained of.
+    /// Plays a script, which must succeed without messages on stderr.
     pub fn plays(&self, arguments: &str, script: &str) -> Ended {
         self.plays_watched(arguments, script, |_| {})
     }
 
-    /// As [`ScriptHarness::plays`]; `line` is called with the program's number at every line that it tells.
+    /// Plays a script as [`ScriptHarness::plays`]; `line` is called with the process id for every line of
+    /// output.
     pub fn plays_watched(&self, arguments: &str, script: &str, line: impl FnMut(u32)) -> Ended {
         let ended = self.run(arguments, script, line);
         assert!(ended.code == Some(0) && ended.stderr.is_empty(), "{:?}: {}", ended.code, ended.stderr);
         ended
     }
 
-    /// The program must fail with one line.
+    /// Plays a script, which must fail with one line on stderr.
     pub fn fails(&self, arguments: &str, script: &str, code: i32) -> String {
         let Ended { code: found, stderr, .. } = self.run(arguments, script, |_| {});
         assert_eq!(found, Some(code), "{stderr}");
@@ -79,7 +80,7 @@ impl ScriptHarness {
         line.trim_end().to_owned()
     }
 
-    /// `glimpse view ARGUMENTS` with a script.
+    /// Runs `glimpse view ARGUMENTS` with a script.
     fn run(&self, arguments: &str, script: &str, mut line: impl FnMut(u32)) -> Ended {
         fs::write(self.path("a.script"), script).unwrap();
         let mut command = self.glimpse();
@@ -102,14 +103,14 @@ impl ScriptHarness {
         Ended { code, stdout, stderr: fs::read_to_string(stderr).unwrap() }
     }
 
-    /// The program in this stage's folder, without the display. What wgpu reports as errors is to be seen.
+    /// The program in this harness's folder, without a display. Errors of wgpu are logged.
     pub fn glimpse(&self) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_glimpse"));
         command
             .current_dir(self.folder.path())
             .env("RUST_LOG", "error")
             .env("WINIT_X11_SCALE_FACTOR", "1")
-            // Memory that was given back is given back to the system, so that what is kept can be told from what is not.
+            // Freed memory goes back to the system, so that resident memory shows what is kept.
             .env("MALLOC_ARENA_MAX", "1")
             .env("MALLOC_TRIM_THRESHOLD_", "131072")
             .env("MALLOC_MMAP_THRESHOLD_", "131072")
@@ -121,7 +122,7 @@ impl ScriptHarness {
     }
 }
 
-/// The exit code; one that hangs is ended.
+/// Waits for the exit code; a hung process is killed.
 fn wait(child: &mut Child) -> Option<i32> {
     let began = Instant::now();
     loop {

@@ -1,4 +1,4 @@
-//! What a person does in the window, and what comes of it.
+//! User input in the window, and its effects.
 
 use crate::harness::ScriptHarness;
 
@@ -113,7 +113,7 @@ fn keys_and_sliders_choose() {
          wait 0.2
          key escape",
     );
-    // The slider of the first tolerance, in the panel at the right, which is high enough for all of them.
+    // The slider of the first tolerance in the panel at the right; the window is high enough for all sliders.
     harness.plays(
         "builtin:minray --size 1280x1700",
         "set governor off

@@ -1,8 +1,8 @@
-//! What befalls a window and a phone: the picture comes back.
+//! Life cycle events of a window and a phone, after each of which the picture comes back.
 
 use crate::harness::ScriptHarness;
 
-/// Plays what happens between two pictures of a window of 160x90, which must be equal.
+/// Plays events between two pictures of a window of 160x90, which must be equal.
 fn comes_back(script: &str) {
     let harness = ScriptHarness::with_window();
     let all = format!("set overlay hidden\nsettle\nwindow before.png\n{script}\nwindow after.png");
@@ -31,7 +31,7 @@ fn from_any_size() {
     );
 }
 
-/// The steps that follow an event take a frame each.
+/// Each step after an event takes one frame.
 #[test]
 fn within_two_frames_after_a_pause_or_a_lost_surface() {
     comes_back("pause\nwait 0.5\nexpect view_width = 160\nresume\nwait 0");
@@ -48,7 +48,7 @@ fn after_a_lost_device() {
     comes_back("press\nmove 0.6,0.5 over 0.1\nlose-device\nwait 0.1\nrelease\nkey r\nsettle");
 }
 
-/// Fonts are on the device too.
+/// The overlay's fonts are restored on the new device as well.
 #[test]
 fn with_its_overlay() {
     let harness = ScriptHarness::with_window();

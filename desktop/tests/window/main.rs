@@ -1,4 +1,4 @@
-//! The window itself: scripts are played with the program on an X server of the test's own (Xvfb).
+//! Tests of the window: the program plays scripts on an X server of the test's own (Xvfb).
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, reason = "a test may fail wherever it is surprised")]
 

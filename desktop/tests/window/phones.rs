@@ -1,8 +1,8 @@
-//! Every phone that the window can be.
+//! Emulation of every phone.
 
 use crate::harness::ScriptHarness;
 
-/// The names, as the program lists them.
+/// Names of the phones as listed by the program.
 fn names(harness: &ScriptHarness) -> Vec<String> {
     let line = harness.fails("builtin:cornell --phone nothing", "settle", 2);
     let names = line.split("expected one of ").nth(1).unwrap().split(", found nothing").next().unwrap();

@@ -1,4 +1,4 @@
-//! Scripts themselves: how they fail, and that they give the same every time and everywhere.
+//! Tests of scripts: their errors, and that results are the same each time, with and without a window.
 
 use crate::harness::ScriptHarness;
 
@@ -19,7 +19,7 @@ fn what_is_not_met_fails_with_its_line() {
     }
 }
 
-/// Without a display the window could not even begin.
+/// Without a display a window could not be opened.
 #[test]
 fn a_malformed_line_is_refused_before_there_is_a_window() {
     let harness = ScriptHarness::with_window();
@@ -27,7 +27,7 @@ fn a_malformed_line_is_refused_before_there_is_a_window() {
     assert_eq!(line, "a.script:2: expected a step, found `dance`");
 }
 
-/// Motion, the governor with made-up costs, heat, sizes, another scene.
+/// Motion, the governor with a fixed cost, heat, window sizes, and another scene.
 const MUCH: &str = "set overlay hidden
     set governor 30
     cost 900

@@ -1,5 +1,5 @@
-//! Bytes into the command line, an argument a line: wrong usage that says what is wrong, or options within their
-//! ranges.
+//! Feeds bytes to the command line, one argument per line: the result is wrong usage with an explanation, or options
+//! within their ranges.
 
 #![no_main]
 

@@ -1,5 +1,5 @@
-//! A valid document that uses everything, and patches that make it wrong in a few places: what random bytes do to
-//! JSON ends in the parser, what these do reaches the importer.
+//! A valid document that uses all features, with patches that make it invalid in a few places: random bytes as JSON
+//! would fail in the parser, while patched documents reach the importer.
 
 use arbitrary::{Result, Unstructured};
 use serde_json::{Value, json};
@@ -11,7 +11,7 @@ const FILES: [(&str, &[u8]); 3] = [
     ("texture.jpg", include_bytes!("../document/texture.jpg")),
 ];
 
-/// Numbers at which something changes: ends of types and of the importer's ranges, glTF's own constants.
+/// Boundary values: limits of types and of the importer's ranges, and constants of glTF.
 const INTEGERS: [u64; 28] = [
     0,
     1,
@@ -83,7 +83,7 @@ const TEXTS: [&str; 12] = [
     "\u{1b}[2J%00",
 ];
 
-/// A document with the files that it names.
+/// A document with the files that it references.
 pub struct Patched {
     pub text: Vec<u8>,
     files: Vec<(&'static str, Vec<u8>)>,
@@ -103,14 +103,14 @@ impl Patched {
         Ok(Self { text: document.to_string().into_bytes(), files })
     }
 
-    /// The bytes of a file that the document names.
+    /// Bytes of a file that the document references.
     pub fn file(&self, name: &str) -> std::result::Result<Vec<u8>, String> {
         let found = self.files.iter().find(|(known, _)| *known == name);
         found.map(|(_, bytes)| bytes.clone()).ok_or_else(|| "there is none".to_owned())
     }
 }
 
-/// Every value below `value`, as JSON pointers.
+/// JSON pointers to all values below `value`.
 fn pointers(value: &Value, path: &str, all: &mut Vec<String>) {
     all.push(path.to_owned());
     match value {
@@ -156,7 +156,7 @@ fn remove(document: &mut Value, place: &str) {
     }
 }
 
-/// A list with its items over and over.
+/// Repeats the items of a list.
 fn repeated(value: Option<&Value>, times: usize) -> Value {
     match value {
         Some(Value::Array(items)) => items.iter().cycle().take(items.len() * times).cloned().collect(),

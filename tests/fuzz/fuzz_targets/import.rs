@@ -1,7 +1,7 @@
-//! Bytes into the importer: an error of one readable line, or a scene that keeps to its own rules.
+//! Feeds bytes to the importer: the result is an error of one readable line, or a valid scene.
 //!
-//! Input that begins with `patch` is read as patches of a valid document; any other is a file as it is, every URI of
-//! which names the file itself.
+//! Input that begins with `patch` is read as patches of a valid document; other input is a file in which every URI
+//! names the file itself.
 
 #![no_main]
 
@@ -11,7 +11,7 @@ use arbitrary::Unstructured;
 use glimpse::{Error, Scene};
 use libfuzzer_sys::fuzz_target;
 
-/// Longer lines are no help to anybody.
+/// Upper bound on the length of an error message, in bytes.
 const LINE: usize = 900;
 
 fuzz_target!(|data: &[u8]| {

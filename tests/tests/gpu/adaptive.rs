@@ -1,4 +1,4 @@
-//! Adaptive undersampling against full tracing, and its bookkeeping.
+//! Adaptive undersampling against full ray tracing, and its counters.
 
 use glimpse::{
     Gpu, Inspection, LinearImage, Method, Origin, Postcorrect, Renderer, Scene, Settings, Specialize,
@@ -10,7 +10,7 @@ const SCENES: [&str; 4] = ["room", "cornell", "minray", "furnace"];
 const ODD_SIZES: [[u32; 2]; 9] =
     [[1, 1], [1, 7], [8, 1], [2, 1], [2, 2], [3, 5], [17, 31], [64, 33], [127, 65]];
 
-/// All sides of base blocks.
+/// Sides of base blocks, in pixels.
 const BLOCKS: [u32; 3] = [2, 4, 8];
 
 fn strict() -> Settings {
@@ -45,7 +45,8 @@ fn assert_leaving_out_changes_nothing(name: &str, test_scene: &TestScene, size: 
     );
 }
 
-/// All methods trace by the same pieces; what else is made of them differs in scenes that have everything and nothing.
+/// All methods use the same tracing code; specialization differs most between scenes with all features and
+/// with none.
 #[test]
 fn leaving_out_changes_nothing() {
     let scenes = [
@@ -88,7 +89,8 @@ fn a_frame_comes_out_the_same_twice() {
     }
 }
 
-/// What is shown is the frame encoded, whatever makes it: one step of a byte is granted, for drivers' powers.
+/// The displayed frame is the linear frame encoded, for every method; one level of difference is allowed for
+/// the precision of drivers' `pow`.
 #[test]
 fn a_frame_is_shown_as_it_is_computed() {
     let test_scene = TestScene::builtin("cornell");
@@ -106,7 +108,7 @@ fn a_frame_is_shown_as_it_is_computed() {
     }
 }
 
-/// Counting kernels, timed kernels and those that write radiance make the same picture, in any order.
+/// Counting kernels, timed kernels and kernels that write radiance give the same picture, in any order.
 #[test]
 fn looking_at_a_frame_does_not_change_it() {
     let test_scene = TestScene::builtin("room");
@@ -121,7 +123,8 @@ fn looking_at_a_frame_does_not_change_it() {
     assert_eq!(renderer.display_image().unwrap(), before, "after linear_image and render");
 }
 
-/// Which step a pixel belongs to (Kim 2016, Figure 2): in the finest level, or else in that of every second pixel.
+/// Step to which a pixel belongs (Kim 2016, Figure 2): in the finest level, or recursively in that of every
+/// second pixel.
 fn expected_step(x: u32, y: u32, block: u32) -> Origin {
     match (x % 2, y % 2) {
         _ if block == 1 => Origin::Base,
@@ -173,13 +176,13 @@ fn every_size_is_covered_and_the_counts_add_up() {
         }
         let full = room.frame(size, &full());
         assert_same(&room.frame(size, &Settings { block: 8, ..strict() }), &full, &what);
-        // Every pixel of the furnace is known, so a pixel that nobody wrote shows.
+        // Every pixel of the furnace has a known value, so that unwritten pixels show.
         let known = furnace.frame(size, &Settings { block: 4, sampling: 2, ..Settings::default() });
         assert!(known.as_raw().iter().all(|v| (v - 1.0).abs() <= 1e-5), "{what}: {:?}", known.as_raw());
     }
 }
 
-/// Each pixel the average of the samples around it in a frame that is so many times as large.
+/// Averages the samples of each pixel, from a frame `sampling` times as large.
 fn averaged(large: &LinearImage, sampling: u32) -> Vec<u32> {
     let [width, height] = [large.width(), large.height()].map(|side| side / sampling);
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [sampling * x, sampling * y]));
@@ -199,7 +202,7 @@ fn averaged(large: &LinearImage, sampling: u32) -> Vec<u32> {
     pixels.flat_map(average).collect()
 }
 
-/// The samples of a pixel in the order in which they are summed: sixteen in fours, each of them one of each quarter.
+/// Samples of a pixel in the order of summation: sixteen in groups of four, one from each quarter.
 fn summed(sampling: u32) -> Vec<Vec<[u32; 2]>> {
     if sampling == 4 {
         return vec![
@@ -231,7 +234,7 @@ fn a_sampling_grid_is_a_larger_frame_averaged() {
     }
 }
 
-/// So many samples that they do not fit the device's buffers at once.
+/// More samples than fit into the device's buffers together.
 #[test]
 fn frames_in_bands_have_no_seams() {
     let (size, sampling) = ([160, 144], 16);
@@ -268,7 +271,7 @@ fn most_of_a_room_is_interpolated() {
     assert!((0.25..0.75).contains(&ratio), "RT ratio {ratio}");
 }
 
-/// The picture of a frame that holds nothing, or too much.
+/// Frame sizes that are empty or too large.
 #[test]
 fn impossible_sizes_are_refused() {
     let test_scene = TestScene::builtin("furnace");

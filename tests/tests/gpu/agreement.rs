@@ -1,4 +1,5 @@
-//! Every pass against the f64 reference: what differs beyond rounding must be a tie, and hardly anything may be one.
+//! Every pass against the f64 reference: differences beyond rounding must be explained as ties, which must be
+//! rare.
 
 mod frames;
 mod rays;
@@ -12,13 +13,14 @@ use glimpse::{
 };
 use glimpse_tests::{TestScene, gallery, note};
 
-/// Of pixels and rays these shares may be sensitive to rounding, and ties.
+/// Allowed shares of pixels and rays that are sensitive to rounding, and that are ties.
 const SHARES: [f64; 2] = [0.05, 0.005];
-/// A pixel of a quincunx hangs on a dozen samples and more, at corners where edges are drawn to lie.
+/// A quincunx pixel depends on a dozen samples and more, at pixel corners, where edges in the test scenes
+/// tend to lie.
 const QUINCUNX_SHARES: [f64; 2] = [0.05, 0.02];
-/// Number of random rays in each scene.
+/// Number of random rays per scene.
 const RAYS: usize = 100_000;
-/// Two units in the last place.
+/// Two units in the last place of f32.
 const EPSILON: f64 = 1.0 / 4_194_304.0;
 
 /// A scene on the device together with its f64 reference.
@@ -36,7 +38,7 @@ impl Pair {
     }
 }
 
-/// The device's linear values of the bytes of sRGB.
+/// Linear values that the device decodes from the 256 bytes of sRGB.
 pub(super) fn srgb() -> &'static [f64; 256] {
     static TABLE: OnceLock<[f64; 256]> = OnceLock::new();
     TABLE.get_or_init(|| {
@@ -54,7 +56,7 @@ pub(super) fn srgb() -> &'static [f64; 256] {
     })
 }
 
-/// Graphics interfaces grant half a step of the byte.
+/// Graphics APIs allow an error of half a level.
 #[test]
 fn srgb_is_decoded_within_half_a_byte() {
     let exact = |byte: f64| {
@@ -115,7 +117,7 @@ fn refined(pair: &Pair) -> Settings {
     }
 }
 
-/// The frames that are compared here are those of counting kernels. (`adaptive` shows it of the room's adaptive frame.)
+/// The compared frames are from counting kernels. (`adaptive` covers the adaptive frame of the room.)
 #[test]
 fn counting_changes_no_bit() {
     let pair = Pair::new(built_in("minray"), [65, 64], Settings::default());
@@ -127,8 +129,8 @@ fn counting_changes_no_bit() {
     }
 }
 
-/// Not of the box of `cornell`: its edges are drawn along diagonals on which samples of a quincunx lie in frames of every
-/// size, and several ties in one pixel have more outcomes than are asked for.
+/// Not for the box of `cornell`: its edges run along diagonals on which quincunx samples lie in frames of
+/// every size, and several ties in one pixel have more outcomes than the displaced reference is asked for.
 fn agree_in_quincunx_frames(name: &str, pair: &Pair) {
     let quincunx = pair.frames(Method::Quincunx);
     quincunx.divided().check(&format!("{name}, quincunx, quads"), QUINCUNX_SHARES);
@@ -144,7 +146,7 @@ fn room() {
     agree("room", built_in("room"), [97, 61], Settings::default());
 }
 
-/// Of odd height: else the corners of the box lie on the diagonals that pixels lie on.
+/// The height is odd: otherwise the corners of the box lie on the diagonals of the pixels.
 #[test]
 fn cornell() {
     agree("cornell", built_in("cornell"), [96, 61], Settings::default());
@@ -170,7 +172,7 @@ fn lenses() {
     agree("lenses", gallery::lenses(), [96, 64], Settings { depth: 5, ..Settings::default() });
 }
 
-/// Textures are sampled at one point, without mip levels.
+/// Textures sampled at a point, without mip levels.
 #[test]
 fn textures_without_averages() {
     let settings = Settings { mip: Mip::Off, ..Settings::default() };

@@ -1,5 +1,5 @@
-//! For each of the seven similarity checks (Kim 2016, Table 1) a scene that only it catches, at the paper's
-//! tolerances; and where it has nothing to catch, or its tolerance is wide, every pixel passes.
+//! For each of the seven similarity checks (Kim 2016, Table 1), a scene in which only that check fails, at
+//! the paper's tolerances. In a scene without the difference, or with a wide tolerance, every pixel passes.
 
 use glam::{Vec2, Vec3, vec2, vec3};
 use glimpse::{Camera, Check, Inspection, Origin, Scene, Settings, Tolerances};
@@ -10,7 +10,7 @@ use glimpse_tests::{
 
 const SIZE: [u32; 2] = [96, 64];
 
-/// A little off the middle, where no pixel's centre is.
+/// Offset from the middle, so that no pixel centre lies on the border.
 const BORDER: f32 = 0.013;
 
 fn inspect(scene: Scene, tolerances: Tolerances) -> Inspection {
@@ -29,7 +29,7 @@ fn inspect(scene: Scene, tolerances: Tolerances) -> Inspection {
     inspection
 }
 
-/// A scene in which this check fails and no other does.
+/// A scene in which only this check fails.
 fn scene_failing(check: Check) -> Scene {
     match check {
         Check::Oid => halves(2),
@@ -57,7 +57,7 @@ fn none(scene: Scene, tolerances: Tolerances) {
     assert!(inspection.pixels.iter().all(|p| p.failed == 0), "{failed:?}");
 }
 
-/// A plane in two halves: two objects or one.
+/// A plane in two halves, which are two objects or one.
 fn halves(objects: u32) -> Scene {
     let mut builder = Builder::new();
     let left = builder.object(matte(Vec3::ONE));
@@ -73,12 +73,13 @@ fn oid() {
     none(halves(1), Tolerances::default());
 }
 
-/// A floor that runs to near its horizon: rows of pixels far apart in the same plane.
+/// A floor seen near its horizon: rows of pixels are far apart in the same plane.
 fn floor() -> Scene {
     let mut builder = Builder::new();
     let floor = builder.object(matte(Vec3::ONE));
     builder.quad(floor, vec3(-10.0, 0.0, 10.0), 20.0 * Vec3::X, -20.0 * Vec3::Z);
-    // The upper edge of the frame looks down by 0.0125: it sees the floor 8 units away.
+    // The view direction of the frame's upper edge is 0.0125 rad below the horizon: it sees the floor 8 units
+    // away.
     let fov = 0.35_f32;
     let (sin, cos) = (0.5 * fov + 0.0125).sin_cos();
     let eye = vec3(0.0, 0.1, 9.9);
@@ -91,7 +92,7 @@ fn pos() {
     none(floor(), Tolerances { pos: f32::MAX, ..Tolerances::default() });
 }
 
-/// A ridge towards the viewer, 45 degrees between the normals.
+/// A ridge pointing at the viewer, with 45 degrees between the normals.
 fn ridge() -> Scene {
     let back = 2.0 * 22.5_f32.to_radians().tan();
     let mut builder = Builder::new();
@@ -107,7 +108,8 @@ fn norm() {
     none(ridge(), Tolerances { norm: -1.0, ..Tolerances::default() });
 }
 
-/// Two parallel halves of one object, one a hundredth of the scene behind the other: near, alike, and not smooth.
+/// Two parallel halves of one object, one a hundredth of the scene behind the other: near and alike, but not
+/// smooth.
 fn step(height: f32) -> Scene {
     let mut builder = Builder::new();
     let wall = builder.object(matte(Vec3::ONE));
@@ -122,7 +124,7 @@ fn convex() {
     none(halves(1), Tolerances::default());
 }
 
-/// A texture that repeats in the middle of a plane.
+/// A texture that repeats at the middle of a plane.
 fn tiled(repeats: bool) -> Scene {
     let mut builder = Builder::new();
     let texture = builder.ramp_texture();
@@ -144,7 +146,7 @@ fn tex() {
     none(tiled(true), Tolerances { tex: 0.0, ..Tolerances::default() });
 }
 
-/// A wall half in the hard shadow of something behind the camera.
+/// A wall half in the hard shadow of an object behind the camera.
 fn shadow_edge(casts: bool) -> Scene {
     let mut builder = Builder::new();
     let wall = builder.object(matte(Vec3::ONE));
@@ -161,13 +163,14 @@ fn shadow() {
     none(shadow_edge(false), Tolerances::default());
 }
 
-/// A mirror that shows the edge of a bright panel behind the camera.
+/// A mirror showing the edge of a bright panel behind the camera.
 fn mirrored_edge() -> Scene {
     let mut builder = Builder::new();
     let wall = builder.object(mirror(Vec3::splat(0.95)));
     builder.quad(wall, vec3(-2.0, -2.0, 0.0), 4.0 * Vec3::X, 4.0 * Vec3::Y);
     let panel = builder.object(unlit(Vec3::ONE));
-    // Seen from the mirrored eye at z = -2, the panel at z = 3 is 5/2 as large as on the mirror.
+    // The eye's mirror image is at z = -2, so that the panel at z = 3 is 5/2 times as large as its image on
+    // the mirror.
     builder.quad(panel, vec3(-4.0, 3.0, 3.0), (4.0 + 2.5 * BORDER) * Vec3::X, -6.0 * Vec3::Y);
     builder.seen_by(front_camera())
 }

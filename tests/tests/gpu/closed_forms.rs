@@ -10,7 +10,7 @@ use glimpse_tests::{
     full, pixel_ray,
 };
 
-/// Compares every pixel for which `expected` knows the radiance; the rest must be few.
+/// Compares all pixels for which `expected` gives a radiance; the others must be few.
 fn compare(image: &LinearImage, tolerance: f64, expected: impl Fn(u32, u32) -> Option<DVec3>) {
     let (mut known, mut worst, mut bad) = (0, 0.0_f64, Vec::new());
     for (x, y, pixel) in image.enumerate_pixels() {
@@ -29,8 +29,8 @@ fn compare(image: &LinearImage, tolerance: f64, expected: impl Fn(u32, u32) -> O
     assert!(bad.is_empty(), "largest error {worst:.2e}; the first wrong pixels:\n{}", bad.join("\n"));
 }
 
-/// At a size of which no pass has workgroups that divide into equal parts, but each has enough for several: a tile that
-/// nobody treats stays black, however workgroups are dealt out.
+/// At this size no pass has workgroups that divide evenly, but each has several: an untreated tile would stay
+/// black, however workgroups are distributed.
 #[test]
 fn a_furnace_is_one_everywhere() {
     let test_scene = TestScene::builtin("furnace");
@@ -76,7 +76,7 @@ fn a_lit_sphere() {
     });
 }
 
-/// A wall in front of the camera with a light behind the wall, or an opaque thing between: no light but ambient.
+/// A wall lit only by ambient light: the light is behind the wall, or an opaque object blocks it.
 fn dark_wall(ambient: Vec3, blocked: bool) -> Scene {
     let mut builder = Builder::new();
     let wall = builder.object(matte(vec3(0.5, 0.25, 0.125)));
@@ -108,7 +108,7 @@ fn shadow_leaves_the_ambient_light() {
     }
 }
 
-/// Without the thing between, the same wall is lit: the shadow above is one.
+/// Without the object between, the wall is lit: the shadow above is caused by it.
 #[test]
 fn light_from_the_front_arrives() {
     let mut scene = dark_wall(Vec3::ZERO, true);
@@ -128,7 +128,7 @@ fn light_from_the_front_arrives() {
     });
 }
 
-/// Schlick's approximation of a metal's reflectance.
+/// Schlick's approximation of the reflectance of a metal.
 fn schlick(color: DVec3, cos: f64) -> DVec3 {
     color + (1.0 - color) * (1.0 - cos).powi(5)
 }
@@ -171,7 +171,7 @@ fn a_mirror_shows_what_is_there() {
     });
 }
 
-/// Fresnel's reflectance of unpolarised light from index `from` to index `to`.
+/// Fresnel's reflectance of unpolarised light passing from index `from` to index `to`.
 fn fresnel(cos: f64, from: f64, to: f64) -> f64 {
     let sin = from / to * (1.0 - cos * cos).sqrt();
     if sin >= 1.0 {
@@ -183,8 +183,8 @@ fn fresnel(cos: f64, from: f64, to: f64) -> f64 {
     0.5 * (s * s + p * p)
 }
 
-/// The face of a body of glass, seen from inside (`sign` -1) or outside (1): red lies beyond it, blue on this side.
-/// From inside, beyond asin(1 / 1.5) = 41.8 degrees, everything is reflected.
+/// The face of a glass body, seen from inside (`sign` -1) or outside (1): red lies beyond it, blue on the
+/// viewer's side. From inside, everything beyond asin(1 / 1.5) = 41.8 degrees is totally reflected.
 fn glass_face(sign: f32) {
     const INDEX: f64 = 1.5;
     let mut builder = Builder::new();
@@ -230,7 +230,8 @@ fn glass_from_inside_reflects_totally_beyond_the_critical_angle() {
     glass_face(-1.0);
 }
 
-/// Whitted's program follows so many levels and no more: two parallel mirrors, counted by what is left.
+/// The recursion of Whitted's algorithm has exactly `depth` levels: the light between two parallel mirrors
+/// counts them.
 #[test]
 fn recursion_ends_where_it_is_told_to() {
     let mut builder = Builder::new();
@@ -239,7 +240,7 @@ fn recursion_ends_where_it_is_told_to() {
         builder.quad(wall, vec3(0.0, -50.0, z) - 50.0 * u, 100.0 * u, 100.0 * Vec3::Y);
     }
     builder.environment(Vec3::ZERO, Vec3::ONE);
-    // Straight at the wall, so that the reflectance is 0.5 to many digits.
+    // The view is perpendicular to the wall, so that the reflectance is 0.5 to many digits.
     let camera = Camera::look_at(vec3(0.0, 0.0, 2.0), Vec3::ZERO, 0.01).unwrap();
     let test_scene = TestScene::new(builder.seen_by(camera));
     for depth in [1, 2, 3, 5, 12] {

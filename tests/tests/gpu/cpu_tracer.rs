@@ -1,4 +1,4 @@
-//! Samples of a CPU's cores in frames of the GPU.
+//! Samples of CPU threads merged into frames of the GPU.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use glimpse_tests::{TestScene, gpu, note};
 
 use super::{agreement::srgb, denoise::colors};
 
-/// Neither side is a multiple of a tile's.
+/// Size of the frame in pixels; neither side is a multiple of a tile's.
 const SIZE: [u32; 2] = [45, 26];
 
 fn two_eyes() -> Settings {
@@ -26,7 +26,7 @@ fn two_eyes() -> Settings {
 fn settings() -> Settings {
     let mut settings = Settings { method: Method::Path, depth: 8, ..Settings::default() };
     settings.paths.samples = 8;
-    // Independent numbers, for standard errors that are estimated from samples.
+    // Independent random numbers, as standard errors are estimated from samples.
     settings.paths.sampler = Sampler::Random;
     settings
 }
@@ -51,7 +51,7 @@ impl Fixture {
         Renderer::new(gpu(), &self.test_scene.scene, SIZE, &self.settings).expect("a renderer")
     }
 
-    /// So many samples of a core, which the owner comes for after each.
+    /// Traces samples on a worker; the owner collects after each.
     fn trace(&self, worker: &mut Worker, accumulator: &mut Accumulator, samples: u32) {
         for _ in 0..samples {
             (0..SIZE[1]).for_each(|_| assert!(worker.step(&self.reference)));
@@ -60,7 +60,8 @@ impl Fixture {
     }
 }
 
-/// What is shown is the sum of both sides over the number of both, whenever planes come; nothing of it is left in another view.
+/// The picture is the sum of both sides over the number of samples of both, whenever samples arrive; in
+/// another view none of them is left.
 #[test]
 fn merged_is_the_sum_of_both_sides() {
     [settings(), two_eyes()].into_iter().for_each(assert_merged_is_the_sum);
@@ -99,7 +100,7 @@ fn assert_merged_is_the_sum(settings: Settings) {
         // Six roundings of sums and one of the quotient.
         assert!((both - expected).abs() <= 8.0 * f32::EPSILON * expected, "{index}: {both} {expected}");
     }
-    // The picture as it is shown is the same one, and after a merge too.
+    // The displayed picture equals it too, also after another merge.
     assert_shown(&renderer, &merged);
     fixture.trace(&mut workers[0], &mut accumulator, 1);
     renderer.accumulate(&mut accumulator).expect("another sample");
@@ -107,7 +108,7 @@ fn assert_merged_is_the_sum(settings: Settings) {
     let merged = renderer.linear_image(&camera).expect("a picture");
     assert_shown(&renderer, &merged);
 
-    // The camera moves while a plane is on its way.
+    // The camera moves while a sample is on its way.
     fixture.trace(&mut workers[0], &mut accumulator, 1);
     let elsewhere = camera.panned(5.0);
     renderer.render(&elsewhere).expect("a frame");
@@ -119,7 +120,8 @@ fn assert_merged_is_the_sum(settings: Settings) {
     assert_eq!(accumulator.sample_counts(), SampleCounts { begun: 5, merged: 4, given_up: 1 });
 }
 
-/// The means of GPU alone, cores alone and both differ by noise alone, by less than five standard errors of blocks of pixels.
+/// The means of the GPU alone, of the CPU alone and of both differ only by noise: by less than five standard
+/// errors of blocks of pixels.
 #[test]
 fn every_share_of_the_cores_has_the_same_mean() {
     const SAMPLES: u32 = 96;
@@ -131,7 +133,7 @@ fn every_share_of_the_cores_has_the_same_mean() {
     for _ in 0..SAMPLES {
         renderer.render(&camera).expect("a frame");
     }
-    // Whose noise is estimated: of each pixel, from the samples one by one.
+    // Estimates the noise of each pixel from its single samples.
     let mut moments = vec![[0.0_f64; 2]; (SIZE[0] * SIZE[1]) as usize];
     let mut cores = vec![0.0_f32; 3 * moments.len()];
     for _ in 0..SAMPLES {
@@ -146,7 +148,7 @@ fn every_share_of_the_cores_has_the_same_mean() {
     let count = f64::from(SAMPLES);
     let errors2: Vec<f64> =
         moments.iter().map(|[sum, squares]| (squares - sum * sum / count) / (count - 1.0) / count).collect();
-    // As many samples again, with numbers of their own.
+    // As many samples again, with independent random numbers.
     for _ in 0..SAMPLES {
         fixture.trace(&mut workers[0], &mut accumulator, 1);
     }
@@ -157,7 +159,7 @@ fn every_share_of_the_cores_has_the_same_mean() {
     renderer.accumulate(&mut accumulator).expect("the samples of the core");
     assert_eq!(renderer.samples(), 2 * SAMPLES);
     let both = renderer.linear_image(&camera).expect("a picture");
-    // The GPU's samples are those of before: what is new are the core's.
+    // The GPU's samples are the same as before; only the CPU's are new.
     let added: Vec<f32> =
         both.as_raw().iter().zip(gpu_alone.as_raw()).map(|(both, gpu)| 2.0 * both - gpu).collect();
     let pairs: [(&str, &[f32], &[f32]); 3] = [
@@ -172,7 +174,7 @@ fn every_share_of_the_cores_has_the_same_mean() {
             let [difference, variance] =
                 blocks.entry([0, 1].map(|axis| pixel[axis] * BLOCKS[axis] / SIZE[axis])).or_default();
             *difference += f64::from(a.iter().sum::<f32>() - b.iter().sum::<f32>());
-            // Of both means.
+            // Sum of the variances of both means.
             *variance += 2.0 * errors2[index];
         }
         let zs: Vec<f64> = blocks.values().map(|[d, v]| d / v.sqrt().max(1e-6)).collect();
@@ -183,7 +185,8 @@ fn every_share_of_the_cores_has_the_same_mean() {
     }
 }
 
-/// Kim & Sung 2021, Algorithm 5: noise is removed from the sum of both sides, at once and in the frames that follow.
+/// Kim & Sung 2021, Algorithm 5: noise is removed from the sum of both sides, immediately and in the
+/// following frames.
 #[test]
 fn noise_is_removed_from_the_sum_of_both_sides() {
     let one_eye = || Settings { paths: two_eyes().paths, ..settings() };
@@ -198,7 +201,7 @@ fn noise_is_removed_from_the_sum_of_both_sides() {
         let camera = plain.test_scene.camera;
         let mut renderers = [plain.renderer(), filtered.renderer()];
         for renderer in &mut renderers {
-            // The same samples for both.
+            // Both renderers get the same samples.
             let (mut accumulator, mut workers) = Accumulator::new(&plain.view, 1);
             (0..2).for_each(|_| drop(renderer.render(&camera).expect("a frame")));
             plain.trace(&mut workers[0], &mut accumulator, 3);
@@ -212,7 +215,7 @@ fn noise_is_removed_from_the_sum_of_both_sides() {
     }
 }
 
-/// The second renderer's picture is that of the first without its noise, as the reference removes it.
+/// Asserts that the second renderer's picture is that of the first, denoised as by the reference.
 fn assert_filtered(fixture: &Fixture, renderers: &mut [Renderer; 2], denoise: Denoise, samples: u32) {
     let (camera, settings) = (fixture.test_scene.camera, fixture.settings);
     assert!(renderers.iter().all(|renderer| renderer.samples() == samples));
@@ -249,7 +252,7 @@ fn methods_that_add_nothing_up_merge_nothing() {
     assert_eq!(expected, "path or vr where samples are merged, without stereo-reuse paper");
 }
 
-/// Up to a step of the last bit.
+/// Asserts that the displayed picture equals the encoded one up to one level.
 fn assert_shown(renderer: &Renderer, linear: &LinearImage) {
     let shown = renderer.display_image().expect("a picture");
     let expected = encode_display(linear);

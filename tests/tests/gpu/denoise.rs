@@ -1,4 +1,4 @@
-//! The removal of noise from paths, against the reference and against what it must leave alone.
+//! Denoising of path tracing, against the reference, and on pixels that must not change.
 
 use glam::{DVec3, Vec3, vec3};
 use glimpse::{
@@ -15,7 +15,8 @@ use glimpse_tests::{
 
 use super::agreement::srgb;
 
-/// Neither side is a multiple of a tile's, and both are longer than the filter's steps.
+/// Size of the frame in pixels; neither side is a multiple of a tile's, and both are longer than the filter's
+/// steps.
 const SIZE: [u32; 2] = [75, 42];
 
 fn settings(denoise: Denoise) -> Settings {
@@ -26,7 +27,7 @@ fn settings(denoise: Denoise) -> Settings {
     settings
 }
 
-/// A picture of so many samples, and what guided the removal of its noise.
+/// A picture of `samples` samples, and the G-buffer that guides its denoising.
 fn picture(test_scene: &TestScene, settings: &Settings, samples: u32) -> (LinearImage, Vec<GBufferPixel>) {
     let mut renderer = Renderer::new(gpu(), &test_scene.scene, SIZE, settings).expect("a renderer");
     for _ in 0..samples {
@@ -45,14 +46,15 @@ fn pixels() -> impl Iterator<Item = [u32; 2]> {
     (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| [x, y]))
 }
 
-/// The harness with an orthographic camera in the same place.
+/// The scene with an orthographic camera in the same place.
 fn orthographic(test_scene: TestScene) -> TestScene {
     let Camera { right, up, .. } = test_scene.camera;
     let camera = Camera { right: 2.0 * right, up: 2.0 * up, orthographic: true, ..test_scene.camera };
     TestScene { camera, ..test_scene }
 }
 
-/// A path that takes another turn in f32 than in f64 may meet another surface; every other one finds the same.
+/// If a decision differs between f32 and f64, a path may hit another surface; all other pixels have the same
+/// guides.
 #[test]
 fn guides_are_those_of_the_reference() {
     const SAMPLES: u32 = 3;
@@ -79,7 +81,7 @@ fn guides_are_those_of_the_reference() {
                 || found.smoothed != right.smoothed
                 || filtered && (found.normal - right.normal).length() > 1e-3
                 || filtered && (found.depth - right.depth).abs() > 1e-4 * right.depth
-                // Half a step for each sample.
+                // Half a quantisation step per sample.
                 || filtered && (found.albedo - right.albedo).abs().max_element() > 2e-3
         };
         let share = pairs.iter().filter(differs).count() as f64 / pairs.len() as f64;
@@ -88,7 +90,7 @@ fn guides_are_those_of_the_reference() {
     }
 }
 
-/// The filters on what the device found, pixel by pixel.
+/// Filters applied to the device's own input, pixel by pixel.
 #[test]
 fn filters_are_those_of_the_reference() {
     let cornell = TestScene::builtin("cornell");
@@ -120,7 +122,7 @@ fn filters_are_those_of_the_reference() {
     }
 }
 
-/// Less error after few samples, and the same picture after many.
+/// The error is smaller after few samples, and the picture is the same after many.
 #[test]
 fn the_filtered_picture_tends_to_the_mean() {
     let test_scene = TestScene::builtin("cornell");
@@ -147,7 +149,7 @@ fn the_filtered_picture_tends_to_the_mean() {
     assert!(between[4] < 0.1 * between[0], "{between:?}");
 }
 
-/// A lamp that paths find by chance alone: they are brighter than all others by far.
+/// A lamp found only by chance: these paths are by far brighter than all others.
 #[test]
 fn bright_specks_are_not_spread() {
     let mut builder = Builder::new();
@@ -159,7 +161,7 @@ fn bright_specks_are_not_spread() {
     let [plain, filtered] = [Denoise::Off, Denoise::Atrous].map(|denoise| {
         let mut settings = settings(denoise);
         settings.paths.direct_light = DirectLight::Bsdf;
-        // No two specks are beside each other, where neither would be much the brighter one.
+        // With this seed no two specks are neighbours, where neither would stand out.
         settings.seed = 3;
         colors(&picture(&test_scene, &settings, 1).0)
     });
@@ -171,7 +173,7 @@ fn bright_specks_are_not_spread() {
     assert!(before >= 3 && after == 0, "{before} {after}");
 }
 
-/// What meets no diffuse surface, or shines by itself, is as it was, and nothing is divided by black.
+/// Pixels without a diffuse surface and emitters are unchanged, and nothing is divided by a black albedo.
 #[test]
 fn what_is_not_filtered_stays() {
     let mut builder = Builder::new();

@@ -1,4 +1,4 @@
-//! Devices that fail while they render, and frames in several submissions.
+//! Device failures during rendering, and frames in several submissions.
 
 use std::{sync::mpsc, thread, time::Duration};
 
@@ -12,7 +12,7 @@ use glimpse_tests::{TestScene, assert_same};
 
 const SIZE: [u32; 2] = [160, 120];
 
-/// A device of the test's own: those that fail are no others' concern.
+/// A device of the test's own, so that its failure does not affect other tests.
 fn device() -> Gpu {
     Gpu::headless(None).expect("an adapter")
 }
@@ -23,7 +23,7 @@ fn upload(gpu: &Gpu, name: &str) -> (GpuScene, Camera) {
     (GpuScene::upload(gpu, scene).expect("it fits"), camera)
 }
 
-/// Everything of a frame by which pictures are compared.
+/// The displayed picture, and the bits of the linear one.
 fn picture(gpu: &Gpu, name: &str, size: [u32; 2]) -> (DisplayImage, Vec<u32>) {
     let (scene, camera) = upload(gpu, name);
     let mut renderer = Renderer::new(gpu, &scene, size, &Settings::default()).expect("it compiles");
@@ -64,7 +64,7 @@ fn a_lost_device_fails_every_call_and_a_new_one_draws_the_same() {
     assert!(picture(&device(), "cornell", SIZE) == before, "the picture after the loss is another");
 }
 
-/// The device goes while frames are in flight: in every phase of them, for the moment is the scheduler's choice.
+/// The device is lost while frames are in flight, in any phase, as the scheduler decides the moment.
 #[test]
 fn loss_in_the_middle_of_frames_is_an_error_in_every_thread() {
     let before = picture(&device(), "room", SIZE);
@@ -128,7 +128,7 @@ fn a_device_that_is_not_done_in_time_is_an_error() {
     assert!(error.to_string().contains("after 0 s"), "{error}");
 }
 
-/// Bands of rows (full, base) against chunks of lists (the rest), at a size where there are several of each.
+/// Bands of rows (full, base) and chunks of lists (the other passes), at a size with several of each.
 #[test]
 fn frames_in_several_submissions_are_whole() {
     let size = [1051, 1003];
@@ -142,7 +142,8 @@ fn frames_in_several_submissions_are_whole() {
     assert_eq!(counts.rays.primary, u64::from(size[0] * size[1]), "each pixel once");
 }
 
-/// The time of a pass spans its parts: those of a frame add up to it, but for the gaps between passes.
+/// The time of a pass spans its submissions: the passes of a frame add up to its time, except for the gaps
+/// between them.
 #[test]
 fn times_of_passes_in_several_submissions_are_in_order() {
     let test_scene = TestScene::builtin("cornell");
@@ -158,7 +159,7 @@ fn times_of_passes_in_several_submissions_are_in_order() {
     }
 }
 
-/// No device of today does less, none more.
+/// Every current device is within these limits.
 #[test]
 fn the_peak_of_a_device_is_a_rate_of_its_size() {
     let peak = peak_gflops(&device()).expect("it runs").expect("it is timed");

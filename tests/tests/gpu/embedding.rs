@@ -1,4 +1,5 @@
-//! The core inside another program: on its device, in its texture, with its submissions; and the examples that show it.
+//! The core embedded in another program, with its device, texture and submissions; and the examples of
+//! embedding.
 
 use std::{env, fs, path::Path, process::Command};
 
@@ -28,7 +29,7 @@ fn settings(method: Method) -> Settings {
     Settings { method, ..Settings::default() }
 }
 
-/// What a renderer shows that has a device of its own and renders as many frames.
+/// Picture of a renderer with its own device after as many frames.
 fn rendered(method: Method, size: [u32; 2], frames: u32) -> DisplayImage {
     let test_scene = TestScene::builtin("cornell");
     let mut renderer = Renderer::new(gpu(), &test_scene.scene, size, &settings(method)).expect("it compiles");
@@ -42,7 +43,7 @@ fn rendered(method: Method, size: [u32; 2], frames: u32) -> DisplayImage {
 fn frames_that_the_caller_submits_are_those_that_render_makes() {
     for method in [Method::Adaptive, Method::Path] {
         let (_, queue, mut renderer, camera) = embedded(method);
-        // Both are recorded before the first is submitted: each brings its own constants.
+        // Both are recorded before the first is submitted: each has its own constants.
         let first: Vec<_> = renderer.frame(&camera).expect("a frame").collect();
         let second: Vec<_> = renderer.frame(&camera).expect("a frame").collect();
         for commands in first.into_iter().chain(second) {
@@ -126,7 +127,7 @@ fn a_texture_that_cannot_be_a_target_is_refused_with_what_is_wrong() {
     assert!(error.contains("expected COPY_SRC"), "{error}");
 }
 
-/// Runs an example of the core that was built beside this test, and reads its picture.
+/// Runs an example of the core, built beside this test, and reads its picture.
 fn example(name: &str, arguments: &[&str]) -> DisplayImage {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("out.png");

@@ -1,4 +1,4 @@
-//! Two eyes against the reference, and what is asked of them that is not usual.
+//! Pictures for two eyes against the reference, and unusual settings of the eyes.
 
 use glam::{DVec3, Vec3};
 use glimpse::{
@@ -14,7 +14,7 @@ use glimpse_tests::{
 
 use super::agreement::srgb;
 
-/// An odd width: the right eye has one column less.
+/// Size of both pictures in pixels; the width is odd, so that the right eye has one column less.
 const SIZE: [u32; 2] = [121, 40];
 
 fn settings(stereo_reuse: StereoReuse) -> Settings {
@@ -50,7 +50,7 @@ fn expected(frame: &ReferenceFrame<'_>) -> Vec<DVec3> {
     }
 }
 
-/// Where f32 decides otherwise than f64, two pixels differ. Everywhere else one sample is the same but for rounding.
+/// If a decision differs between f32 and f64, two pixels differ. All others are the same except for rounding.
 #[test]
 fn a_sample_is_that_of_the_reference() {
     let scenes = [("stereo", stereo()), ("cornell", builtin("cornell").expect("built in"))];
@@ -102,7 +102,8 @@ fn leaving_out_and_counting_change_nothing() {
     assert!(shown(&counting) == shown(&plain));
 }
 
-/// One column, one pixel, eyes in one place, inside of what they look at, farther apart than the scene is wide.
+/// One column, one pixel, eyes in one place, inside the surface they look at, or farther apart than the scene
+/// is wide.
 #[test]
 fn unusual_eyes_see_something_defined() {
     let test_scene = TestScene::new(stereo());
@@ -143,7 +144,8 @@ fn an_orthographic_camera_has_no_eyes() {
     assert!(error.contains("method vr") && error.contains("orthographic"), "{error}");
 }
 
-/// Pictures of the same samples with other numbers: sums of each pixel's channels' sums, and of their squares.
+/// Statistics over pictures with independent random numbers: for each pixel the sum of its values (channels
+/// summed) and of their squares.
 struct Batches {
     count: u32,
     sums: Vec<[f64; 2]>,
@@ -164,7 +166,8 @@ impl Batches {
         Self { count, sums }
     }
 
-    /// Mean and the square of its standard error, of each pixel; what has no noise is equal but for rounding.
+    /// Mean and squared standard error of each pixel; the variance has a lower bound for pixels without
+    /// noise.
     fn means(&self) -> impl Iterator<Item = [f64; 2]> {
         let n = f64::from(self.count);
         self.sums.iter().map(move |[sum, squares]| {
@@ -174,8 +177,8 @@ impl Batches {
     }
 }
 
-/// What takes off noise or time without error in the mean, on the GPU, against none of it, in the reference, with other numbers:
-/// a z-test of every pixel.
+/// The unbiased techniques on the GPU against plain path tracing in the reference, with independent random
+/// numbers: a z-test of every pixel.
 #[test]
 fn means_of_the_paper_s_scenes_are_the_reference_s() {
     const SIZE: [u32; 2] = [48, 18];
@@ -211,8 +214,8 @@ fn means_of_the_paper_s_scenes_are_the_reference_s() {
         let square = z.iter().map(|z| z * z).sum::<f64>() / z.len() as f64;
         let largest = z.iter().fold(0.0_f64, |most, z| most.max(z.abs()));
         note(&format!("{name}: z^2 has mean {square:.3}, the largest |z| is {largest:.2}"));
-        // Student's t of 62 degrees of freedom has a mean square of 1.03; 864 of them, pairs of which have samples in common,
-        // an error of that of 0.07.
+        // Student's t with 62 degrees of freedom has a mean square of 1.03; the mean of 864 of them, pairs of
+        // which share samples, has a standard error of 0.07.
         assert!((0.75..1.3).contains(&square) && largest < 5.0, "{name}: {square} {largest}");
     }
 }

@@ -21,7 +21,7 @@ macro_rules! goldens {
             check($scene, Method::$method);
         })*
 
-        /// Every picture in the folder belongs to a test, and every test has its picture.
+        /// Every picture in the folder belongs to a test, and every test has a picture.
         #[test]
         fn folder_is_complete() {
             let mut expected = vec![$(format!("{}-{}", $scene, stringify!($method).to_lowercase())),*];

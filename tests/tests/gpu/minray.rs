@@ -10,7 +10,7 @@ use glimpse_tests::{
 /// Rounding of f32 through three levels of spheres: a few hundred roundings of numbers up to 16 (the lights' distance).
 const TOLERANCE: f64 = 2e-4;
 
-/// Where f32 and f64 meet different things along an edge.
+/// Allowed number of pixels at edges, where f32 and f64 hit different surfaces.
 const MAX_EDGE_PIXELS: usize = 3;
 
 #[test]
@@ -22,7 +22,7 @@ fn the_picture_is_heckberts() {
     for (x, y, pixel) in frame.enumerate_pixels() {
         let expected_pixel = expected[(y * SIZE + x) as usize].radiance.to_array();
         let error = (0..3).map(|c| (f64::from(pixel[c]) - expected_pixel[c]).abs()).fold(0.0, f64::max);
-        // Written so that a NaN is wrong.
+        // Written so that NaN counts as wrong.
         if error <= TOLERANCE {
             worst = worst.max(error);
             continue;

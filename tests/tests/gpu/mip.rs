@@ -1,4 +1,4 @@
-//! Averages of textures over what a sample stands for, against many samples of the texture itself.
+//! Texture averages over the footprint of a sample, against many point samples.
 
 use glam::{Vec2, Vec3, vec2, vec3};
 use glimpse::{
@@ -18,7 +18,7 @@ fn settings(mip: Mip) -> Settings {
     Settings { method: Method::Full, mip, ..Settings::default() }
 }
 
-/// An unlit checkerboard, `repeats` times two cells wide and high.
+/// An unlit checkerboard, with `repeats` times two cells along each side.
 fn checkered(b: &mut Builder, quad: [Vec3; 3], repeats: f32) {
     let side = 32;
     let grey = |i: u32| if i % side / 16 == i / side / 16 { 0 } else { 255 };
@@ -29,7 +29,7 @@ fn checkered(b: &mut Builder, quad: [Vec3; 3], repeats: f32) {
     b.textured_quad(board, quad, [Vec2::ZERO, Vec2::splat(repeats)]);
 }
 
-/// How far frames are from 256 samples a pixel of the texture itself, without averages and with them.
+/// RMSE against 256 samples per pixel of the texture itself, without and with averages.
 fn errors(what: &str, scene: Scene) -> [f64; 2] {
     let test_scene = TestScene::new(scene);
     let truth = test_scene.shown(SIZE, &Settings { sampling: 16, ..settings(Mip::Off) });
@@ -54,17 +54,18 @@ fn a_floor_that_reaches_far_does_not_alias() {
     assert!(3.0 * on < off, "{on} and {off}");
 }
 
-/// Far away a pixel covers many cells: half of them are white.
+/// Far away a pixel covers many cells, half of which are white.
 #[test]
 fn far_away_a_checkerboard_is_grey() {
     let mut b = Builder::new();
     checkered(&mut b, [vec3(-4.0, -4.0, 0.0), 8.0 * Vec3::X, 8.0 * Vec3::Y], 1501.0);
     let frame = TestScene::new(b.seen_by(front_camera())).frame(SIZE, &settings(Mip::On));
-    // sRGB has no closer byte.
+    // sRGB has no nearer level.
     assert!(frame.as_raw().iter().all(|c| (c - 0.5).abs() < 0.004), "{:?}", &frame.as_raw()[..9]);
 }
 
-/// A mirror in front of the camera shows a board behind it: its pixels are as large as if it stood behind the mirror.
+/// A mirror in front of the camera shows a board behind it: its footprints are those of a board behind the
+/// mirror.
 fn mirrored(ball: bool, repeats: f32) -> Scene {
     let mut b = Builder::new();
     let silver = b.object(mirror(Vec3::ONE));
@@ -74,7 +75,7 @@ fn mirrored(ball: bool, repeats: f32) -> Scene {
         b.quad(silver, vec3(-2.0, -2.0, 0.0), 4.0 * Vec3::X, 4.0 * Vec3::Y);
     }
     checkered(&mut b, [vec3(-20.0, -20.0, 10.0), 40.0 * Vec3::X, 40.0 * Vec3::Y], repeats);
-    // As bright as the board is on average: the silhouette of the ball is no edge.
+    // As bright as the board on average, so that the silhouette of the ball is no edge.
     b.environment(Vec3::splat(0.5), Vec3::ZERO);
     b.seen_by(front_camera())
 }
@@ -85,7 +86,7 @@ fn what_a_mirror_shows_does_not_alias() {
     assert!(3.0 * on < off, "{on} and {off}");
 }
 
-/// Two pixels of a flat mirror lie on a cell of this board: it is the ball that makes it small.
+/// In a flat mirror two pixels cover a cell of this board: only the ball makes it small.
 #[test]
 fn what_a_ball_shows_small_does_not_alias() {
     let [off, on] = errors("ball", mirrored(true, 60.0));
@@ -121,7 +122,7 @@ fn without_textures_nothing_changes() {
     }
 }
 
-/// Coordinates that grow without bound and footprints of every size, seen edge on and through a lens.
+/// Coordinates without bound and footprints of every size, seen at grazing angles and through a lens.
 #[test]
 fn every_average_is_a_number() {
     for scene in [gallery::textures(), gallery::lenses(), floor()] {

@@ -1,4 +1,5 @@
-//! Path tracing against the reference: sample by sample with the same numbers, and in the mean with others.
+//! Path tracing against the reference: sample by sample with the same random numbers, and in the mean with
+//! others.
 
 use glam::{DVec3, Vec3, vec3};
 use glimpse::{
@@ -15,7 +16,7 @@ use glimpse_tests::{
 
 use super::agreement::srgb;
 
-/// Neither side is a multiple of a tile's.
+/// Size of the frame in pixels; neither side is a multiple of a tile's.
 const SIZE: [u32; 2] = [75, 42];
 
 fn settings() -> Settings {
@@ -28,10 +29,10 @@ fn with(change: impl FnOnce(&mut glimpse::Paths)) -> Settings {
     settings
 }
 
-/// The mean of this many samples of each pixel.
+/// Mean of `samples` samples of each pixel.
 fn mean(test_scene: &TestScene, settings: &Settings, samples: u32) -> LinearImage {
     let mut renderer = Renderer::new(gpu(), &test_scene.scene, SIZE, settings).expect("a renderer");
-    // A picture of nothing yet has one.
+    // A renderer without a frame counts one sample, which `linear_image` renders.
     for _ in 0..if samples > 1 { samples } else { 0 } {
         renderer.render(&test_scene.camera).expect("a frame");
     }
@@ -47,8 +48,8 @@ fn pixels() -> impl Iterator<Item = [u32; 2]> {
     (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| [x, y]))
 }
 
-/// A path is a chain of decisions: where f32 takes another turn than f64, everything behind it differs. Everywhere else one
-/// sample is the same but for rounding.
+/// A path is a chain of decisions: where one differs between f32 and f64, everything after it differs. All
+/// other samples are the same except for rounding.
 #[test]
 fn a_sample_is_that_of_the_reference() {
     let ways = [
@@ -60,7 +61,7 @@ fn a_sample_is_that_of_the_reference() {
         with(|paths| (paths.foveation, paths.gaze) = (Foveation::Compensated, [0.2, 0.9])),
         with(|paths| (paths.foveation, paths.gaze) = (Foveation::Paper, [2.0, -1.0])),
     ];
-    // Texels' weights have few bits in f32, and a path meets several.
+    // Weights of texels have few bits in f32, and a path meets several.
     for (name, tolerance, ways) in
         [("cornell", 1e-3, &ways[..]), ("room", 1e-2, &ways[..2]), ("minray", 1e-3, &ways[4..5])]
     {
@@ -83,8 +84,8 @@ fn a_sample_is_that_of_the_reference() {
     }
 }
 
-/// With other numbers the means differ by noise alone: those of blocks of pixels, over so many samples that rare bright ones
-/// are among them, by less than five standard errors.
+/// With independent random numbers the means differ only by noise: the means of blocks of pixels, over enough
+/// samples to contain rare bright ones, differ by less than five standard errors.
 #[test]
 fn the_mean_is_that_of_the_reference() {
     const SAMPLES: u32 = 64;
@@ -108,7 +109,7 @@ fn the_mean_is_that_of_the_reference() {
             let [x, y] = [0, 1].map(|axis| pixel[axis] * BLOCKS[axis] / SIZE[axis]);
             let [difference, variance] = &mut blocks[(y * BLOCKS[0] + x) as usize];
             *difference += color(&found, pixel).element_sum() - right;
-            // Of both means.
+            // Sum of the variances of both means.
             *variance += 2.0 * squares / (count - 1.0) / count;
         }
         let zs = blocks.map(|[difference, variance]| difference / variance.sqrt().max(1e-6));
@@ -117,7 +118,8 @@ fn the_mean_is_that_of_the_reference() {
     }
 }
 
-/// Bent normals lose what comes from below the face, and rays to emitters bring as much in the mean alone.
+/// Flat shading, as bent normals lose light from below the face; and no sampling of emitters, whose
+/// contribution is right only in the mean.
 #[test]
 fn in_a_furnace_every_path_brings_the_same() {
     let test_scene = TestScene::new(flattened(builtin("furnace").expect("built in")));
@@ -142,7 +144,7 @@ fn samples_add_up_while_the_camera_rests() {
         renderer.render(&test_scene.camera).expect("a frame");
         assert_eq!(renderer.samples(), samples);
         first.push(shown(&renderer));
-        // Counting changes nothing.
+        // Counting does not change the picture.
         let counts = renderer.inspect(&test_scene.camera).expect("counts").counts;
         assert_eq!(counts.rays.primary, u64::from(SIZE[0] * SIZE[1]));
         assert!(counts.rays.diffuse > 0 && counts.rays.total > counts.rays.primary + counts.rays.diffuse);
@@ -170,7 +172,7 @@ fn leaving_out_changes_nothing() {
     }
 }
 
-/// Nothing shines: every pixel is black, by every way to find light.
+/// In a scene without emission every pixel is black, with every direct light strategy.
 #[test]
 fn without_light_it_is_dark() {
     let mut builder = Builder::new();

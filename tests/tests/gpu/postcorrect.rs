@@ -1,4 +1,4 @@
-//! Postcorrection (Kim 2016, section 4): what falls between samples comes back, and nothing else changes.
+//! Postcorrection (Kim 2016, section 4): it restores what falls between samples, and changes nothing else.
 
 use std::collections::BTreeSet;
 
@@ -14,19 +14,20 @@ use glimpse_tests::{
 
 const SIZE: [u32; 2] = [128, 96];
 
-/// A pixel of the plane z = 0, from [`front_camera`].
+/// Size of a pixel in the plane z = 0, seen from [`front_camera`].
 const PIXEL: f32 = 2.0 * 2.0 * 0.414_213_57 / SIZE[1] as f32;
 
 fn settings(postcorrect: Postcorrect) -> Settings {
     Settings { postcorrect, ..Settings::default() }
 }
 
-/// A tilted strip of that height in the plane at z.
+/// A tilted strip of height `height` in the plane at `z`.
 fn strip(builder: &mut Builder, object: u32, z: f32, height: f32) {
     builder.quad(object, vec3(-1.0, -0.21, z), vec3(2.0, 0.3, 0.0), height * Vec3::Y);
 }
 
-/// A strip 1.3 pixels wide before a wall: wide enough to be one piece, thin enough to pass between base samples.
+/// A strip 1.3 pixels wide in front of a wall: wide enough to be connected, narrow enough to pass between
+/// base samples.
 fn wire() -> Scene {
     let mut builder = Builder::new();
     let wall = builder.object(unlit(Vec3::splat(0.2)));
@@ -36,13 +37,13 @@ fn wire() -> Scene {
     builder.seen_by(front_camera())
 }
 
-/// The shadow of such a strip, which is behind the camera.
+/// The shadow of such a strip, which itself is behind the camera.
 fn thin_shadow() -> Scene {
     let mut builder = Builder::new();
     let wall = builder.object(matte(Vec3::ONE));
     builder.quad(wall, vec3(-4.0, -4.0, 0.0), 8.0 * Vec3::X, 8.0 * Vec3::Y);
     let strip_object = builder.object(matte(Vec3::ONE));
-    // Half way to the light: its shadow is twice as large.
+    // Half way to the light, so that its shadow is twice as large.
     strip(&mut builder, strip_object, 3.0, 0.65 * PIXEL);
     builder.point_light(vec3(0.0, 0.0, 6.0), Vec3::splat(60.0));
     builder.seen_by(front_camera())
@@ -71,7 +72,7 @@ fn differing(a: &DisplayImage, b: &DisplayImage) -> usize {
     a.pixels().zip(b.pixels()).filter(|(a, b)| a != b).count()
 }
 
-/// Those of `all` that hang together with `from`, side by side.
+/// Pixels of `all` that are connected with `from`, through horizontal and vertical neighbours.
 fn connected(all: &Pixels, from: &Pixels) -> Pixels {
     let mut open: Vec<_> = all.intersection(from).copied().collect();
     let mut found: Pixels = open.iter().copied().collect();
@@ -104,7 +105,7 @@ fn a_wire_that_is_lost_in_parts_comes_back() {
     }
 }
 
-/// Squares little more than a pixel wide, each around a pixel whose row and column have no base samples.
+/// Squares little wider than a pixel, each around a pixel whose row and column have no base samples.
 fn confetti() -> Scene {
     let mut builder = Builder::new();
     let wall = builder.object(unlit(Vec3::splat(0.2)));
@@ -159,7 +160,7 @@ fn where_everything_is_traced_nothing_is_corrected() {
     }
 }
 
-/// The device and the reference trace the same pixels again, in whatever order; scans trace some of them.
+/// The device and the reference retrace the same pixels, in any order; scans retrace a subset.
 #[test]
 fn it_is_the_least_set_that_is_closed() {
     for scene in [wire(), thin_shadow()] {
@@ -186,7 +187,7 @@ fn it_is_the_least_set_that_is_closed() {
     }
 }
 
-/// Rounds and steps suffice for whatever there is.
+/// The numbers of rounds and steps suffice in every scene.
 #[test]
 fn nothing_is_left_behind() {
     for name in ["room", "cornell", "minray", "wires"] {
@@ -199,7 +200,7 @@ fn nothing_is_left_behind() {
     }
 }
 
-/// A wire between two rows of base samples, which is seen at one end and followed to the other.
+/// A wire between two rows of base samples that is detected at one end and followed to the other.
 #[test]
 fn a_long_way_is_followed_to_its_end() {
     let mut builder = Builder::new();

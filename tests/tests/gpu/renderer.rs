@@ -1,4 +1,4 @@
-//! Renderers that go on with other sizes and settings, and frames that are given up.
+//! Renderers whose size and settings change, and cancelled frames.
 
 use std::cell::Cell;
 

@@ -1,4 +1,4 @@
-//! The shared scenes, where they are: each loads, and a small adaptive frame of it shows something.
+//! The shared scenes, if present: each loads, and a small adaptive frame of it is not empty.
 
 use glimpse::Settings;
 use glimpse_tests::{TestScene, note, shared_scene};

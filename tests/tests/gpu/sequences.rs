@@ -1,4 +1,4 @@
-//! Frames that keep something of the frames before them, along paths of a camera.
+//! Methods that reuse the previous frame, along paths of the camera.
 
 use glam::{Vec3, vec3};
 use glimpse::{
@@ -11,14 +11,14 @@ use glimpse_tests::{
     gpu, note,
 };
 
-/// Neither side is a multiple of a tile's.
+/// Size of the frame in pixels; neither side is a multiple of a tile's.
 const SIZE: [u32; 2] = [150, 90];
 
 fn settings(method: Method, share: f32) -> Settings {
     Settings { method, refresh_fraction: share, ..Settings::default() }
 }
 
-/// A sequence, and the frames of `full` beside it.
+/// A sequence of frames, and the same frames by `full`.
 struct Pair {
     renderer: Renderer,
     full: Renderer,
@@ -30,7 +30,7 @@ impl Pair {
         Self { renderer: make(settings(method, share)), full: make(settings(Method::Full, share)) }
     }
 
-    /// The next frame, and what it should show.
+    /// Renders the next frame; returns its picture and that of `full`.
     fn frame(&mut self, camera: &Camera) -> [DisplayImage; 2] {
         [&mut self.renderer, &mut self.full].map(|renderer| {
             renderer.render(camera).expect("a frame");
@@ -59,7 +59,7 @@ fn share_of(traced: &[bool]) -> f64 {
     traced.iter().filter(|traced| **traced).count() as f64 / traced.len() as f64
 }
 
-/// Quads without light: every pixel shows the colour of what is there.
+/// Unlit quads: every pixel shows the colour of its surface.
 fn wall_and_post(post: Option<[f32; 2]>) -> Scene {
     let mut builder = Builder::new();
     let wall = builder.object(unlit(vec3(0.1, 0.2, 0.8)));
@@ -90,7 +90,7 @@ fn the_first_frame_is_full() {
     }
 }
 
-/// The promise: the camera jumps, and after so many frames nothing that is shown is older than that.
+/// After a jump of the camera and the promised number of frames, no pixel is older than that.
 #[test]
 fn no_pixel_is_older_than_the_share_promises() {
     let test_scene = TestScene::builtin("room");
@@ -109,7 +109,7 @@ fn no_pixel_is_older_than_the_share_promises() {
             for (index, traced) in traced.iter().enumerate() {
                 again += u32::from(refreshed[index] && *traced);
                 refreshed[index] |= traced;
-                // Either view may happen to show the same.
+                // Both views may happen to have the same colour.
                 assert!(if refreshed[index] { new[index] } else { old[index] }, "{share} {frame} {index}");
             }
             assert!(frame == promised || again == 0, "{share} {frame}: {again} pixels twice");
@@ -124,7 +124,7 @@ fn no_pixel_is_older_than_the_share_promises() {
     }
 }
 
-/// Counting repeats the last frame: what follows is as if it had not been.
+/// Counting repeats the last frame without affecting the following ones.
 #[test]
 fn counting_changes_nothing() {
     let test_scene = TestScene::builtin("cornell");
@@ -158,7 +158,7 @@ fn at_rest_reprojection_shows_the_same_and_traces_its_share() {
     }
 }
 
-/// What was moved rests beside the centres of its pixels; the frames of a resting camera put that right.
+/// Reprojected samples lie beside the pixel centres; frames of a resting camera replace them.
 #[test]
 fn after_a_pan_reprojection_becomes_full() {
     let test_scene = TestScene::builtin("room");
@@ -201,8 +201,8 @@ fn a_slow_pan_stays_below_the_bound() {
     }
 }
 
-/// A post in front of a wall, and a camera that steps aside: where both land the post is seen, and where the post was the
-/// wall, which nothing of the frame before shows, is traced.
+/// A post in front of a wall, and a camera that moves sideways: where points of both land, the post is shown;
+/// where the post uncovers the wall, which the previous frame did not show, the wall is traced.
 #[test]
 fn the_nearest_wins_and_what_it_hid_is_traced() {
     let test_scene = TestScene::new(wall_and_post(Some([-0.2, 0.4])));
@@ -214,7 +214,7 @@ fn the_nearest_wins_and_what_it_hid_is_traced() {
         let [found, full] = pair.frame(&camera);
         let traced = traced(&pair.counted(&camera));
         let [same, unchanged] = [equal_pixels(&found, &full), equal_pixels(&before, &full)];
-        // Its edges are shown to a pixel: a point that was in the middle of one lies beside it now.
+        // The post's edges are exact to a pixel, as a reprojected point lies beside the pixel centre.
         let wrong = same.iter().filter(|same| !**same).count();
         assert!(wrong <= 2 * 40, "{frame}: {wrong} pixels show what is not there");
         let uncovered =
@@ -225,14 +225,14 @@ fn the_nearest_wins_and_what_it_hid_is_traced() {
     }
 }
 
-/// Coming closer tears the post's points apart, and going aside moves the post over points of the wall, which land in the
-/// gaps: they are not seen through it.
+/// Coming closer separates the points of the post, and moving sideways moves the post over points of the
+/// wall, which land in the gaps: they must not show through.
 #[test]
 fn nothing_shows_through_gaps() {
     let test_scene = TestScene::new(wall_and_post(Some([-0.4, 0.8])));
     let mut pair = Pair::new(&test_scene, Method::Reproject, 1.0 / 256.0);
     for trial in 0..24_u16 {
-        // Another share: the next frame is a first one.
+        // Changing the share restarts the sequence.
         let share = f32::from(1 + trial % 2) / 256.0;
         pair.renderer.change(SIZE, &settings(Method::Reproject, share)).expect("a change");
         pair.frame(&test_scene.camera);
@@ -250,7 +250,7 @@ fn nothing_shows_through_gaps() {
     }
 }
 
-/// Nothing is moved to where another camera looks: all of it is traced.
+/// If no reprojected point lands in the new view, all of it is traced.
 #[test]
 fn after_a_cut_everything_is_traced() {
     let test_scene = TestScene::builtin("room");
@@ -262,7 +262,7 @@ fn after_a_cut_everything_is_traced() {
     assert_eq!(pair.counted(&away).counts.rt_ratio(), 1.0);
 }
 
-/// The background is infinitely far away: it turns with the camera and stays where the camera only moves.
+/// The background is infinitely far away: it rotates with the camera, and stays when the camera only moves.
 #[test]
 fn the_background_is_moved_like_what_is_infinitely_far_away() {
     let mut builder = Builder::new();
@@ -283,12 +283,12 @@ fn the_background_is_moved_like_what_is_infinitely_far_away() {
     let column = |x: u32| {
         (0..height).filter(|y| inspection.pixels[(y * width + x) as usize].origin == Origin::Base).count()
     };
-    // The right border is new; beside it the background is shown again.
+    // The right border is new; beside it the background is reused.
     assert_eq!(column(width - 1), height as usize);
     assert!(column(width - 6) < height as usize / 4, "{}", column(width - 6));
 }
 
-/// What a mirror shows is not where the mirror is.
+/// Mirror images must not be reprojected at the depth of the mirror.
 #[test]
 fn mirrors_are_traced() {
     let mut builder = Builder::new();
@@ -316,7 +316,7 @@ fn mirrors_are_traced() {
     assert!(share_of(&traced(&inspection)) < 0.5);
 }
 
-/// Another size, other settings, the frame before in linear radiance: nothing is kept.
+/// A change of size or settings, or a frame read in linear radiance, drops the previous frame.
 #[test]
 fn what_begins_anew_keeps_nothing() {
     let test_scene = TestScene::builtin("cornell");
@@ -345,7 +345,7 @@ fn what_begins_anew_keeps_nothing() {
     }
 }
 
-/// Parallel rays: a camera that moves sees the same points elsewhere.
+/// Orthographic cameras: after a motion of the camera the same points appear elsewhere.
 #[test]
 fn parallel_rays_are_reprojected_too() {
     let mut scene = wall_and_post(Some([-0.2, 0.4]));

@@ -1,4 +1,4 @@
-//! The stress cases in small, and whether they notice what they are there for.
+//! The stress cases with few rays, and tests that they detect what they are made for.
 
 use glimpse::{
     Robustness,
@@ -26,14 +26,14 @@ fn every_case_passes() {
     assert!(failed.is_empty(), "{}", failed.join("\n"));
 }
 
-/// Each measure has cases that fail without it.
+/// Each measure against rounding has cases that fail without it.
 #[test]
 fn a_measure_left_out_is_noticed() {
     let all = Robustness::default();
     let without = [
         ("watertight", Robustness { watertight: false, ..all }, ["watertight", "vertices"].as_slice()),
         ("boxes", Robustness { boxes: false, ..all }, &["watertight"]),
-        // Rays do not meet the face that they leave; others in its plane are rarely close.
+        // Rays never hit the face that they leave; other faces in its plane are rarely near.
         ("offset", Robustness { offset: false, ..all }, &["self_hits"]),
     ];
     for (measure, robustness, cases) in without {

@@ -1,4 +1,5 @@
-//! Selective and adaptive supersampling, and quincunx: what they must be equal to, and what they must see.
+//! Selective and adaptive supersampling, and quincunx: frames that must be equal, and differences that must
+//! be detected.
 
 use glam::{Vec3, vec3};
 use glimpse::{
@@ -54,7 +55,7 @@ fn no_quarter_active_is_one_sample_a_pixel() {
     }
 }
 
-/// A tolerance of 0 traces every sample: what is left is the test and the extra samples.
+/// A tolerance of 0 traces every sample: what remains is the test and the extra samples.
 #[test]
 fn supersampling_of_a_traced_adaptive_frame_is_supersampling() {
     let test_scene = TestScene::builtin("room");
@@ -71,7 +72,7 @@ fn supersampling_of_a_traced_adaptive_frame_is_supersampling() {
     }
 }
 
-/// Weights sum to one: where all samples are 1, no pixel is anything else.
+/// Weights sum to one: if all samples are 1, so are all pixels.
 #[test]
 fn the_furnace_stays_what_it_is() {
     let test_scene = TestScene::builtin("furnace");
@@ -92,7 +93,7 @@ fn the_furnace_stays_what_it_is() {
     }
 }
 
-/// Counted samples are those of the active quarters, and half of them where half are.
+/// There are four extra samples per active quarter, and pixels with each number of active quarters.
 #[test]
 fn four_samples_for_each_active_quarter() {
     let test_scene = TestScene::builtin("room");
@@ -106,7 +107,7 @@ fn four_samples_for_each_active_quarter() {
     assert!(by_number.iter().all(|count| *count > 20), "every number of quarters is there: {by_number:?}");
 }
 
-/// Counted samples are those of the pixels, and pixels stop after each number of them.
+/// The number of samples is the sum over the pixels, and pixels stop after different numbers of them.
 #[test]
 fn refined_pixels_get_as_many_samples_as_they_differ() {
     let test_scene = TestScene::builtin("room");
@@ -121,14 +122,14 @@ fn refined_pixels_get_as_many_samples_as_they_differ() {
     }
 }
 
-/// A wire that is a subpixel wide and rises by a pixel in 30 is hit by few centres. From these on it is followed
-/// along the row, as far as there are rounds.
+/// A wire a subpixel wide that rises by a pixel in 30 is hit at few pixel centres. From these on it is
+/// followed along the row, for as many pixels as there are rounds.
 #[test]
 fn a_wire_is_followed_where_no_centre_hits_it() {
     let mut builder = Builder::new();
     builder.environment(Vec3::ZERO, Vec3::ONE);
     let object = builder.object(matte(Vec3::ONE));
-    // A pixel of the view, which is 2 high at that distance.
+    // A pixel of the view, which is 2 units high at that distance.
     let pixel = 2.0 / SIZE[1] as f32;
     let rise = vec3(SIZE[0] as f32, SIZE[0] as f32 / 30.0, 0.0) * pixel;
     builder.quad(object, -rise / 2.0, rise, vec3(0.0, pixel / 4.0, 0.0));
@@ -150,7 +151,8 @@ fn a_wire_is_followed_where_no_centre_hits_it() {
     assert!(pixels < 0.5 * subpixels, "{pixels} with it, {subpixels} without");
 }
 
-/// Along a clean edge, cells that the edge does not come near are spared, and what is left is about as good as all sixteen.
+/// Along a clean edge, cells away from the edge are skipped, and the result is about as good as with all
+/// sixteen.
 #[test]
 fn cells_follow_an_edge() {
     let mut builder = Builder::new();
@@ -188,12 +190,12 @@ fn the_seed_moves_extra_samples_and_nothing_else_does() {
     assert_ne!(frame(2).as_raw(), first.as_raw(), "another seed");
 }
 
-/// What one attribute alone sees: a wall of one colour that nothing but it tells the halves of.
+/// A wall of one colour whose halves differ in a single attribute.
 fn wall(attribute: &str, builder: &mut Builder, [z, facing]: [f32; 2]) {
     let grey = || matte(Vec3::splat(0.5));
     let side = |object, builder: &mut Builder, corner: Vec3, u: Vec3| {
         let v = vec3(0.0, 16.0, 0.0);
-        // The normal points the way that the wall faces.
+        // The normal points in the direction that the wall faces.
         if facing > 0.0 { builder.quad(object, corner, u, v) } else { builder.quad(object, corner, v, u) }
     };
     let corner = vec3(-8.0, -8.0, z);
@@ -213,7 +215,7 @@ fn wall(attribute: &str, builder: &mut Builder, [z, facing]: [f32; 2]) {
         "sc" => {
             let object = builder.object(grey());
             side(object, builder, corner, wide);
-            // The right half is in the shadow of something above the view, and so is nothing but the wall.
+            // The right half is in the shadow of an object above the view, which shades nothing else.
             let blocker = builder.object(grey());
             let near = z - 1.0;
             builder.quad(blocker, vec3(0.0, 20.0, near), vec3(30.0, 0.0, 0.0), vec3(0.0, 0.0, 2.0));
@@ -229,7 +231,7 @@ fn wall(attribute: &str, builder: &mut Builder, [z, facing]: [f32; 2]) {
     }
 }
 
-/// The wall, seen straight on or in a mirror that fills the view.
+/// The wall, seen directly or in a mirror that fills the view.
 fn scene(attribute: &str) -> Scene {
     let mut builder = Builder::new();
     builder.environment(Vec3::ONE, Vec3::ONE);
@@ -248,7 +250,8 @@ fn union(inspection: &Inspection) -> u32 {
     inspection.pixels.iter().fold(0, |bits, pixel| bits | pixel.differing) & !1
 }
 
-/// Of two walls that look alike the attribute alone tells where one ends; without it nothing gets extra samples.
+/// Between two walls that look alike only this attribute detects the edge; without its threshold no pixel
+/// gets extra samples.
 #[test]
 fn each_attribute_sees_what_no_other_does() {
     for (index, attribute) in THRESHOLD_NAMES.into_iter().enumerate().skip(1) {
@@ -292,7 +295,7 @@ fn what_is_out_of_focus_does_not_differ() {
     assert_eq!(extra(Some(Focus { first: 2, last: 7 })), 0, "neither");
 }
 
-/// Bilinear centres soften what nearest ones leave as it is, and leave active quarters alone.
+/// Bilinear reconstruction smooths what nearest leaves unchanged, and does not affect active quarters.
 #[test]
 fn inactive_quarters_are_bilinear_where_it_is_asked_for() {
     let test_scene = TestScene::builtin("room");
@@ -308,7 +311,7 @@ fn inactive_quarters_are_bilinear_where_it_is_asked_for() {
     assert!(roughness(&soft) < 0.9 * roughness(&sharp), "{} {}", roughness(&soft), roughness(&sharp));
 }
 
-/// The end of the recursion: every quad of both levels is divided, and every sample is traced once.
+/// The recursion's limit: every quad of both levels is divided, and every sample is traced once.
 #[test]
 fn a_quincunx_that_is_divided_everywhere_traces_each_sample_once() {
     let test_scene = TestScene::builtin("room");
@@ -322,7 +325,7 @@ fn a_quincunx_that_is_divided_everywhere_traces_each_sample_once() {
     assert_eq!(samples.base + samples.extra, width * height + (width + 1) * (height + 1));
 }
 
-/// More of what is shown is nearer to what many samples show.
+/// The more quads are divided, the nearer the picture is to one with many samples.
 #[test]
 fn a_quincunx_comes_nearer_to_many_samples_the_more_it_divides() {
     let test_scene = TestScene::builtin("room");
@@ -336,7 +339,7 @@ fn a_quincunx_comes_nearer_to_many_samples_the_more_it_divides() {
     assert!(never > 1.5 * default && default > often, "{never} {default} {often}");
 }
 
-/// The tent by its formula, over a frame that has a pixel for each sample, in bands of rows and in one.
+/// The tent filter by its formula, over a frame with one pixel per sample, in bands of rows and in one piece.
 #[test]
 fn a_tent_is_the_weighted_mean_of_the_samples_around() {
     let test_scene = TestScene::builtin("room");

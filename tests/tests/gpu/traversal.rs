@@ -1,4 +1,4 @@
-//! Random rays through the GPU's traversal, against the one in f64.
+//! Random rays through the GPU's traversal, against that in f64.
 
 use std::{num::NonZero, thread};
 
@@ -12,7 +12,7 @@ use glimpse_tests::{gpu, note, shared_scene};
 
 const RAYS: usize = 1_000_000;
 
-/// Answers that rounding explains (rays along edges), of so many rays one.
+/// One in this many answers may be explained by rounding (rays along edges).
 const EXPLAINED: usize = 1_000;
 
 fn random_rays(scene: &Scene, seed: u64) -> Vec<ProbeRay> {
@@ -35,7 +35,7 @@ fn random_rays(scene: &Scene, seed: u64) -> Vec<ProbeRay> {
 }
 
 fn agree(name: &str, mut scene: Scene) {
-    // Holes cut by alpha are not geometry.
+    // Alpha cutouts are not part of the geometry.
     scene.materials.iter_mut().for_each(|m| m.alpha_cutoff = None);
     let rays = random_rays(&scene, 1);
     let tracer = Tracer::new(&scene);

@@ -1,4 +1,4 @@
-//! The comparator finds what it must find.
+//! Tests of the comparison of pictures.
 
 use glimpse::DisplayImage;
 use glimpse_tests::{

@@ -1,4 +1,4 @@
-//! Goldens are made on purpose, never in passing.
+//! Goldens are written only on request.
 
 use std::path::Path;
 

@@ -1,4 +1,5 @@
-//! Every pipeline is created and whole frames are recorded on a device that has the limits of a phone and no driver.
+//! Creates all pipelines and records whole frames on a device with the limits of a phone and without a
+//! driver.
 
 use std::thread;
 
@@ -7,7 +8,7 @@ use glimpse::{
 };
 use glimpse_app::Phone;
 
-/// A device without a driver that enforces these limits.
+/// A device without a driver that enforces the limits.
 pub fn device(limits: wgpu::Limits) -> glimpse::Result<Gpu> {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     descriptor.backends = wgpu::Backends::NOOP;
@@ -19,7 +20,8 @@ pub fn device(limits: wgpu::Limits) -> glimpse::Result<Gpu> {
     Gpu::from_instance(&wgpu::Instance::new(descriptor), None)
 }
 
-/// The defaults of WebGPU: 8 storage buffers a stage, 16 KiB and 256 invocations a workgroup, 128 MiB a binding.
+/// Default limits of WebGPU: 8 storage buffers per stage, 16 KiB and 256 invocations per workgroup, 128 MiB
+/// per binding.
 pub fn phone() -> wgpu::Limits {
     let limits = wgpu::Limits::default();
     assert_eq!(limits.max_storage_buffers_per_shader_stage, 8);
@@ -38,7 +40,7 @@ fn the_least_phone_takes_every_pass_at_qhd() {
 fn every_phone_takes_every_pass_at_qhd() {
     let phones = Phone::all().unwrap();
     assert!(phones.len() >= 9, "{} phones", phones.len());
-    // Phones with the same limits are the same device here.
+    // Phones with the same limits are tested once.
     let mut devices: Vec<(wgpu::Limits, String)> = Vec::new();
     for phone in phones {
         match devices.iter_mut().find(|(limits, _)| *limits == phone.limits()) {
@@ -46,7 +48,7 @@ fn every_phone_takes_every_pass_at_qhd() {
             None => devices.push((phone.limits(), phone.name)),
         }
     }
-    // Two at a time: the buffers of one take a gigabyte.
+    // Two devices at a time, as the buffers of one take a gigabyte.
     let (first, second) = devices.split_at(devices.len() / 2);
     thread::scope(|scope| {
         for devices in [first, second] {
@@ -95,7 +97,7 @@ fn the_least_phone_takes_the_passes_that_treat_noise() {
         renderer.render(&camera).unwrap();
         renderer.inspect(&camera).unwrap();
         renderer.linear_image(&camera).unwrap();
-        // 16 bytes a pixel do not fit one binding.
+        // 16 bytes per pixel exceed the size of a binding.
         let error = renderer.change([4096, 2160], &settings).err();
         match (denoise, error) {
             (Denoise::Off, None) => {}
@@ -125,7 +127,7 @@ fn too_few_storage_buffers_are_named() {
     assert_eq!((need.as_str(), have.as_str()), ("8", "4"));
 }
 
-/// 67 million samples, in bands whose buffers a phone can bind.
+/// 67 million samples, in bands whose buffers fit the bindings of a phone.
 #[test]
 fn the_largest_frame_is_made_in_bands() {
     let gpu = device(phone()).unwrap();

@@ -20,10 +20,10 @@ fn no_level_is_black_and_more_levels_add_light() {
     }
 }
 
-/// The middle pixel's ray is (0, 1, 0). It meets the glass sphere at t = 6 - sqrt(0.56) = 5.251669, where the normal
-/// towards the viewer is (0, -0.831479, -0.555556). The upper lights are seen: N.U = 0.053831 of 0.6, and 0.013068 of
-/// 0.5; the orange sphere's weak light is behind. So on the first level
-/// 0.05 x ((0.02, 0.02, 0.02) + 0.032298 x (1, 0.8, 1) + 0.006534 x (0.8, 1, 1)).
+/// Hand calculation: the ray of the middle pixel is (0, 1, 0). It hits the glass sphere at t = 6 - sqrt(0.56)
+/// = 5.251669, where the normal towards the viewer is (0, -0.831479, -0.555556). The upper lights are
+/// visible: N.U = 0.053831 of 0.6, and 0.013068 of 0.5; the orange sphere's weak light is behind. So the
+/// first level has 0.05 x ((0.02, 0.02, 0.02) + 0.032298 x (1, 0.8, 1) + 0.006534 x (0.8, 1, 1)).
 #[test]
 fn the_middle_pixel_is_as_computed_by_hand() {
     let expected = 0.05
@@ -33,7 +33,7 @@ fn the_middle_pixel_is_as_computed_by_hand() {
     assert!((middle.radiance - expected).abs().max_element() < 1e-6, "{} {expected}", middle.radiance);
 }
 
-/// The two lower spheres stand mirrored at x = 0, and column 16 looks along x = 0.
+/// The two lower spheres are mirror images at x = 0, and column 16 looks along x = 0.
 #[test]
 fn the_outlines_are_symmetric() {
     let picture = picture();

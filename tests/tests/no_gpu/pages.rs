@@ -1,5 +1,5 @@
-//! The pages in Markdown: their links lead somewhere, the map of the README shows the folders that are there, and its
-//! program is one that is compiled.
+//! The Markdown pages: their links are valid, the README's map lists the existing folders, and its program is
+//! one that is compiled.
 
 use std::{
     collections::BTreeSet,
@@ -10,10 +10,10 @@ use std::{
 use glimpse::Tracing;
 use glimpse_tests::workspace;
 
-/// The most lines of the README: what a newcomer reads in one go.
+/// Largest number of lines of the README.
 const README_LINES: usize = 150;
 
-/// Every page below a folder, but for what is built.
+/// Collects every page below a folder, except build output.
 fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry")) {
         let path = entry.path();
@@ -26,7 +26,7 @@ fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The text outside of fenced blocks.
+/// The text outside fenced code blocks.
 fn prose(text: &str) -> String {
     let mut fenced = false;
     let mut lines = Vec::new();
@@ -40,7 +40,7 @@ fn prose(text: &str) -> String {
     lines.join("\n")
 }
 
-/// The targets of `[text](target)` and `![text](target)`.
+/// Targets of `[text](target)` and `![text](target)`.
 fn links(text: &str) -> Vec<String> {
     let ends = prose(text);
     ends.split("](")
@@ -50,7 +50,7 @@ fn links(text: &str) -> Vec<String> {
         .collect()
 }
 
-/// The anchors of a page's headings, as GitHub makes them.
+/// Anchors of a page's headings, as GitHub derives them.
 fn anchors(text: &str) -> BTreeSet<String> {
     let heading = |line: &str| Some(line.trim_start_matches('#').strip_prefix(' ')?.to_lowercase());
     let kept = |c: &char| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_');
@@ -62,7 +62,7 @@ fn anchors(text: &str) -> BTreeSet<String> {
         .collect()
 }
 
-/// What is wrong with the links of a page.
+/// Broken links of a page.
 fn broken(page: &Path, text: &str) -> Vec<String> {
     let folder = page.parent().unwrap_or(Path::new("."));
     let wrong = |link: &String| {
@@ -95,7 +95,7 @@ fn a_link_to_a_missing_file_or_heading_is_found() {
     let text =
         "# A title, with marks\n[a](nowhere.md) [b](#no-heading) [c](#a-title-with-marks) [d](README.md)";
     let found = broken(&page, text);
-    // The second page is the file, not the text.
+    // The second page is that of the file, not of `text`.
     assert_eq!(found.len(), 3, "{found:?}");
     assert!(anchors(text).contains("a-title-with-marks"));
 }
@@ -116,7 +116,7 @@ fn the_readme_is_short_and_its_map_shows_every_folder() {
     assert_eq!(shown, folders, "the map against the workspace's members");
 }
 
-/// What the README shows of the library compiles, as the front page of the crate is tested.
+/// The README's program is the one on the crate's front page, which is tested.
 #[test]
 fn the_readme_shows_the_program_of_the_crates_front_page() {
     let read = |file: &str| fs::read_to_string(workspace().join(file)).expect("a file");
@@ -130,7 +130,7 @@ fn the_readme_shows_the_program_of_the_crates_front_page() {
     }
 }
 
-/// The passes that the page of the architecture lists are those that there are.
+/// The passes listed in the architecture page are the existing ones.
 #[test]
 fn the_architecture_names_passes_that_exist() {
     let page = fs::read_to_string(workspace().join("core/ARCHITECTURE.md")).expect("a page");

@@ -1,4 +1,4 @@
-//! The path tracer of the reference against closed forms, and its ways of finding light against each other.
+//! The reference's path tracer against closed forms, and its direct light strategies against each other.
 
 mod eyes;
 mod light;
@@ -18,7 +18,7 @@ use glimpse_tests::{
 
 const WAYS: [DirectLight; 3] = [DirectLight::Bsdf, DirectLight::Nee, DirectLight::Mis];
 
-/// Independent numbers, for the standard errors that are estimated from them; no roulette.
+/// Independent random numbers, as standard errors are estimated from samples; no roulette.
 fn settings(direct_light: DirectLight, depth: u32) -> Settings {
     let mut settings = Settings { depth, ..Settings::default() };
     (settings.paths.direct_light, settings.paths.sampler) = (direct_light, Sampler::Random);
@@ -26,7 +26,7 @@ fn settings(direct_light: DirectLight, depth: u32) -> Settings {
     settings
 }
 
-/// Calls for each sample of each pixel.
+/// Calls `see` for each sample of each pixel.
 fn for_each(
     scene: &Scene,
     settings: &Settings,
@@ -44,7 +44,7 @@ fn for_each(
     }
 }
 
-/// A mean and the square of its standard error.
+/// Accumulates a mean and its squared standard error.
 #[derive(Clone, Copy, Default)]
 struct Mean {
     count: f64,
@@ -67,7 +67,7 @@ impl Mean {
         (self.squares / self.count - self.value() * self.value()).max(DVec3::ZERO) / self.count
     }
 
-    /// The largest difference of a channel in standard errors; rounding is none.
+    /// Largest difference of a channel in standard errors; rounding does not count.
     fn deviation(&self, value: DVec3, error2: DVec3) -> f64 {
         let difference = (self.value() - value).abs() - 1e-6 * value.abs();
         (difference.max(DVec3::ZERO) / (self.error2() + error2 + 1e-30).map(f64::sqrt)).max_element()
@@ -80,7 +80,7 @@ fn mean(scene: &Scene, settings: &Settings, samples: u32) -> Mean {
     mean
 }
 
-/// A closed box around the origin that emits and reflects everywhere: light of these shares is scattered and mirrored.
+/// A closed box around the origin that emits everywhere and scatters and mirrors the given shares of light.
 fn emitting_box([diffuse, mirror]: [f64; 2], emission: f64) -> Scene {
     let mut b = Builder::new();
     let weights = Some(Weights { diffuse: diffuse as f32, mirror: mirror as f32, refraction: 0.0 });
@@ -96,7 +96,7 @@ fn emitting_box([diffuse, mirror]: [f64; 2], emission: f64) -> Scene {
 
 #[test]
 fn a_furnace_is_one_in_every_sample() {
-    // Bent normals lose what comes from below the face.
+    // Flat shading, as bent normals lose light from below the face.
     let scene = flattened(builtin("furnace").unwrap());
     for roulette in [Roulette::On, Roulette::Off] {
         let mut settings = settings(DirectLight::Bsdf, 64);
@@ -108,7 +108,7 @@ fn a_furnace_is_one_in_every_sample() {
     }
 }
 
-/// Every bounce brings a share of the emission: e (1 + a + a^2 ...) = e / (1 - a), up to the depth limit.
+/// Every bounce adds a share of the emission: e (1 + a + a^2 ...) = e / (1 - a), up to the depth limit.
 #[test]
 fn energy_is_conserved_in_a_closed_box() {
     let (emission, depth) = (2.0, 12);
@@ -134,8 +134,9 @@ fn energy_is_conserved_in_a_closed_box() {
     }
 }
 
-/// What the paper's stopping leaves of a closed box: of the light that comes from beyond k vertices where paths stop,
-/// (1 - P)^k, where P grows with the distance from the gaze to `foveation_max` in the farthest corner.
+/// Light that the paper's stopping leaves in a closed box: of the light from beyond k vertices where paths
+/// may stop, (1 - P)^k, where P grows with the distance from the gaze, to `foveation_max` in the farthest
+/// corner.
 #[test]
 fn stopped_paths_are_as_dark_as_equation_7_says() {
     let (albedo, emission, depth) = (0.75_f64, 2.0, 12);
@@ -145,7 +146,8 @@ fn stopped_paths_are_as_dark_as_equation_7_says() {
     {
         let mut settings = settings(DirectLight::Bsdf, depth);
         (settings.paths.foveation, settings.paths.gaze) = (foveation, gaze);
-        // A compensated sample's variance is finite where albedo^2 < 1 - p, and is itself known from few samples far below.
+        // A compensated sample has finite variance if albedo^2 < 1 - p, and few samples estimate that
+        // variance only if p is far below that bound.
         settings.paths.foveation_max = if foveation == Foveation::Paper { 0.9 } else { 0.3 };
         let size = [5, 3];
         let mut pixels = [[Mean::default(); 5]; 3];
@@ -170,7 +172,7 @@ fn stopped_paths_are_as_dark_as_equation_7_says() {
     }
 }
 
-/// A directional light: radiance is albedo / pi x E x cos, in every sample.
+/// A directional light: every sample has radiance albedo / pi x E x cos.
 #[test]
 fn punctual_lights_shine_where_they_are_wished_and_nothing_is_between() {
     let glow = vec3(0.25, 0.5, 1.0);
@@ -220,7 +222,7 @@ fn paths_say_whether_they_met_mirrors_or_glass() {
     }
 }
 
-/// Every kind of material, texture and light, with and without emitters.
+/// All kinds of materials, textures and lights, with and without emitters.
 #[test]
 fn every_sample_is_a_number() {
     for scene in [gallery::textures(), gallery::glasshouse(), builtin("room").unwrap()] {

@@ -1,10 +1,11 @@
-//! What the core promises to those who embed it: no window, no thread pool, no global state.
+//! Promises of the core to programs that embed it: no window, no thread pool, no global state.
 
 use std::{env, fs, path::Path, process::Command};
 
 const CORE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../core");
 
-/// Crates of windows, systems and thread pools. Calls of the standard library are Clippy's to find (core/.clippy.toml).
+/// Forbidden crates, for windows, systems and thread pools. Calls of the standard library are checked by
+/// Clippy (core/.clippy.toml).
 const FORBIDDEN: [&str; 12] = [
     "android-activity",
     "async-std",
@@ -37,7 +38,7 @@ fn the_core_depends_on_no_window_system_or_thread_pool() {
     assert!(found.is_empty(), "the core depends on {found:?}");
 }
 
-/// Every Rust file below a folder with its text.
+/// Collects every Rust file below a folder with its text.
 fn sources(folder: &Path, found: &mut Vec<(String, String)>) {
     for entry in fs::read_dir(folder).expect("a folder") {
         let path = entry.expect("an entry").path();

@@ -1,4 +1,4 @@
-//! The f64 reference against what is known without it.
+//! The f64 reference against independently known results.
 
 use std::f64::consts::PI;
 
@@ -88,7 +88,7 @@ fn fresnel_is_as_in_the_textbook() {
     assert_eq!(fresnel_dielectric((critical + 1e-9).cos(), n), 1.0);
     let below = fresnel_dielectric((critical - 1e-9).cos(), n);
     assert!(below < 1.0 && below > 0.999, "{below}");
-    // The same boundary from both sides, at angles that belong together (Stokes).
+    // The same interface from both sides, at corresponding angles (Stokes).
     for angle in [0.1_f64, 0.5, 1.0, 1.5] {
         let inner = (angle.sin() / n).asin();
         let [outside, within] =
@@ -98,8 +98,8 @@ fn fresnel_is_as_in_the_textbook() {
     assert!(fresnel_dielectric(0.3, 1.0) < 1e-30, "nothing to reflect at");
 }
 
-/// A slab of glass with red behind and blue before it, seen at normal incidence: all orders of 4 % at each face, as far
-/// as the levels go.
+/// A slab of glass with red behind it and blue in front, seen at normal incidence: all orders of 4 % at each
+/// face, up to the depth limit.
 #[test]
 fn a_slab_reflects_all_orders() {
     let mut builder = Builder::new();
@@ -120,14 +120,14 @@ fn a_slab_reflects_all_orders() {
     assert!((found - expected).abs().max_element() < 1e-12, "{found} {expected}");
 }
 
-/// What a mirror shows is what stands mirrored behind it.
+/// A mirror shows the mirror image of the scene.
 #[test]
 fn a_mirror_is_a_window_into_the_mirrored_scene() {
     let world = |mirrored: bool| {
         let side = if mirrored { -1.0 } else { 1.0 };
         let mut builder = Builder::new();
         if !mirrored {
-            // Mirror and nothing else: a metal one shows images of the lights too.
+            // A pure mirror: a metal would show highlights of the lights as well.
             let all = Weights { diffuse: 0.0, mirror: 1.0, refraction: 0.0 };
             let wall = builder.object(Material { weights: Some(all), ..Material::default() });
             builder.quad(wall, vec3(-50.0, -50.0, 0.0), 100.0 * Vec3::X, 100.0 * Vec3::Y);
@@ -161,7 +161,8 @@ fn the_tree_finds_the_first_of_all_crossings() {
         assert_eq!(tracer.first(&ray, None, |_| true), all.first().copied());
         let odd = |c: &Intersection| c.primitive % 2 == 1;
         assert_eq!(tracer.first(&ray, None, odd), all.iter().copied().find(odd), "{i}");
-        // From the surface on, the rest is left; a sphere is left through its other side.
+        // Starting on the first surface, the other intersections remain; a sphere is left through its other
+        // side.
         let Some(first) = all.first() else { continue };
         let on = Ray { origin: ray.origin + first.t * ray.direction, ..ray };
         let rest = tracer.intersections(&on, Some(first.primitive));
@@ -179,7 +180,8 @@ fn the_tree_finds_the_first_of_all_crossings() {
     }
 }
 
-/// A tilted plane: depth and texture coordinates half way between two pixels are those that are traced there.
+/// A tilted plane: depth and texture coordinates interpolated half way between two pixels equal those traced
+/// there.
 #[test]
 fn interpolation_is_exact_on_planes() {
     let mut builder = Builder::new();
@@ -202,7 +204,7 @@ fn interpolation_is_exact_on_planes() {
     }
 }
 
-/// Storing keeps to the errors that core/NUMERICS.md states.
+/// Stored attributes have the errors stated in core/NUMERICS.md.
 #[test]
 fn attributes_are_stored_as_stated() {
     let scene = gallery::textures();
@@ -221,7 +223,7 @@ fn attributes_are_stored_as_stated() {
         assert!(stored.normal.angle_between(exact.normal) < 6.5e-5 + 1e-7, "{pixel:?}");
         assert!(stored.face.angle_between(exact.face) < 6.5e-5 + 1e-7, "{pixel:?}");
         let largest = exact.gcol.max_element();
-        // Nothing is smaller than a step of the smallest exponent.
+        // The smallest step is that of the smallest exponent.
         let step = (largest / 512.0).max(0.5_f64.powi(25));
         assert!((stored.gcol - exact.gcol).abs().max_element() <= step, "{exact:?} {stored:?}");
         assert!((stored.texcoord - exact.texcoord).abs().max_element() <= 0.5 / 65535.0 + 1e-15);
@@ -246,12 +248,12 @@ fn the_strictest_tolerance_traces_everything() {
     }
 }
 
-/// The judge of answers calls what differs by its name.
+/// Tests of `judge`: it classifies differences correctly.
 #[test]
 fn the_judge_tells_ties_from_mistakes() {
     let answer = |label, value| Answer::<1> { labels: [label, 0], values: [value], tolerances: [1e-3] };
     let step = |r: &mut Rounding| {
-        // Which side of an edge a ray passes that runs along it.
+        // The side of an edge on which a ray along it passes.
         let mut builder = Builder::new();
         let wall = builder.object(unlit(Vec3::ONE));
         builder.quad(wall, vec3(-1.0, -1.0, 0.0), Vec3::X, 2.0 * Vec3::Y);

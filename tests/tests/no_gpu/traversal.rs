@@ -79,7 +79,7 @@ fn an_empty_scene_is_never_hit() {
     assert!(rays(7, 100).all(|ray| tracer.judge(&ray, None) == Verdict::Same));
 }
 
-/// The judge agrees with the exact answer rounded to f32, and with no other.
+/// `judge` accepts the exact answer rounded to f32, and no other.
 #[test]
 fn the_judge_is_not_to_be_bribed() {
     let tracer = Tracer::new(&soup(11));
@@ -100,7 +100,7 @@ fn the_judge_is_not_to_be_bribed() {
             Some(Hit { t: hit.t * 1.01 + 1e-2, ..hit }),
             Some(Hit { t: hit.t * 0.99 - 1e-2, ..hit }),
         ];
-        // Rays that graze something may be answered in two ways: rarely.
+        // Rays that graze an edge may rarely have two answers.
         explained +=
             lies.iter().filter(|lie| !matches!(tracer.judge(&ray, **lie), Verdict::Wrong(_))).count();
     }

@@ -1,4 +1,4 @@
-//! What can be chosen can be rendered.
+//! Whatever the user chooses in the overlay, a frame can be rendered with it.
 
 use egui::{Key, Modifiers, PointerButton, Pos2, Role};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -24,7 +24,7 @@ fn pointer(harness: &Harness<'_, HudFixture>, pos: Pos2, pressed: bool) {
     harness.event(egui::Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers });
 }
 
-/// Presses somewhere on a control that can be pressed, and lets go there or at another.
+/// Presses the pointer on a random control, and releases it there or on another.
 fn drag_something(harness: &mut Harness<'_, HudFixture>, random: &mut Random) {
     let rects = harness.ctx.interactive_rects_last_pass();
     let window = harness.ctx.content_rect();

@@ -1,4 +1,4 @@
-//! Who gets what is pressed.
+//! Input goes either to the overlay or to the picture.
 
 use std::collections::BTreeSet;
 
@@ -15,7 +15,7 @@ fn the_picture_gets_what_the_overlay_does_not_cover() {
         let mut fixture = fixture(overlay);
         fixture.choices.split = Some(0.5);
         let mut harness = shown(fixture, [1280.0, 720.0]);
-        // Beside the handle, on the line and away from it.
+        // On the line beside the handle, and away from the line.
         for at in [pos2(640.0, 200.0), pos2(300.0, 500.0)] {
             harness.state_mut().picture = 0;
             harness.drag_at(at);
@@ -34,7 +34,7 @@ fn the_picture_does_not_get_what_the_overlay_takes() {
     harness.get_by_label("menu").click();
     harness.run_steps(3);
     assert_eq!(harness.state().choices.overlay, Overlay::Full);
-    // The panel itself, between its controls.
+    // The panel's background, between its controls.
     harness.drag_at(pos2(940.0, 400.0));
     harness.run_steps(2);
     harness.drop_at(pos2(940.0, 500.0));

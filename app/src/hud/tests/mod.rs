@@ -1,4 +1,4 @@
-//! The overlay above a picture, pressed and read without drawing.
+//! Tests of the overlay above a picture, with simulated input and without drawing.
 
 mod choices;
 mod input;
@@ -11,14 +11,14 @@ use glimpse::{Counts, Memory, PassTime, Rays, Samples, Tracing};
 use super::{Hud, UserRequest};
 use crate::{Busy, Choices, HudState, Overlay};
 
-/// What the overlay works on, and what came of it.
+/// Input of the overlay, and the requests that it returned.
 struct HudFixture {
     choices: Choices,
     hud_state: HudState,
     scenes: Vec<String>,
     touch: bool,
     user_requests: Vec<UserRequest>,
-    /// Clicks and drags that the picture got.
+    /// Number of clicks and drags that reached the picture.
     picture: u32,
 }
 
@@ -54,7 +54,7 @@ fn frame(ui: &mut egui::Ui, fixture: &mut HudFixture) {
     fixture.user_requests.extend(hud.show(ui.ctx()));
 }
 
-/// Readings with something in every place.
+/// A state with a value in every field.
 fn hud_state() -> HudState {
     let mut hud_state = HudState {
         scene: "builtin:room".to_owned(),

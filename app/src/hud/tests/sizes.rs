@@ -1,4 +1,4 @@
-//! From nothing to the largest window.
+//! The overlay in windows of all sizes, from empty to the largest.
 
 use egui::epaint::{MarginF32, Primitive};
 use egui::{Rect, Role, SafeAreaInsets, pos2, vec2};
@@ -27,7 +27,7 @@ fn a_window_that_is_too_small_to_read_shows_the_picture_alone() {
     }
 }
 
-/// Everything that is drawn is at a place.
+/// Asserts that all vertices have finite positions.
 fn assert_finite(harness: &Harness<'_, HudFixture>) {
     let output = harness.output();
     let primitives = harness.ctx.tessellate(output.shapes.clone(), output.pixels_per_point);

@@ -1,4 +1,4 @@
-// Step-I (Kim 2016, Table 2): a ray through each base pixel, its colour and its attributes.
+// Step-I (Kim 2016, Table 2): traces each base pixel and stores its colour and attributes.
 
 @compute @workgroup_size(64)
 fn main(

@@ -1,4 +1,4 @@
-// Step-II-a: the samples half way between two references of a row.
+// Step-II-a (Kim 2016, Table 2): interpolates or lists the samples half way between two references of a row.
 
 @compute @workgroup_size(256)
 fn main(

@@ -1,4 +1,5 @@
-// Step-III-a: the rows half way between those of the references.
+// Step-III-a (Kim 2016, Table 2): interpolates or lists the samples of the rows half way between those of the
+// references.
 
 @compute @workgroup_size(256)
 fn main(

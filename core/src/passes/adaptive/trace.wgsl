@@ -1,4 +1,4 @@
-// Step-II-c and Step-III-c: full tracing of the pixels that the step before has listed.
+// Step-II-c and Step-III-c (Kim 2016, Table 2): traces the pixels that the step before has listed.
 
 var<storage, read> list: List;
 

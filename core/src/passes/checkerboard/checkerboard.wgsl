@@ -1,4 +1,4 @@
-// The dark squares of a checkerboard: every second sample of each row.
+// Traces the dark squares of a checkerboard: every second sample of each row.
 
 @compute @workgroup_size(64)
 fn main(

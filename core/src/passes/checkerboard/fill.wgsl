@@ -1,4 +1,4 @@
-// The light squares of a checkerboard: the average of the traced neighbours, two to four of them.
+// Fills the light squares of a checkerboard with the average of their two to four traced neighbours.
 
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {

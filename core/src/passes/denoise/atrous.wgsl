@@ -1,5 +1,6 @@
-// A level of the a-trous filter: a pixel and four around it, twice as far away as in the level before, beside it and on its
-// diagonals in turn. Loads are what a level costs, and 3x3 pixels bring little more.
+// One level of the a-trous filter (Dammertz et al. 2010): averages a pixel and four taps around it, at twice the
+// distance of the level before, alternately axis-aligned and diagonal. Loads dominate the cost of a level, and
+// 3x3 taps would gain little.
 
 fn atrous_side(index: i32) -> vec2i {
     let turn = vec2i(index & 1, index >> 1u) * 2 - 1;
@@ -8,7 +9,7 @@ fn atrous_side(index: i32) -> vec2i {
     return select(turn, beside, (frame.part.step.x & 5) != 0);
 }
 
-// Two of the shares of a pixel's light, and their sum.
+// Decodes a pixel's light, stored as its sum and the shares of two channels: both channels and the sum.
 fn atrous_light(words: vec4u) -> vec3f {
     return bitcast<f32>(words.z) * vec3f(unpack2x16unorm(words.w), 1.0);
 }

@@ -1,17 +1,18 @@
-// The light that is filtered. Of few samples, pixels that are much brighter than those around them are taken down: a path
-// that meets a small emitter by chance would be spread over all that the filter sees.
+// Prepares the light for the a-trous filter. While there are few samples, pixels much brighter than their
+// neighbours are clamped: a path that meets a small emitter by chance would spread over the whole footprint of
+// the filter.
 
-// A pixel of one sample is taken for no brighter than so many times the mean of the four beside it,
+// Limit of a pixel's brightness after one sample, as a multiple of the mean of its four neighbours.
 const ATROUS_BRIGHTER: f32 = 4.0;
-// and from so many samples on for as bright as it is.
+// Number of samples from which brightness is no longer clamped.
 const ATROUS_SETTLED: f32 = 256.0;
 
-// How bright the light is, up to the surface's hue.
+// Brightness of a pixel's light divided by that of its albedo.
 fn atrous_brightness(pixel: vec2u, gbuffer_pixel: vec4u) -> f32 {
     return atrous_buffer_sum(samples_mean(pixel)) / atrous_buffer_sum(atrous_buffer_albedo(gbuffer_pixel));
 }
 
-// What counts of a pixel's brightness.
+// Brightness of a pixel after clamping.
 fn atrous_kept(pixel: vec2u, kind: u32, own: f32) -> f32 {
     var sum = 0.0;
     var count = 0.0;

@@ -1,5 +1,5 @@
-// Pixels whose last path was stopped on diffuse surfaces show the median of their 3x3 pixels, channel by channel (Kim & Sung
-// 2021, Algorithm 5, lines 10 to 14). What lies outside the picture counts as the pixel itself.
+// Replaces pixels whose last path was stopped on diffuse surfaces by the median of their 3x3 pixels, channel by
+// channel (Kim & Sung 2021, Algorithm 5, lines 10 to 14). Taps outside the image count as the pixel itself.
 
 struct Sorted {
     low: vec3f,
@@ -36,8 +36,8 @@ fn main(
         output(pixel, samples_mean(pixel));
         return;
     }
-    // The median of nine is that of the largest of three columns' least, the middle of their middles and the least of their
-    // largest (Smith 1996).
+    // The median of nine is the median of three values: the largest of the columns' minima, the median of their
+    // medians and the smallest of their maxima (Smith 1996).
     let a = median_column(pixel, -1);
     let b = median_column(pixel, 0);
     let c = median_column(pixel, 1);

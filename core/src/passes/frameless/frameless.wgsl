@@ -1,4 +1,4 @@
-// Frameless rendering: the pixels whose turn it is, tile by tile; the picture keeps the others.
+// Frameless rendering: traces the pixels whose rank is due, tile by tile; the image keeps the others.
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(

@@ -1,4 +1,4 @@
-// Full ray tracing: every sample.
+// Full ray tracing: traces every sample.
 
 @compute @workgroup_size(64)
 fn main(

@@ -1,4 +1,4 @@
-// A pixel from the radiances of samples (Kim 2016, 6.1; lecture, "Supersampling").
+// Filters the radiances of samples to pixels (Kim 2016, 6.1; lecture, "Supersampling").
 
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {

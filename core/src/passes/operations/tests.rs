@@ -1,4 +1,4 @@
-//! What is counted, in kernels whose counts are known.
+//! Counts of kernels whose demands are known.
 
 use super::*;
 use crate::device::shader::{Source, link};

@@ -1,4 +1,4 @@
-// Adds samples of every pixel that were traced elsewhere (Kim & Sung 2021, Algorithm 5, lines 4 to 9).
+// Adds samples that the CPU has traced to the sums of every pixel (Kim & Sung 2021, Algorithm 5, lines 4 to 9).
 
 var<storage, read> cpu_samples: array<f32>;
 

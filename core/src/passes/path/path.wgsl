@@ -1,5 +1,5 @@
-// Path tracing: a sample of every pixel, added to those of the frames before. A thread takes pixel after pixel: threads that
-// run together wait for the longest path only once.
+// Path tracing: adds one sample to every pixel's sum. Each thread traces several pixels in turn, so that threads
+// that run in lockstep wait for the longest path only once.
 
 @compute @workgroup_size(64)
 fn main(

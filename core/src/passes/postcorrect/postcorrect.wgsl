@@ -1,9 +1,10 @@
-// Step-IV (Kim 2016, section 4): traces the listed pixels and goes on from them. Deviation: a frontier instead of scans
-// along rows and columns. A thread walks along what it finds, straight on where it can, and lists what it cannot come to
-// for the next round. Which pixels are traced does not depend on the order: comparisons are between a traced pixel and
-// what was interpolated, and neither changes any more.
+// Step-IV (Kim 2016, section 4): traces the listed pixels and spreads from them to differing neighbours.
+// Deviation: a frontier instead of scans along rows and columns. A thread walks along differing pixels, straight
+// ahead where possible, and lists those that it cannot reach for the next round. The set of traced pixels does
+// not depend on the order, as comparisons are between a traced and an interpolated pixel and neither changes
+// afterwards.
 
-// Marks an entry of the list that holds no pixel.
+// Marks an entry that holds no pixel.
 const NOWHERE: u32 = 0xffffffffu;
 
 @compute @workgroup_size(TRACE_GROUP)
@@ -13,10 +14,10 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
         return;
     }
     var entry = list.pixels[index];
-    // What the thread may still come back to, the latest first.
+    // Pixels that the thread may return to, the most recent first.
     var pending = vec4u(NOWHERE);
     var heading = vec2u(0u);
-    // All threads together trace no more than a round may.
+    // Divides the samples of a round among the threads.
     let share = ROUND_SAMPLES / (list.end - list.begin);
     for (var steps = clamp(share, 1u, frame.part.walk); steps > 0u && entry != NOWHERE; steps -= 1u) {
         let pixel = list_pixel(entry);

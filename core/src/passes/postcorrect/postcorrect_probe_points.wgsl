@@ -1,7 +1,7 @@
-// Step-IV, beyond the paper: small things may lie between the samples as a whole, and no traced pixel has them for a
-// neighbour. Where a point that is known of one would be seen, it is looked for.
+// Step-IV, beyond the paper: small objects may lie entirely between samples, so that no traced pixel borders on
+// them. Lists the interpolated pixels onto which known points of such objects project.
 
-// Points on thin objects, in world space.
+// Points on thin objects, in world space: three words each.
 var<storage, read> probe_points: array<f32>;
 
 @compute @workgroup_size(TRACE_GROUP)

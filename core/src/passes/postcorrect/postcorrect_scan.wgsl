@@ -1,5 +1,5 @@
-// Step-IV as Kim 2016, section 5, has it: a thread for each row or column, which traces what differs from the traced pixel
-// before it, and so on.
+// Step-IV as in Kim 2016, section 5: a thread for each row or column traces every pixel that differs from the
+// traced pixel before it.
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {

@@ -1,4 +1,4 @@
-// Step-IV (Kim 2016, section 4): the interpolated neighbours that differ from a traced adaptive pixel are listed.
+// Step-IV (Kim 2016, section 4): lists the interpolated neighbours that differ from a traced adaptive pixel.
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {

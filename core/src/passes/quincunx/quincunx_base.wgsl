@@ -1,4 +1,4 @@
-// The quincunx that everything begins with: a sample in the centre of each pixel, one at each corner.
+// Traces the initial quincunx: a sample in the centre of each pixel and one at each corner.
 
 @compute @workgroup_size(64)
 fn main(

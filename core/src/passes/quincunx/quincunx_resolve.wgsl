@@ -1,4 +1,4 @@
-// A pixel from its samples, each with the area that it stands for (lecture, "Adaptive supersampling (3)").
+// Averages a pixel's samples, weighted by the area that each represents (lecture, "Adaptive supersampling (3)").
 
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
@@ -9,7 +9,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     }
     let center = quincunx_load(8u * at + 4u);
     var split = 0u;
-    // Differences from the centre: where all samples are the same their mean is, too.
+    // Sums differences from the centre: equal samples then have exactly that mean.
     var sum = vec3f(0.0);
     for (var subpixel = 0u; subpixel < 4u; subpixel += 1u) {
         let q = quincunx_quad(at, subpixel);

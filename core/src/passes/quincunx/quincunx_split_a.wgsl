@@ -1,4 +1,4 @@
-// Which of the quarters of the pixels are divided.
+// Lists the samples of the quarters of pixels that are divided.
 
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {

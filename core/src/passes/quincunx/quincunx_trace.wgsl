@@ -1,4 +1,4 @@
-// The samples that quads need to be divided.
+// Traces the listed samples, which divide a quarter.
 
 var<storage, read> list: List;
 

@@ -1,6 +1,6 @@
-// Four samples of each listed pixel, one in each quarter. Where they show what no pixel around a neighbour does, the neighbour is
-// listed too: a line thinner than a pixel is followed from where a centre hits it (as Kim 2016, section 4, spreads from pixel to
-// pixel).
+// Traces four samples of each listed pixel, one in each quarter. Lists a neighbour if these show colours that no
+// pixel around it has: lines thinner than a pixel are followed from where a centre hits them (as Kim 2016,
+// section 4, spreads from pixel to pixel).
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
@@ -22,14 +22,14 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     }
 }
 
-// A quarter of the neighbours of a pixel, by its samples from that place on.
+// Tests a quarter of a pixel's eight neighbours against its samples, which start at index `local`.
 fn refine_spread(pixel: vec2u, part: u32, local: u32) {
     var shown: array<vec3f, 4>;
     for (var i = 0u; i < REFINE_STEP; i += 1u) {
         shown[i] = contrast_shown(refine_colors[local + i]);
     }
     for (var i = 2u * part; i < 2u * part + 2u; i += 1u) {
-        // The fifth is the pixel itself.
+        // Skips index 4, the pixel itself.
         let index = select(i, i + 1u, i >= 4u);
         let beside = vec2i(pixel) + vec2i(i32(index % 3u), i32(index / 3u)) - 1;
         let inside = beside.x >= 0 && beside.y >= i32(frame.part.row) && beside.x < i32(frame.size.x) && beside.y < i32(frame.part.end);
@@ -42,7 +42,7 @@ fn refine_spread(pixel: vec2u, part: u32, local: u32) {
     }
 }
 
-// Do samples around a neighbour show what no pixel around it does?
+// Whether samples near a neighbour lie outside the range of colours in the pixels around it.
 fn refine_shows_new(neighbour: vec2u, shown: array<vec3f, 4>) -> bool {
     let range = contrast_range(neighbour);
     for (var i = 0u; i < REFINE_STEP; i += 1u) {

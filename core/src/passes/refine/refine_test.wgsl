@@ -1,4 +1,4 @@
-// Which pixels are refined: those of which Jin's test finds a quarter active.
+// Lists the pixels to refine: those with a quarter that Jin's test (2009, 4.2.2) finds active.
 
 @compute @workgroup_size(64)
 fn main(

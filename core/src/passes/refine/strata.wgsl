@@ -1,4 +1,4 @@
-// Four more samples of each listed pixel, in the cells that the test has chosen.
+// Traces four more samples of each listed pixel, in the cells that the test has selected.
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
@@ -22,7 +22,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     inspect_refined(its.pixel, REFINE_FIRST | strata, refine_round(its.pixel));
 }
 
-// Index of the n-th set bit, counted from the lowest.
+// Index of the n-th set bit, counted from 0 at the lowest.
 fn strata_nth(strata: u32, n: u32) -> u32 {
     var left = strata;
     for (var i = 0u; i < n; i += 1u) {

@@ -1,5 +1,6 @@
-// Which of the other twelve cells of a refined pixel get a sample: Jin's test (2009, 4.2.2) once more, with quarters in place of
-// pixels. Quarters of refined pixels are as their sample is, the others as their pixel.
+// Selects which of the other twelve cells of a refined pixel get a sample: Jin's test (2009, 4.2.2) with quarters
+// in place of pixels. A quarter of a refined pixel has the colour of its sample, one of another pixel that of the
+// pixel.
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
@@ -32,9 +33,9 @@ fn stratum_subpixel(stratum: vec2u) -> u32 {
     return stratum.x / 2u + 2u * (stratum.y / 2u);
 }
 
-// Bit i: the cell of sample i lies where quarters differ.
+// Mask of the cells that lie between differing quarters; bit i is the cell of sample i.
 fn strata_differing(pixel: vec2u) -> u32 {
-    // Those of the pixel and those around them.
+    // The quarters of the pixel and those around it.
     var shown: array<vec3f, 16>;
     for (var i = 0u; i < 16u; i += 1u) {
         shown[i] = stratum_neighbour(pixel, i);
@@ -55,7 +56,8 @@ fn strata_differing(pixel: vec2u) -> u32 {
     return differing;
 }
 
-// The i-th of the 4x4 quarters in and around a pixel, row by row from the upper left; beyond the frame, the nearest inside.
+// Colour of the i-th of the 4x4 quarters in and around a pixel, row by row from the upper left; beyond the frame,
+// of the nearest one inside.
 fn stratum_neighbour(pixel: vec2u, i: u32) -> vec3f {
     let at = clamp(2 * vec2i(pixel) + vec2i(i32(i % 4u), i32(i / 4u)) - 1, vec2i(0), 2 * vec2i(frame.size) - 1);
     let owner = vec2u(at) / 2u;
@@ -67,7 +69,7 @@ fn stratum_neighbour(pixel: vec2u, i: u32) -> vec3f {
     return contrast_shown(refine_load(owner, refine_in_subpixel(subpixel)));
 }
 
-// As many more in their order as make whole steps.
+// Adds the next cells in sampling order until their number fills whole steps.
 fn strata_padded(differing: u32) -> u32 {
     var strata = differing;
     for (var i = REFINE_STEP; countOneBits(strata) % REFINE_STEP != 0u; i += 1u) {

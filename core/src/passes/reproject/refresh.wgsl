@@ -1,12 +1,13 @@
-// Reprojection: full tracing of the listed pixels, and what of them is to be seen again.
+// Reprojection: traces the listed pixels and stores their points for the next frame.
 
 var<storage, read> list: List;
 
-// Farther than all coordinates, and so near that products with it do not overflow.
+// Farther than any coordinate, yet small enough that products with it do not overflow.
 const REFRESH_BEYOND: f32 = 1.0e30;
 
-// The point that a pixel shows. What mirrors or lets light through looks different from elsewhere: it is nowhere. What is
-// behind everything is a point far away, unless rays are parallel: there it would be one for all of them.
+// The world-space point that a pixel shows. Mirrors and transparent surfaces look different from another
+// position, so they have no valid point. The background is a point far away; under an orthographic camera it has
+// none, as all rays are parallel.
 fn refresh_point(pixel: vec2u, traced: Sample) -> vec3f {
     let hit = traced.attributes.object != 0u;
     if traced.bounced || !(hit || frame.camera.orthographic == 0.0) {

@@ -1,4 +1,5 @@
-// Reprojection: every point of the frame before is moved to the pixel that sees it now; the nearest stays.
+// Reprojection: projects every point of the last frame into the current view and keeps each pixel's nearest
+// depth.
 
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {

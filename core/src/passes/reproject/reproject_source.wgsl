@@ -1,5 +1,5 @@
-// Reprojection: which pixel the nearest point came from. Of equals it is the first, so that frames repeat; where a compiler
-// rounds a key here unlike before, there is none, and the pixel is traced.
+// Reprojection: finds the pixel that the nearest point came from, of equal ones the first, so that frames are
+// reproducible. Where a compiler rounds a key differently here there is none, and the pixel is traced.
 
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {

@@ -1,6 +1,6 @@
-// Reprojection: pixels that something was moved to show it again. Listed, to be traced, are gaps, pixels that a farther
-// surface may show through a gap of a nearer one, those whose turn it is, and those where it matters that what was moved
-// lies beside the centre of the pixel.
+// Reprojection: shows pixels again that a point was projected to. Lists for tracing gaps, pixels that may show a
+// farther surface through a gap in a nearer one, pixels that are due, and those where the point's offset from the
+// pixel's centre would be visible.
 
 struct Splat {
     key: u32,
@@ -9,7 +9,7 @@ struct Splat {
 
 var<storage, read> splats: array<Splat>;
 
-// A pixel is suspected where what is on both sides of it is nearer than this share of its depth.
+// A pixel may be a gap where the pixels on both sides of it are nearer than this fraction of its depth.
 const REUSE_NEARER: f32 = 0.96875;
 
 fn reuse_depth(pixel: vec2i) -> f32 {
@@ -20,8 +20,8 @@ fn reuse_depth(pixel: vec2i) -> f32 {
     return select(bitcast<f32>(~key >> 1u), FAR, key == 0u);
 }
 
-// Does the pixel lie between nearer ones? Gaps of a surface that comes closer are lines of one pixel, and where two of
-// them cross only the corners are of the surface.
+// Whether the pixel lies between nearer ones. Gaps in an approaching surface are lines one pixel wide; where two
+// of them cross, only the diagonal neighbours belong to the surface.
 fn reuse_is_gap(pixel: vec2u) -> bool {
     let middle = vec2i(pixel);
     let limit = REUSE_NEARER * reuse_depth(middle);
@@ -34,8 +34,8 @@ fn reuse_is_gap(pixel: vec2u) -> bool {
     return false;
 }
 
-// A pixel is traced where the way from its centre to its point takes more than this of the contrast to a neighbour's
-// point on the other side, in roots of radiance.
+// A pixel is traced if the offset of its point covers more than this share of the contrast to a neighbour's point
+// on the other side, in square roots of radiance.
 const REUSE_ERROR: f32 = 0.0625;
 
 struct Recentred {
@@ -43,8 +43,8 @@ struct Recentred {
     error: f32,
 }
 
-// The radiance in the centre of a pixel, from its own point and those of the three pixels on the other side of the centre,
-// and how wrong it may be.
+// Radiance at the pixel's centre, interpolated from its own point and those of the three pixels on the other side
+// of the centre, with an estimate of the error.
 fn reuse_centred(pixel: vec2u, source: u32) -> Recentred {
     let centre = vec2f(pixel) + 0.5;
     let aside = frame_place(history_point(source)) - centre;
@@ -74,7 +74,7 @@ fn reuse_centred(pixel: vec2u, source: u32) -> Recentred {
     return centred;
 }
 
-// How much of what is seen so far from the centre of a pixel counts in it.
+// Bilinear weight of a point by its offset from the pixel's centre, in pixels.
 fn reuse_weight(aside: vec2f) -> f32 {
     let near = max(1.0 - abs(aside), vec2f(0.0));
     return near.x * near.y;
@@ -92,7 +92,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
         return;
     }
     if frame.still != 0u {
-        // The picture has it.
+        // The image already shows the pixel.
         history_store(pixel, history_point(place), history_radiance(place));
         inspect_pixel(pixel, ORIGIN_INTERPOLATED, Attributes());
         return;
@@ -107,7 +107,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
         list_append(pixel);
         return;
     }
-    // What is kept is not blurred again and again.
+    // The stored radiance stays uninterpolated, so that blur does not accumulate.
     history_store(pixel, history_point(~splat.source), history_radiance(~splat.source));
     output(pixel, centred.radiance);
     inspect_pixel(pixel, ORIGIN_INTERPOLATED, Attributes());

@@ -1,5 +1,5 @@
-// What landed in a pixel from the other eye is added to its own samples, in the order of where it comes from: whichever
-// thread came first.
+// Adds the samples that fell into a pixel from the other eye to its own, in the order of their source pixels, so
+// that the sum does not depend on the order of threads.
 
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
@@ -33,7 +33,7 @@ fn stereo_gather_add(place: u32) {
     }
 }
 
-// The least of the list that is above the last one; 0 if there is none.
+// The smallest entry of the list that is greater than `last`; 0 if there is none.
 fn stereo_gather_next(list: u32, last: u32) -> u32 {
     var least = 0u;
     var at = list;

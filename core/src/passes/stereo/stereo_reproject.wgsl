@@ -1,5 +1,5 @@
-// The other eye looks at what each path has met, which decides what its sample counts for here and there. Paths meet things
-// at different times; here all threads look at once.
+// Tests whether the other eye sees what each path has hit, which decides the weight of the path's sample in both
+// eyes. A separate pass keeps threads converged: paths hit surfaces at different times.
 
 @compute @workgroup_size(64)
 fn main(
@@ -21,7 +21,7 @@ fn main(
     }
 }
 
-// Adds the pixel's own sample and sends it over.
+// Adds the pixel's own sample and links it into the list of the other eye's pixel.
 fn stereo_splat(place: u32, stereo_reuse: StereoReuse) {
     let radiance = samples_radiance(samples[place].stereo_reuse);
     let sum = stereo_reuse.own * radiance;

@@ -1,4 +1,5 @@
-// ExtraSampler (Jin 2009, 4.1.4, 4.3.3): four rays for each active subpixel; the master of a pixel sums them.
+// ExtraSampler (Jin 2009, 4.1.4, 4.3.3): traces four rays for each active subpixel; a pixel's master thread sums
+// them.
 
 var<storage, read> list: List;
 
@@ -26,12 +27,13 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     }
 }
 
-// The pixel whose first active subpixel has that place in the list, and its samples that place in the workgroup.
+// Radiance of the pixel whose first active subpixel is at `index` in the list; its samples start at `local` in
+// the workgroup.
 fn extra_pixel(master: u32, index: u32, local: u32) -> vec3f {
     let pixel = active_pixel(master);
     let center = pixel_edges_color(pixel);
     var mask = 0u;
-    // Differences from the centre: where all samples are the same their mean is, too.
+    // Sums differences from the centre: equal samples then have exactly that mean.
     var difference = vec3f(0.0);
     for (var i = 0u; i < 4u; i += 1u) {
         if index + i >= list.end || local / ACTIVE_SAMPLES + i >= ACTIVE_RUN {
@@ -55,7 +57,7 @@ fn extra_pixel(master: u32, index: u32, local: u32) -> vec3f {
     return center + difference / 16.0 + unsampled_correction(pixel, mask);
 }
 
-// The sum of all sixteen samples of a pixel, in their order.
+// Sum of all sixteen samples of a pixel, in sampling order.
 fn extra_sum(local: u32) -> vec3f {
     var sum = vec3f(0.0);
     for (var i = 0u; i < 16u; i += 4u) {
@@ -68,7 +70,7 @@ fn extra_sum(local: u32) -> vec3f {
     return sum;
 }
 
-// Where the i-th of sixteen samples is: they lie quarter by quarter.
+// Index in the workgroup of the i-th of sixteen samples; they are stored quarter by quarter.
 fn extra_place(i: u32) -> u32 {
     let stratum = sample_order_stratum(i);
     return 4u * (stratum.x / 2u + 2u * (stratum.y / 2u)) + stratum.x % 2u + 2u * (stratum.y % 2u);

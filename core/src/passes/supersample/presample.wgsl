@@ -1,4 +1,5 @@
-// Presampler (Jin 2009, 4.1.2, 4.3.1): a ray through each pixel's centre, its colour and what the test compares.
+// Presampler (Jin 2009, 4.1.2, 4.3.1): traces a ray through each pixel's centre and stores its colour and
+// compared attributes.
 
 @compute @workgroup_size(64)
 fn main(

@@ -1,6 +1,6 @@
-// ActSubPixDetector (Jin 2009, 4.1.3, 4.2.2, 4.3.2): which quarters of the pixels get extra samples, packed in the order of
-// a curve through the tile. Deviations: a thread tests the four subpixels, so that neighbours are read once; of
-// the space in the list exactly what is needed is reserved, whatever was reserved before.
+// ActSubPixDetector (Jin 2009, 4.1.3, 4.2.2, 4.3.2): lists the quarters of pixels that get extra samples, in the
+// order of a curve through the tile. Deviations: a thread tests all four subpixels, so that neighbours are read
+// once; and a tile reserves exactly the list entries that it needs.
 
 var<workgroup> test_masks: array<u32, 64>;
 var<workgroup> test_lengths: array<u32, ACTIVE_RUN>;
@@ -52,13 +52,13 @@ fn main(
     }
 }
 
-// The first place from this one on where so many entries are in one run.
+// The first index from `place` on where `count` entries fit into one run.
 fn test_fitting(place: u32, count: u32) -> u32 {
     let over = place % ACTIVE_RUN + count > ACTIVE_RUN;
     return select(place, (place / ACTIVE_RUN + 1u) * ACTIVE_RUN, over);
 }
 
-// Where the entries of the tile begin: how many places they take depends on it.
+// Reserves list entries for the tile and returns the first. The number depends on where they begin.
 fn test_reserve() -> u32 {
     var place = atomicLoad(&list.count);
     loop {

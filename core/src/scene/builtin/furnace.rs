@@ -1,4 +1,4 @@
-//! The furnace: light of radiance 1 from everywhere, and surfaces that lose none of it. Every pixel is 1.
+//! The furnace test: radiance 1 from all directions and surfaces that absorb nothing, so that every pixel is 1.
 
 use glam::{Vec2, Vec3, vec3};
 
@@ -13,7 +13,7 @@ pub(super) fn scene() -> Option<Scene> {
     let white = b.material("white", Material { weights: weights(1.0, 0.0), ..plain.clone() });
     let mirror = b.material("mirror", Material { weights: weights(0.0, 1.0), ..plain.clone() });
     let metal = b.material("metal", Material { metallic: 1.0, ..plain.clone() });
-    // A quarter of roughness: half of the reflection is traced, half is ambient light.
+    // At roughness 0.25 half of the reflection is traced and half is ambient light.
     let satin = b.material("satin metal", Material { metallic: 1.0, roughness: 0.25, ..plain.clone() });
     let clear = Material { transmission: 1.0, casts_shadow: false, ..plain.clone() };
     let glass = b.material("glass", clear.clone());

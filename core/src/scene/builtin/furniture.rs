@@ -1,4 +1,4 @@
-//! What stands and hangs in the room. Every piece is built around its foot at the origin of the builder's place.
+//! The furniture of the room. Every piece is built around its foot at the origin of the builder's transform.
 
 use std::f32::consts::{PI, TAU};
 
@@ -46,7 +46,8 @@ pub(super) fn table(b: &mut Builder, wood: u32) {
     }
 }
 
-/// A lamp with its bulb at the origin, hung on a cord and three wires from `ceiling` metres above.
+/// A lamp with its bulb at the origin, which hangs from a ceiling `ceiling` metres above on a cord and three
+/// wires.
 pub(super) fn pendant(b: &mut Builder, ceiling: f32, shade: u32, wire: u32, bulb: u32) {
     b.object("pendant lamp, shade", shade);
     let outside =
@@ -103,7 +104,7 @@ pub(super) fn plant(b: &mut Builder, clay: u32, soil: u32, stem: u32, leaf: u32)
         let foot = foot(*out, *height);
         let side = Vec3::Y.cross(*out);
         b.surface([1, 6], Vec2::ONE, |s, t| {
-            // An arc of a circle that starts steeply and bends outwards.
+            // A circular arc that starts steeply and bends outwards.
             let angle = 1.15 - 2.0 * bend * t;
             let mean = 1.15 - bend * t;
             let along = *out * cosf(mean) + Vec3::Y * sinf(mean);
@@ -144,7 +145,7 @@ pub(super) fn sideboard(b: &mut Builder, wood: u32, metal: u32, books: &[u32]) {
     b.place = place;
 }
 
-/// A picture or mirror of that size, its middle at the origin, in a frame, seen from +z.
+/// A painting or mirror of `size` with its centre at the origin, in a frame, facing +z.
 pub(super) fn framed(b: &mut Builder, name: &str, size: Vec2, frame: u32, face: u32) {
     let h = 0.5 * size;
     b.object(name, face);
@@ -157,7 +158,7 @@ pub(super) fn framed(b: &mut Builder, name: &str, size: Vec2, frame: u32, face: 
     b.cuboid(vec3(h.x, -h.y, 0.0), vec3(h.x + w, h.y, 0.03), 2.0);
 }
 
-/// A curtain in folds from the floor to `height`, along +x from the origin, seen from +z.
+/// A pleated curtain from the floor to `height`, along +x from the origin, facing +z.
 pub(super) fn curtain(b: &mut Builder, name: &str, cloth: u32, width: f32, height: f32) {
     b.object(name, cloth);
     let folds = (width / 0.09).round();

@@ -1,7 +1,8 @@
-//! The five spheres of Heckbert's "minray" (the shortest ray tracer of the 1987 contest, recursion level 3),
-//! in that program's own axes: x right, y forward, z up.
+//! The five spheres of Heckbert's "minray" (the shortest ray tracer of the 1987 contest, recursion level 3), in
+//! that program's axes: x right, y forward, z up.
 //!
-//! It shades with radiance = colour x kd x light x cos; ours divides by pi, so its lights are pi times as strong.
+//! minray shades with radiance = colour x kd x light x cos; this renderer divides by pi, so lights are pi times
+//! as strong.
 
 use std::f32::consts::PI;
 
@@ -16,7 +17,7 @@ struct Ball {
     center: [f32; 3],
     color: [f32; 3],
     radius: f32,
-    /// Local, mirrored, transmitted and emitted share.
+    /// Weights of the local, mirrored, transmitted and emitted light.
     k: [f32; 4],
     ior: f32,
 }
@@ -61,8 +62,8 @@ pub(super) fn scene() -> Scene {
     b.finish()
 }
 
-/// For 32 x 32 pixels: pixel (i, j) looks along (i - 16, 16 / tan 12.5 deg, 16 - j), the ray through its corner,
-/// so the lens is shifted by half a pixel.
+/// For 32 x 32 pixels: minray's pixel (i, j) looks along (i - 16, 16 / tan 12.5 deg, 16 - j), through the pixel's
+/// corner, so the lens is shifted by half a pixel.
 fn camera() -> Camera {
     let tan = tan(12.5_f64.to_radians()) as f32;
     let half_pixel = tan / 32.0;

@@ -1,4 +1,4 @@
-//! The room: 4.8 m x 5.2 m and 2.7 m high, furnished, in the light of the sun and of three lamps.
+//! The room: 4.8 m x 5.2 m and 2.7 m high, furnished, lit by the sun and three lamps.
 
 use std::f32::consts::FRAC_PI_2;
 
@@ -9,12 +9,12 @@ use super::{furniture, textures};
 use crate::scene::camera::Camera;
 use crate::scene::{Environment, Light, LightKind, Material, Scene};
 
-/// The corner of the room's box with the least coordinates, in metres.
+/// The corners of the room's box with the least and the greatest coordinates, in metres.
 const LOW: Vec3 = vec3(-2.4, 0.0, -2.6);
 const HIGH: Vec3 = vec3(2.4, 2.7, 2.6);
-/// The window in the wall at x = -2.4: (z, y) of its corners.
+/// Two corners of the window in the wall at x = -2.4, as (z, y) in metres.
 const WINDOW: [Vec2; 2] = [vec2(-1.45, 0.85), vec2(0.25, 2.25)];
-/// The middle of the table on the floor, and its height.
+/// Position of the table's centre on the floor (x, z) and the height of its top (y), in metres.
 const TABLE: Vec3 = vec3(-0.15, 0.75, -0.75);
 /// The centre of the pendant lamp's bulb, in metres.
 const PENDANT: Vec3 = vec3(-0.15, 1.72, -0.75);
@@ -44,7 +44,7 @@ pub(super) fn scene() -> Option<Scene> {
     Some(b.finish())
 }
 
-/// Floor, ceiling and walls; the wall of the window follows with the window.
+/// Floor, ceiling and walls; the wall with the window is built in [`window`].
 fn shell(b: &mut Builder) {
     let size = HIGH - LOW;
     let (x, y, z) = (Vec3::X * size.x, Vec3::Y * size.y, Vec3::Z * size.z);
@@ -92,7 +92,7 @@ fn window(b: &mut Builder) {
     wall(low.x, high.x, 0.0, low.y);
     wall(low.x, high.x, high.y, HIGH.y);
 
-    // The reveal is a quarter of a metre deep.
+    // The reveal is 0.25 m deep.
     let (x0, x1, t) = (LOW.x - 0.25, LOW.x + 0.01, 0.03);
     b.object("window reveal", paint);
     b.cuboid(vec3(x0, low.y - t, low.x - t), vec3(x1 + 0.08, low.y, high.x + t), 1.0);

@@ -1,4 +1,4 @@
-//! A scene under construction, and the shapes it is made of.
+//! A builder for scenes, and the shapes that they are built from.
 
 use std::f32::consts::TAU;
 
@@ -7,11 +7,11 @@ use libm::sincosf;
 
 use crate::scene::{Image8, Material, Scene, Texture, Wrap, octahedral_encode};
 
-/// Adds shapes to a scene; they belong to the object that was begun last.
+/// Adds shapes to a scene, as parts of the object that was added last.
 #[derive(Default)]
 pub(super) struct Builder {
     pub scene: Scene,
-    /// Where shapes are placed: rotations and translations.
+    /// Transform of added shapes: a rotation and a translation.
     pub place: Affine3A,
 }
 
@@ -33,12 +33,13 @@ impl Builder {
         Some((self.scene.textures.len() - 1) as u32)
     }
 
-    /// An analytic sphere as an object of its own.
+    /// Adds an analytic sphere as an object of its own.
     pub fn sphere(&mut self, name: impl Into<String>, material: u32, center: Vec3, radius: f32) {
         self.scene.add_sphere(name, material, self.place.transform_point3(center), radius);
     }
 
-    /// One triangle, counter-clockwise; without normals, or where they turn away from the face, it is flat.
+    /// Adds a triangle, counter-clockwise. It is flat without normals, or if these face away from the triangle's
+    /// front.
     pub fn triangle(&mut self, corners: [Vec3; 3], normals: Option<[Vec3; 3]>, uv: [Vec2; 3]) {
         let corners = corners.map(|p| self.place.transform_point3(p));
         let [a, b, c] = corners.map(|p| p.as_dvec3());
@@ -59,7 +60,8 @@ impl Builder {
         self.scene.triangle_objects.push((self.scene.objects.len() - 1) as u32);
     }
 
-    /// A parallelogram that faces `u x v`; `repeats` of the texture along u and v, whose rows run against v.
+    /// Adds a parallelogram that faces `u x v`, with `repeats` of the texture along u and v; texture rows run
+    /// against v.
     pub fn quad(&mut self, corner: Vec3, u: Vec3, v: Vec3, repeats: Vec2) {
         let p = [corner, corner + u, corner + u + v, corner + v];
         let uv = [vec2(0.0, repeats.y), repeats, vec2(repeats.x, 0.0), Vec2::ZERO];
@@ -67,7 +69,7 @@ impl Builder {
         self.triangle([p[0], p[2], p[3]], None, [uv[0], uv[2], uv[3]]);
     }
 
-    /// An axis-aligned box; the texture repeats `density` times a unit of length.
+    /// Adds an axis-aligned box; the texture repeats `density` times per unit of length.
     pub fn cuboid(&mut self, low: Vec3, high: Vec3, density: f32) {
         let size = high - low;
         let (x, y, z) = (Vec3::X * size.x, Vec3::Y * size.y, Vec3::Z * size.z);
@@ -80,7 +82,8 @@ impl Builder {
         self.quad(low, x, z, vec2(d.x, d.z));
     }
 
-    /// A ball of `8 n^2` flat triangles: each face of an octahedron in `n^2` parts, their corners on the sphere.
+    /// Adds a ball of `8 n^2` flat triangles: each face of an octahedron in `n^2` parts, with their corners on
+    /// the sphere.
     pub fn ball(&mut self, center: Vec3, radius: f32, n: u32) {
         for octant in 0..8_u32 {
             let signs = Vec3::from_array([1, 2, 4].map(|bit| if octant & bit == 0 { 1.0 } else { -1.0 }));
@@ -100,8 +103,8 @@ impl Builder {
         }
     }
 
-    /// Points (i, j) of a grid joined to a smooth surface that faces the side from which i runs to the right
-    /// and j upwards; `point` gives position and normal.
+    /// Joins points (i, j) of a grid to a smooth surface that faces the side from which i runs to the right and j
+    /// upwards; `point` returns position and normal.
     pub fn surface(&mut self, size: [u32; 2], repeats: Vec2, point: impl Fn(f32, f32) -> (Vec3, Vec3)) {
         let [columns, rows] = size;
         let at = |i: u32, j: u32| {
@@ -120,8 +123,8 @@ impl Builder {
         }
     }
 
-    /// A profile (radius, height), from below upwards on the outside, turned around the vertical through
-    /// `base`; smoothed by a Catmull-Rom spline.
+    /// Adds a surface of revolution around the vertical through `base`. The profile of (radius, height) runs from
+    /// below upwards on the outside and is smoothed by a Catmull-Rom spline.
     pub fn lathe(&mut self, base: Vec3, profile: &[Vec2], segments: [u32; 2]) {
         let spans = (profile.len().saturating_sub(1)).max(1) as f32;
         let at = |k: i32| profile[k.clamp(0, profile.len() as i32 - 1) as usize];
@@ -145,7 +148,7 @@ impl Builder {
         });
     }
 
-    /// A ring around the axis `axis` (unit length).
+    /// Adds a torus around `axis`, a unit vector.
     pub fn torus(&mut self, center: Vec3, axis: Vec3, radii: [f32; 2], segments: [u32; 2]) {
         let (x, z) = frame(axis);
         self.surface(segments, vec2(8.0, 1.0), |s, t| {
@@ -155,7 +158,7 @@ impl Builder {
         });
     }
 
-    /// A round rod along a path, with closed ends.
+    /// Adds a round rod along a path, with closed ends.
     pub fn tube(&mut self, path: &[Vec3], radius: f32, sides: u32) {
         for leg in path.windows(2) {
             let along = (leg[1] - leg[0]).normalize_or_zero();
@@ -176,7 +179,7 @@ impl Builder {
         }
     }
 
-    /// The scene; texture coordinates are kept where a material reads them.
+    /// Returns the scene; texture coordinates are dropped unless a material has textures.
     pub fn finish(mut self) -> Scene {
         if self.scene.materials.iter().all(|m| m.textures().next().is_none()) {
             self.scene.texcoords.clear();
@@ -197,7 +200,7 @@ pub(super) fn turned(axis: Vec3, angle: f32) -> Affine3A {
     Affine3A::from_quat(Quat::from_vec4((sin * axis).extend(cos)))
 }
 
-/// The point of a unit circle from `x` over `z` that closes exactly at turn 1.
+/// The point of the unit circle from `x` towards `z` at `turn` revolutions; bitwise the same at 0 and 1.
 fn around(x: Vec3, z: Vec3, turn: f32) -> Vec3 {
     let (sin, cos) = if turn < 1.0 { sincosf(turn * TAU) } else { (0.0, 1.0) };
     x * cos + z * sin

@@ -1,4 +1,4 @@
-//! Built-in scenes keep to the invariants, and are what their descriptions say.
+//! Tests that built-in scenes are valid and match their descriptions.
 
 use std::f64::consts::PI;
 
@@ -84,7 +84,7 @@ fn the_furnace_is_uniform() {
     assert!(scene.lights.is_empty());
 }
 
-/// Every thing is an object of its own, is in the frame, and nothing is thinner than a pixel.
+/// Every thing is an object of its own inside the frame, and none is thinner than a pixel.
 #[test]
 fn wires_are_two_thousand_plain_things() {
     let scene = builtin("wires").expect("wires");
@@ -97,7 +97,7 @@ fn wires_are_two_thousand_plain_things() {
     let project = |p: Vec3| {
         let offset = p - camera.origin;
         let depth = offset.dot(camera.forward);
-        // Pixels of 1440 rows from the middle.
+        // Position in pixels of a frame of 1440 rows, from the centre.
         vec2(offset.dot(right), offset.dot(camera.up / height)) / depth / height * 720.0
     };
     let mut points = vec![Vec::new(); scene.objects.len()];
@@ -108,7 +108,7 @@ fn wires_are_two_thousand_plain_things() {
     for (object, points) in scene.objects.iter().zip(&points).skip(2) {
         let inside = points.iter().any(|p| p.x.abs() < 1280.0 && p.y.abs() < 720.0);
         assert!(inside, "{} is out of the frame", object.name);
-        // The width across the narrowest of many directions.
+        // The least width over many directions.
         let width = (0..180).map(|i| Vec2::from_angle(i as f32 / 180.0 * PI as f32)).map(|across| {
             let along = points.iter().map(|p| p.dot(across));
             along.clone().fold(f32::MIN, f32::max) - along.fold(f32::MAX, f32::min)

@@ -1,4 +1,4 @@
-//! Textures from formulas: sRGB colour and alpha.
+//! Procedural textures of sRGB colour and alpha.
 
 use std::f32::consts::PI;
 
@@ -10,7 +10,7 @@ use crate::scene::Image8;
 /// Side of the square images, in texels.
 const SIZE: u32 = 512;
 
-/// An image of `color(x, y)` with x to the right and y down in [0, 1).
+/// Evaluates `color(x, y)` at every texel; x runs to the right and y down, both in [0, 1).
 fn paint(color: impl Fn(Vec2) -> (Vec3, f32)) -> Image8 {
     let mut rgba = Vec::with_capacity((SIZE * SIZE * 4) as usize);
     for j in 0..SIZE {
@@ -23,7 +23,7 @@ fn paint(color: impl Fn(Vec2) -> (Vec3, f32)) -> Image8 {
     Image8 { width: SIZE, height: SIZE, rgba }
 }
 
-/// A number in [0, 1) for a lattice point (the PCG hash of Jarzynski and Olano 2020).
+/// A pseudo-random number in [0, 1) for a lattice point (the PCG hash of Jarzynski & Olano 2020).
 pub(super) fn hash(x: i32, y: i32) -> f32 {
     let mut v = (x as u32).wrapping_mul(0x9e37_79b1) ^ (y as u32).wrapping_mul(0x85eb_ca77);
     v = v.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
@@ -54,7 +54,7 @@ fn fractal(p: Vec2, cells: Vec2) -> f32 {
         / 0.9375
 }
 
-/// 1 inside an edge of `width` around zero, 0 outside.
+/// A smooth line: 1 at distance 0, falling to 0 at a distance of `width`.
 fn line(distance: f32, width: f32) -> f32 {
     1.0 - (distance.abs() / width).clamp(0.0, 1.0).powi(4)
 }

@@ -1,7 +1,7 @@
-//! Two thousand wires, rods and balls in front of a plain wall, each an object of its own: from clearly visible down to
-//! one pixel wide where the frame has [`ROWS`] rows. It shows which objects undersampling loses.
+//! Two thousand wires, rods and balls in front of a plain wall, each an object of its own, from clearly visible
+//! down to one pixel wide in a frame of [`ROWS`] rows. It shows which objects undersampling misses.
 //!
-//! It is also the plainest scene there is: triangles, flat and matte, in the light of one lamp.
+//! It also needs the fewest features of all scenes: flat, matte triangles and one light.
 
 use std::f32::consts::TAU;
 
@@ -15,7 +15,7 @@ use crate::scene::{Environment, Light, LightKind, Material, Scene};
 
 /// Rows of the frame in which the thinnest things are one pixel wide.
 const ROWS: f32 = 1440.0;
-/// Things stand in the cells of a grid over a frame of this shape, so that few hide each other.
+/// Things lie in the cells of a grid over a frame of this shape, so that few hide each other.
 const CELLS: [i32; 2] = [60, 34];
 const ASPECT: f32 = 16.0 / 9.0;
 const THINGS: i32 = 2000;
@@ -23,10 +23,10 @@ const FIELD_OF_VIEW: f32 = 0.7;
 const EYE: Vec3 = vec3(0.0, 1.6, 6.0);
 /// Distance of the wall from the camera, in metres.
 const WALL: f32 = 10.0;
-/// Widths in pixels of [`ROWS`]; half of the things are thinner than the geometric mean.
+/// Widths in pixels of a frame of [`ROWS`] rows; half of the things are thinner than the geometric mean.
 const WIRE_WIDTHS: [f32; 2] = [1.0, 2.5];
 const ROD_WIDTHS: [f32; 2] = [1.0, 14.0];
-/// Balls are polyhedra, whose outline lies up to a tenth inside of the sphere's.
+/// Balls are polyhedra, whose outline lies up to a tenth of the radius inside the sphere's.
 const BALL_WIDTHS: [f32; 2] = [1.1, 24.0];
 
 pub(super) fn scene() -> Option<Scene> {
@@ -65,7 +65,7 @@ pub(super) fn scene() -> Option<Scene> {
     Some(b.finish())
 }
 
-/// The thing of that index: its kind, place, direction, size and colour are drawn from the index alone.
+/// Adds the thing with this index; kind, place, direction, size and colour are hashes of the index.
 fn thing(b: &mut Builder, index: i32, paints: &[u32]) {
     let draw = |what: i32| hash(index, what);
     let paint = paints[(draw(0) * paints.len() as f32) as usize % paints.len()];
@@ -73,12 +73,12 @@ fn thing(b: &mut Builder, index: i32, paints: &[u32]) {
     let cell = [index % CELLS[0], index / CELLS[0]];
     let place = |axis: usize| 2.0 * (cell[axis] as f32 + draw(1 + axis as i32)) / CELLS[axis] as f32 - 1.0;
     let forward = vec3(place(0) * ASPECT * tangent, place(1) * tangent, -1.0);
-    // Between the eye and what is behind: the wall, or the floor.
+    // Depth between the eye and what is behind: the wall or the floor.
     let floor = if forward.y < 0.0 { EYE.y / -forward.y } else { WALL };
     let depth = WALL.min(floor) * (0.6 + 0.35 * draw(3));
     let center = EYE + depth * forward;
     let pixel = 2.0 * tangent * depth / ROWS;
-    // As many thin things as thick ones.
+    // Log-uniform: as many thin things as thick ones.
     let between = |[low, high]: [f32; 2]| low * powf(high / low, draw(4));
     let direction = {
         let (height, turn) = (2.0 * draw(5) - 1.0, TAU * draw(6));
@@ -99,7 +99,7 @@ fn thing(b: &mut Builder, index: i32, paints: &[u32]) {
     }
 }
 
-/// A box of square section along `along`, its middle at `center`.
+/// A bar of square section along `along`, with its centre at `center`.
 fn bar(b: &mut Builder, center: Vec3, along: Vec3, width: f32) {
     let length = along.length();
     let turn = Quat::from_rotation_arc(Vec3::Y, along / length);

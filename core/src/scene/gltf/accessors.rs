@@ -1,4 +1,5 @@
-//! Typed, bounds-checked reading of accessors (glTF 2.0, section 3.6.2): strides, sparse values, normalised integers.
+//! Bounds-checked reading of typed accessors (glTF 2.0, section 3.6.2): strides, sparse values, normalised
+//! integers.
 
 use std::cell::Cell;
 use std::cmp::Ordering;
@@ -10,34 +11,34 @@ use json::validation::Checked;
 use super::container;
 use crate::{Error, Result};
 
-/// The most elements of an accessor that stores nothing but its sparse values: no bytes of the file bound it.
+/// The most elements of an accessor without a buffer view, whose size the file's bytes do not bound.
 const MAX_SPARSE_ONLY: u64 = 1 << 20;
 
-/// The most sparse values of all accessors that are opened: many accessors can name the same bytes, and each
-/// value is looked at when its accessor is opened.
+/// The most sparse values of all opened accessors together: many accessors may name the same bytes, and every
+/// value is checked when its accessor is opened.
 const MAX_SPARSE: u64 = 1 << 26;
 
-/// An accessor whose every element lies inside the file's bytes.
+/// An accessor whose elements were all checked to lie inside the file's bytes.
 pub(super) struct Accessor<'b> {
     /// Number of elements.
     pub count: usize,
-    /// Number of components of an element, 1 to 16.
+    /// Number of components per element, 1 to 16.
     pub components: usize,
     component: ComponentType,
     normalized: bool,
-    /// First element to end; empty where the accessor is zero but for its sparse values.
+    /// Bytes from the first element on; empty for an accessor of zeros with sparse values.
     bytes: &'b [u8],
     stride: usize,
     sparse: Option<Sparse<'b>>,
 }
 
-/// Values that replace those of some elements, kept as the file has them.
+/// Sparse values that replace those of some elements, in the file's encoding.
 struct Sparse<'b> {
-    /// Element numbers, strictly ascending.
+    /// Indices of the replaced elements, strictly ascending.
     indices: &'b [u8],
-    /// Bytes of one index.
+    /// Bytes per index.
     index_size: usize,
-    /// One value for each index, tightly packed.
+    /// The values in the order of the indices, tightly packed.
     values: &'b [u8],
 }
 
@@ -53,7 +54,7 @@ impl<'b> Source<'b> {
         Self { root, buffers, sparse_opened: Cell::new(0) }
     }
 
-    /// The accessor of that index; `what` names its use in errors, `shapes` says what may be there.
+    /// Opens and checks an accessor. `what` names its use in error messages; `shapes` are the allowed types.
     pub fn accessor(&self, index: usize, what: &str, shapes: &[Type]) -> Result<Accessor<'b>> {
         let fail = |reason: String| Error::scene(format!("{what} (accessor {index})"), reason);
         let accessors = &self.root.accessors;
@@ -142,7 +143,7 @@ impl<'b> Source<'b> {
 }
 
 impl Sparse<'_> {
-    /// The value of an element of that many bytes, where there is one.
+    /// The sparse value of an element of `size` bytes; `None` if it is not replaced.
     fn value(&self, element: usize, size: usize) -> Option<&[u8]> {
         let at = |i: usize| unsigned(&self.indices[i * self.index_size..][..self.index_size]) as usize;
         let (mut low, mut high) = (0, self.indices.len() / self.index_size);
@@ -187,14 +188,14 @@ fn unsigned(bytes: &[u8]) -> u32 {
 }
 
 impl Accessor<'_> {
-    /// The bytes of an element, `None` where it is zero; `index` is below `count`.
+    /// The bytes of an element; `None` if it is zero. `index` must be below `count`.
     fn element(&self, index: usize) -> Option<&[u8]> {
         let size = self.component.size() * self.components;
         let replaced = self.sparse.as_ref().and_then(|sparse| sparse.value(index, size));
         replaced.or_else(|| self.bytes.get(index * self.stride..index * self.stride + size))
     }
 
-    /// An element as floats (glTF 2.0, section 3.6.2.2); components that are not there are zero.
+    /// An element converted to floats (glTF 2.0, section 3.6.2.2); missing components are zero.
     pub fn floats<const N: usize>(&self, index: usize) -> [f32; N] {
         let mut values = [0.0; N];
         let Some(bytes) = self.element(index) else { return values };
@@ -218,7 +219,7 @@ impl Accessor<'_> {
         matches!(self.component, ComponentType::U8 | ComponentType::U16 | ComponentType::U32)
     }
 
-    /// An element of a scalar accessor of unsigned integers.
+    /// An element of a scalar accessor as an unsigned integer.
     pub fn index(&self, index: usize) -> u32 {
         self.element(index).map_or(0, unsigned)
     }

@@ -1,4 +1,4 @@
-//! The bytes behind a file: the chunks of a `.glb`, buffers, data URIs and external URIs.
+//! Reads the bytes of a file: the chunks of a `.glb`, buffers, data URIs and external URIs.
 
 use std::collections::HashMap;
 
@@ -7,10 +7,11 @@ use gltf::json;
 
 use crate::{Error, Result};
 
-/// The most bytes of all data URIs and external files together: what a `.glb`, whose lengths have 32 bits, holds.
+/// The most bytes of all data URIs and external files together: as many as a `.glb` with its 32-bit lengths can
+/// hold.
 const MAX_FETCHED: u64 = 1 << 32;
 
-/// Gives the bytes of an external URI, or says why it cannot.
+/// Returns the bytes of an external URI, or why there are none.
 pub(super) type Resolve<'r> = dyn FnMut(&str) -> std::result::Result<Vec<u8>, String> + 'r;
 
 /// The JSON text and the binary chunk of a file.
@@ -19,7 +20,7 @@ pub(super) struct Chunks<'a> {
     pub binary: Option<&'a [u8]>,
 }
 
-/// Splits a `.glb`; anything else is taken as the JSON text of a `.gltf`.
+/// Splits a `.glb` into chunks; any other file is taken as the JSON text of a `.gltf`.
 pub(super) fn chunks(bytes: &[u8]) -> Result<Chunks<'_>> {
     if !bytes.starts_with(b"glTF") {
         return Ok(Chunks { json: bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes), binary: None });
@@ -59,7 +60,7 @@ fn truncated(wanted: String, length: usize) -> Error {
     Error::scene(".glb file", format!("it is truncated: expected {wanted}, found {length} bytes in all"))
 }
 
-/// Reads what URIs name, as long as all of it together stays below a limit.
+/// Fetches URIs within a limit on their total size.
 pub(super) struct External<'r> {
     resolve: &'r mut Resolve<'r>,
     fetched: u64,
@@ -70,7 +71,8 @@ impl<'r> External<'r> {
         Self { resolve, fetched: 0 }
     }
 
-    /// The bytes of a URI: decoded if it is a data URI, else asked for under its percent-decoded name.
+    /// The bytes of a URI: decoded if it is a data URI, else requested from the caller by its percent-decoded
+    /// name.
     pub fn fetch(&mut self, uri: &str, what: &str) -> Result<Vec<u8>> {
         let bytes = match uri.strip_prefix("data:") {
             Some(data) => decoded(data, what)?,
@@ -93,7 +95,7 @@ impl<'r> External<'r> {
     }
 }
 
-/// What buffers name, each URI once: a small file can name a large one a million times.
+/// Fetches the URI of every buffer once, since a small file can name a large one a million times.
 pub(super) fn fetched<'r>(
     root: &'r json::Root,
     external: &mut External<'_>,
@@ -107,7 +109,7 @@ pub(super) fn fetched<'r>(
     Ok(all)
 }
 
-/// The bytes of every buffer, as long as the file says (longer ones are cut: chunks are padded).
+/// The bytes of every buffer, cut to the length that the file declares, since chunks are padded.
 pub(super) fn buffers<'b>(
     root: &json::Root,
     binary: Option<&'b [u8]>,
@@ -130,7 +132,7 @@ pub(super) fn buffers<'b>(
     root.buffers.iter().enumerate().map(bytes).collect()
 }
 
-/// The bytes of a buffer view, checked against its buffer's length.
+/// The bytes of a buffer view, checked against the buffer's length.
 pub(super) fn view<'b>(root: &json::Root, buffers: &[&'b [u8]], index: usize) -> Result<&'b [u8]> {
     let what = || format!("buffer view {index}");
     let view = root.buffer_views.get(index).ok_or_else(|| {
@@ -156,7 +158,7 @@ pub(super) fn view<'b>(root: &json::Root, buffers: &[&'b [u8]], index: usize) ->
     })
 }
 
-/// The bytes of a data URI (RFC 2397) behind its scheme.
+/// Decodes a data URI (RFC 2397) without its scheme.
 fn decoded(data: &str, what: &str) -> Result<Vec<u8>> {
     let (header, payload) = data
         .split_once(',')
@@ -164,7 +166,7 @@ fn decoded(data: &str, what: &str) -> Result<Vec<u8>> {
     if !header.ends_with(";base64") {
         return Err(Error::scene(what, format!("expected a base64 data URI, found `data:{header:.40}`")));
     }
-    // Padding is optional in the wild.
+    // Files in use often leave out the padding.
     let engine = base64::engine::GeneralPurpose::new(
         &base64::alphabet::STANDARD,
         base64::engine::general_purpose::PAD

@@ -1,4 +1,4 @@
-//! Textures and their images: decoded when a material that is used shows them, once for each source.
+//! Textures and images; an image is decoded once, when a used material needs it.
 
 use std::collections::HashMap;
 use std::io::Cursor;
@@ -13,17 +13,18 @@ use super::container::{self, External};
 use crate::scene::{Image8, Texture, Wrap};
 use crate::{Error, Result};
 
-/// The largest width and height: of what WebGPU devices offer.
+/// The largest width and height, from the limits of common WebGPU devices.
 const MAX_SIDE: u32 = 16_384;
 
-/// The most texels of all images of a scene: 4 GiB as they are stored.
+/// The most texels of all images of a scene: 4 GiB when decoded.
 pub(super) const MAX_TEXELS: u64 = 1 << 30;
 
-/// The most texels that a byte of an image file can stand for. Deflate makes at most 1032 bytes of one (RFC 1951:
-/// 258 for two bits), and a PNG has at most 8 texels in a byte; a JPEG spends at least a bit on 8 x 8 of them.
+/// The most texels per byte of an image file. Deflate expands a byte to at most 1032 (RFC 1951: 258 for two
+/// bits), and a byte of PNG data holds at most 8 texels; JPEG needs at least a bit for 8 x 8 texels.
 const TEXELS_PER_BYTE: u64 = 8 * 1032;
 
-/// What a decoder may take besides the image, for a row and for a colour profile, which can be a bomb of its own.
+/// Memory that a decoder may use besides the image, for a row and for a colour profile, whose size must be
+/// bounded too.
 const DECODER_BYTES: u64 = 4 << 20;
 
 #[derive(PartialEq, Eq, Hash)]
@@ -32,25 +33,25 @@ enum Origin {
     Uri(String),
 }
 
-/// The textures and images that were loaded so far, each of them once.
+/// The textures and images loaded so far.
 pub(super) struct Textures {
     pub textures: Vec<Texture>,
     pub images: Vec<Image8>,
-    /// Number of texels that may still be decoded before the scene is refused.
+    /// Number of texels that may still be decoded.
     room: u64,
     texture_of: HashMap<usize, Option<u32>>,
     image_of: HashMap<Origin, u32>,
 }
 
 impl Textures {
-    /// Nothing, with room for that many texels.
+    /// No textures yet, with a limit of `room` texels.
     pub fn new(room: u64) -> Self {
         let (textures, images) = (Vec::new(), Vec::new());
         Self { textures, images, room, texture_of: HashMap::new(), image_of: HashMap::new() }
     }
 
-    /// The index of the scene's texture for the file's texture; `None` where that has no image which this
-    /// program reads (its source is left to an extension).
+    /// The scene's texture for a texture of the file, loaded on first use; `None` if no supported image is its
+    /// source (some extensions define other sources).
     pub fn load(
         &mut self,
         source: &Source<'_>,
@@ -65,7 +66,7 @@ impl Textures {
         let json = root.textures.get(index).ok_or_else(|| {
             Error::scene(&what, format!("no such texture; the file has {}", root.textures.len()))
         })?;
-        // The crate's stand-in for a source that is not there.
+        // The `gltf` crate's placeholder for a missing source.
         let loaded = if json.source.value() == u32::MAX as usize {
             None
         } else {
@@ -104,8 +105,8 @@ impl Textures {
         Ok(place)
     }
 
-    /// An image as large as its header says, if its bytes can hold that much and the limits let it in: nothing of
-    /// that size is allocated before.
+    /// Decodes an image. Before it allocates, it checks the size in the header against the length of the data and
+    /// the limits.
     fn decode(&mut self, bytes: &[u8], what: &str) -> Result<Image8> {
         let fail = |reason: String| Error::scene(what, reason);
         if !cfg!(feature = "images") {
@@ -147,7 +148,7 @@ impl Textures {
     }
 }
 
-/// Whether the marker EOI stands behind the last SOS (ITU T.81, annex B): decoders fill in what is missing.
+/// Whether an EOI marker follows the last SOS (ITU T.81, annex B), as decoders fill in truncated data silently.
 fn jpeg_ends(bytes: &[u8]) -> bool {
     let last = |code: u8| bytes.windows(2).rposition(|marker| marker == [0xff, code]);
     last(0xd9).is_some_and(|end| last(0xda).is_none_or(|scan| scan < end))

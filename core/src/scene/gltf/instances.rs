@@ -1,4 +1,4 @@
-//! Every instance of every mesh into the scene's flat arrays.
+//! Adds all instances of all meshes to the scene's flat arrays.
 
 use glam::Vec2;
 
@@ -12,31 +12,31 @@ use super::text::{MAX_NAME, clipped};
 use crate::scene::Scene;
 use crate::{Error, Result};
 
-/// The most triangles, instances counted each, for a small file can name one mesh a million times: what a binding of
-/// 2 GiB holds, and no device offers more.
+/// The most triangles, counted for every instance, as a small file can name one mesh a million times: those of a
+/// 2 GiB binding, the largest that devices offer.
 const MAX_TRIANGLES: usize = (1 << 31) / size_of::<[f32; 9]>();
 
-/// The most objects, that is mesh primitives, instances counted each: every one has a name.
+/// The most objects (mesh primitives, counted for every instance), each of which has a name.
 const MAX_OBJECTS: usize = 1 << 22;
 
-/// How many objects one warning names.
+/// Number of objects that a warning names.
 const NAMED: usize = 4;
 
-/// A mesh of the file, opened at its first instance.
+/// A mesh, opened at its first instance.
 struct Opened<'b> {
     parts: Vec<Part<'b>>,
     triangles: usize,
 }
 
-/// A mesh primitive that can be drawn, with the triangles that every instance of it repeats.
+/// A mesh primitive with triangles, which every instance repeats.
 struct Part<'b> {
-    /// `mesh[primitive]`, as objects are named.
+    /// Name of the primitive in objects' names: `mesh[primitive]`.
     name: String,
     mesh: Mesh<'b>,
     material: Imported,
 }
 
-/// Opens meshes, and their materials with them.
+/// Opens meshes with their materials.
 struct Opener<'s, 'b, 'r> {
     source: &'s Source<'b>,
     external: &'s mut External<'r>,
@@ -68,8 +68,8 @@ impl<'b> Opener<'_, 'b, '_> {
     }
 }
 
-/// Adds what the nodes show, with its materials, textures and images. How much that is, is known and limited before
-/// the first triangle is stored.
+/// Adds the meshes of the nodes with their materials, textures and images. Checks the limits on triangles and
+/// objects before it stores the first triangle.
 pub(super) fn add<'b>(
     source: &Source<'b>,
     placed: &[Placed<'_>],
@@ -123,7 +123,7 @@ pub(super) fn add<'b>(
     Ok(())
 }
 
-/// Triangles without area, and objects that have no others.
+/// Counts triangles without area, and objects that have no others.
 #[derive(Default)]
 struct LeftOut {
     triangles: usize,

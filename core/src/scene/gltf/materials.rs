@@ -1,4 +1,4 @@
-//! glTF materials into [`Material`], once each and only those that are used.
+//! Converts glTF materials to [`Material`]s, each used one once.
 
 use std::collections::HashMap;
 
@@ -17,10 +17,10 @@ use super::text::{MAX_NAME, clipped};
 use crate::scene::{MAX_IOR, MAX_RADIANCE, Material};
 use crate::{Error, Result};
 
-/// Which texture coordinates a material reads, and how they are moved (KHR_texture_transform).
+/// The texture coordinates that a material reads, and their transform (KHR_texture_transform).
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Coordinates {
-    /// The n of the attribute TEXCOORD_n that the texture reads.
+    /// Index n of the attribute TEXCOORD_n.
     pub set: u32,
     offset: [f32; 2],
     rotation: f32,
@@ -40,8 +40,9 @@ impl Coordinates {
         }
     }
 
-    /// Offset, rotation and scale applied. Counter-clockwise is meant in the image, where v grows downwards:
-    /// the matrix that viewers use, not the listing of the extension's text (KhronosGroup/glTF issue 1563).
+    /// Applies offset, rotation and scale. Rotation is counter-clockwise in the image, where v grows downwards:
+    /// this is the matrix that viewers use, not the listing in the extension's text (KhronosGroup/glTF issue
+    /// 1563).
     pub fn transform(&self, uv: [f32; 2]) -> Vec2 {
         let (sin, cos) = f64::from(self.rotation).sin_cos();
         let rotation = DMat2::from_cols_array(&[cos, -sin, sin, cos]);
@@ -51,14 +52,14 @@ impl Coordinates {
     }
 }
 
-/// An imported material: its index in the scene and what its textures read.
+/// An imported material: its index in the scene and the texture coordinates that it reads.
 #[derive(Clone, Copy)]
 pub(super) struct Imported {
     pub index: u32,
     pub coordinates: Option<Coordinates>,
 }
 
-/// The materials that are used so far.
+/// The materials imported so far.
 #[derive(Default)]
 pub(super) struct Materials {
     pub materials: Vec<Material>,
@@ -66,7 +67,7 @@ pub(super) struct Materials {
 }
 
 impl Materials {
-    /// The scene's material for the file's; `None` is glTF's default material.
+    /// The scene's material for a material of the file, imported on first use; `None` is glTF's default material.
     pub fn load(
         &mut self,
         source: &Source<'_>,
@@ -105,7 +106,7 @@ impl Materials {
     }
 }
 
-/// Reads all factors of a material; textures are read apart.
+/// Reads the factors of a material, without its textures.
 fn factors(json: &json::Material, what: &str, warnings: &mut Vec<String>) -> Result<Material> {
     let mut numbers = Numbers { what, warnings };
     let pbr = &json.pbr_metallic_roughness;
@@ -169,7 +170,7 @@ fn emission(json: &json::Material, numbers: &mut Numbers<'_>) -> Result<Vec3> {
     Ok(emitted.into())
 }
 
-/// KHR_materials_ior allows 0 besides 1 and more: everything is reflected, which the largest index comes close to.
+/// KHR_materials_ior allows 0 besides values from 1 on: total reflection, approximated by the largest index.
 fn index_of_refraction(ior: f32, numbers: &Numbers<'_>) -> Result<f32> {
     match ior {
         0.0 => Ok(MAX_IOR),
@@ -196,7 +197,8 @@ fn alpha_cutoff(json: &json::Material, numbers: &mut Numbers<'_>) -> Result<Opti
     }
 }
 
-/// The textures: the first slot that has one decides on the coordinates, slots that differ are dropped.
+/// Reads the textures of a material. The first slot with a texture determines the texture coordinates; slots with
+/// others are dropped, with a warning.
 fn slots(
     json: &json::Material,
     what: &str,

@@ -1,4 +1,4 @@
-//! Mesh primitives into world-space triangles.
+//! Converts mesh primitives to world-space triangles.
 
 use glam::{DVec3, Vec2};
 use gltf::json;
@@ -16,21 +16,22 @@ use crate::{Error, Result};
 /// Opaque white as packed RGBA, 8 bits a channel: the colour of vertices without COLOR_0.
 const WHITE: u32 = u32::MAX;
 
-/// A primitive whose accessors lie inside the file's bytes.
+/// A mesh primitive whose accessors were checked to lie inside the file's bytes.
 pub(super) struct Mesh<'b> {
-    /// The primitive's place in the file for error messages: `mesh 3 primitive 0`.
+    /// Name of the primitive in error messages, such as `mesh 3 primitive 0`.
     pub what: String,
     mode: Mode,
     pub indices: Option<Accessor<'b>>,
     pub positions: Accessor<'b>,
     pub normals: Option<Accessor<'b>>,
     pub colors: Option<Accessor<'b>>,
-    /// Texture coordinates of the material's textures.
+    /// The texture coordinates that the material's textures read.
     pub texcoords: Option<(Coordinates, Accessor<'b>)>,
 }
 
 impl<'b> Mesh<'b> {
-    /// `None` and a warning where there is nothing to draw; `coordinates` are those that its material reads.
+    /// Opens a primitive with the texture coordinates that its material reads. `None`, with a warning, if it has
+    /// no triangles.
     pub fn open(
         source: &Source<'b>,
         primitive: &Primitive,
@@ -110,7 +111,7 @@ impl<'b> Mesh<'b> {
         }
     }
 
-    /// The vertices of triangle `i` (glTF 2.0, section 3.7.2.1).
+    /// Indices of the vertices of triangle `i` (glTF 2.0, section 3.7.2.1).
     fn corners(&self, i: usize) -> [usize; 3] {
         let order = match self.mode {
             Mode::TriangleStrip => [i, i + 1 + i % 2, i + 2 - i % 2],
@@ -123,7 +124,8 @@ impl<'b> Mesh<'b> {
         }
     }
 
-    /// Adds its triangles as one object, and returns how many had no area; without others there is no object.
+    /// Adds the triangles as one object and returns how many were left out for having no area. If none remain, no
+    /// object is added.
     pub fn add(
         &self,
         node: &Placed<'_>,

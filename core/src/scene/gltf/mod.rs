@@ -1,15 +1,15 @@
 //! Reads glTF 2.0 files into a [`Scene`].
 //!
-//! Not part of the shading model and therefore not read: normal and occlusion textures, `doubleSided` (every
-//! surface has two sides here), skins, morph targets and animations (nodes and meshes stand as they are stored),
-//! attenuation inside volumes; a camera's aspect ratio and depth range (the frame has its own, rays do not end).
-//! Lengths are in the file's unit, angles in radians, colours linear RGB.
+//! Ignored, as the shading model has no use for them: normal and occlusion textures, `doubleSided` (every surface
+//! has two sides here), skins, morph targets and animations (nodes and meshes keep their stored pose),
+//! attenuation inside volumes, and a camera's aspect ratio and depth range (the frame has its own, rays do not
+//! end). Lengths are in the file's unit, angles in radians, colours in linear RGB.
 //!
 //! # Untrusted files
 //!
-//! Files are untrusted. A file yields a scene that passes [`Scene::validate`] and has at least one triangle with an area,
-//! or an error of one short line that names the element; anything left out or read as something else is a warning.
-//! Coordinates and factors that f32 holds as subnormal numbers only are taken for zero, as GPUs may do.
+//! Files are untrusted. An import returns a scene that passes [`Scene::validate`] and has at least one triangle
+//! with an area, or a short error that names the element; whatever is left out or replaced is a warning.
+//! Coordinates and factors that are subnormal in f32 become zero, as they may on GPUs.
 //!
 //! The peak memory of an import, the result included, is at most
 //!
@@ -17,12 +17,12 @@
 //! 8 MiB + 1024 x bytes of JSON + 8 x bytes of all else + 256 x (triangles + objects) + 16 x texels
 //! ```
 //!
-//! All else is what a `.glb` holds besides its JSON, and what URIs name. The factor of JSON is that of `{},` in a list
-//! of materials: three bytes that become a struct, in a list that doubles when it is full.
+//! "All else" is the content of a `.glb` besides its JSON, and the content of URIs. The factor of JSON is that of
+//! `{},` in a list of materials: three bytes become a struct in a list that doubles its capacity when full.
 //!
-//! Triangles and objects (instances counted each) and texels are what a small file can ask for in any number: they are
-//! counted, and held against the limits of `instances.rs` and `images.rs`, before anything of their size is allocated.
-//! `tests/tests/memory.rs` measures it.
+//! A small file can define any number of triangles, objects (both counted for every instance) and texels. They
+//! are counted and checked against the limits of `instances.rs` and `images.rs` before memory of their size is
+//! allocated. `tests/tests/memory.rs` measures the peak.
 
 mod accessors;
 mod container;
@@ -112,7 +112,7 @@ fn import(bytes: &[u8], resolve: &mut Resolve<'_>) -> Result<Scene> {
 
 const NO_LIGHTS: &str = "the file has no lights: a directional one from behind the first camera is added";
 
-/// A scene that nothing lights gets a directional light from behind the first camera, above its left shoulder.
+/// Adds a directional light to a scene without any light: from behind the first camera, above its left shoulder.
 fn light_from_the_camera(scene: &mut Scene) {
     let lit = |m: &Material| m.unlit || m.emission != Vec3::ZERO;
     let Some((_, camera)) = scene.cameras.first().filter(|_| !scene.materials.iter().any(lit)) else {
@@ -125,8 +125,8 @@ fn light_from_the_camera(scene: &mut Scene) {
     scene.warnings.push(NO_LIGHTS.to_owned());
 }
 
-/// The radius of an imported light in units of the scene's longest side. Files put lights inside fixtures and
-/// flush with ceilings; the extension has no size for them.
+/// Radius of an imported light in units of the scene's longest side. Files place lights inside fixtures and flush
+/// with ceilings, and the extension defines no size.
 const FIXTURE: f32 = 0.01;
 
 fn parse(text: &[u8]) -> Result<json::Root> {
@@ -148,7 +148,7 @@ fn parse(text: &[u8]) -> Result<json::Root> {
     }
 }
 
-/// Nodes that are nobody's children: what a file without scenes shows.
+/// Nodes without a parent, which a file without scenes shows.
 fn orphans(root: &json::Root) -> Vec<json::Index<json::Node>> {
     let mut has_parent = vec![false; root.nodes.len()];
     for child in root.nodes.iter().flat_map(|n| n.children.iter().flatten()) {
@@ -159,7 +159,7 @@ fn orphans(root: &json::Root) -> Vec<json::Index<json::Node>> {
     (0..).zip(has_parent).filter(|(_, child)| !child).map(|(i, _)| json::Index::new(i)).collect()
 }
 
-/// `extras.background` and `extras.ambient` of the scene: linear RGB radiance.
+/// Reads `extras.background` and `extras.ambient` of the scene: radiance in linear RGB.
 fn environment(shown: &json::Scene) -> Result<Environment> {
     let Some(extras) = &shown.extras else { return Ok(Environment::default()) };
     let extras: serde_json::Value = serde_json::from_str(extras.get()).unwrap_or_default();

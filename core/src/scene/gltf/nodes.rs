@@ -1,4 +1,4 @@
-//! The node tree: where everything stands, and the cameras and lights that stand there.
+//! Reads the node tree: world transforms, cameras and lights.
 
 use glam::{DMat3, DMat4, DQuat, DVec3, DVec4, Mat4, Vec3};
 use gltf::json;
@@ -11,7 +11,7 @@ use crate::scene::camera::Camera;
 use crate::scene::{Light, LightKind, MAX_COORDINATE, MAX_LIGHTS, MAX_RADIANCE, MIN_RANGE, Scene};
 use crate::{Error, Result};
 
-/// Tolerance for rounding errors of exporters in the last row of a matrix, which is not read.
+/// Tolerance for the last row of a matrix, which exporters may round and which is not used.
 const AFFINE_TOLERANCE: f64 = 1.0e-4;
 
 /// A node of the default scene with its world transform.
@@ -22,7 +22,7 @@ pub(super) struct Placed<'a> {
 }
 
 impl Placed<'_> {
-    /// The node's name, or `nodeN` where it has none.
+    /// The node's name, or `nodeN` if it has none.
     pub fn name(&self) -> String {
         self.json
             .name
@@ -30,12 +30,12 @@ impl Placed<'_> {
             .map_or_else(|| format!("node{}", self.index), |name| clipped(name, MAX_NAME))
     }
 
-    /// Whether it turns left hands into right ones.
+    /// Whether the world transform mirrors, that is, changes handedness.
     pub fn mirrors(&self) -> bool {
         DMat3::from_mat4(self.world).determinant() < 0.0
     }
 
-    /// Its axes at unit length (zero where it has none) and its place.
+    /// The world transform with axes of unit length (zero axes stay zero).
     fn pose(&self) -> Mat4 {
         let unit = |axis: DVec4| axis.truncate().normalize_or_zero().extend(0.0);
         let w = &self.world;
@@ -43,7 +43,7 @@ impl Placed<'_> {
     }
 }
 
-/// Every node below `roots`, parents first.
+/// Collects all nodes below `roots`, parents before children.
 pub(super) fn placed<'a>(root: &'a json::Root, roots: &[json::Index<json::Node>]) -> Result<Vec<Placed<'a>>> {
     let mut all = Vec::new();
     let mut seen = vec![false; root.nodes.len()];
@@ -74,7 +74,7 @@ pub(super) fn placed<'a>(root: &'a json::Root, roots: &[json::Index<json::Node>]
     Ok(all)
 }
 
-/// A rotation of length zero gives NaN.
+/// The node's local transform; a rotation quaternion of length zero gives NaN.
 fn local(node: &json::Node) -> DMat4 {
     if let Some(matrix) = node.matrix {
         return DMat4::from_cols_array(&matrix.map(f64::from));
@@ -163,7 +163,7 @@ fn import_light(root: &json::Root, node: &Placed<'_>, index: usize) -> Result<Li
             let spot = json.spot.as_ref();
             let spot = spot.ok_or_else(|| fail("expected `spot` with its cone, found none".to_owned()))?;
             let (inner, outer) = (spot.inner_cone_angle, spot.outer_cone_angle);
-            // pi / 2 is often written with few digits.
+            // Files often round pi / 2 to a few digits.
             if !(0.0 <= inner && inner <= outer && 0.0 < outer && outer <= 1.571) {
                 return Err(fail(format!(
                     "expected cone angles 0 <= inner <= outer <= pi/2 radians, found {inner} and {outer}"

@@ -1,4 +1,4 @@
-//! Numbers of the file: finite, inside their range, and large enough that shaders do not take them for zero.
+//! Checks numbers of the file: they must be finite and in range; subnormal ones become zero.
 
 use std::ops::RangeInclusive;
 
@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 
 use crate::{Error, Result};
 
-/// WGSL lets a device take a subnormal number for zero, and many do; what stands in a scene must not depend on it.
+/// Replaces subnormal numbers by zero. WGSL allows devices to do the same, and the scene must not depend on it.
 pub(super) fn flushed(x: f32) -> f32 {
     if x.is_subnormal() { 0.0 } else { x }
 }
@@ -21,13 +21,13 @@ pub(super) fn flushed3(v: Vec3) -> Vec3 {
 
 /// Validates the numbers of one element of the file; errors name the element.
 pub(super) struct Numbers<'a> {
-    /// The element, for errors and warnings.
+    /// Name of the element in errors and warnings.
     pub what: &'a str,
     pub warnings: &'a mut Vec<String>,
 }
 
 impl Numbers<'_> {
-    /// The number; one outside its range is read as the nearest end, with a warning.
+    /// A finite number; one outside `range` is clamped, with a warning.
     pub fn within(&mut self, name: &str, value: f32, range: RangeInclusive<f32>) -> Result<f32> {
         if !value.is_finite() {
             return self.refused(name, "a finite number", value);
@@ -39,7 +39,7 @@ impl Numbers<'_> {
         Ok(flushed(nearest))
     }
 
-    /// Accepts a finite number from 0 to 1.
+    /// A finite number, clamped to 0 to 1 with a warning.
     pub fn share(&mut self, name: &str, value: f32) -> Result<f32> {
         self.within(name, value, 0.0..=1.0)
     }

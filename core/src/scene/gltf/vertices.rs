@@ -1,4 +1,4 @@
-//! Vertices of a primitive into world space.
+//! Transforms a primitive's vertices into world space.
 
 use std::ops::Range;
 
@@ -11,8 +11,8 @@ use super::normalized::flushed3;
 use crate::scene::{MAX_COORDINATE, octahedral_encode};
 use crate::{Error, Result};
 
-/// The vertices that triangles use. Files often share one large array among many primitives, so that the work must
-/// follow the triangles and not the array.
+/// The vertices that triangles use. Many primitives of a file often share one large array, so the work must be
+/// proportional to the triangles and not to the array.
 enum Used {
     /// All vertices of a contiguous range of indices.
     Range(Range<usize>),
@@ -52,7 +52,7 @@ impl Used {
         }
     }
 
-    /// The place of a vertex that is used.
+    /// Position of a used vertex among the used ones.
     fn place(&self, vertex: usize) -> usize {
         match self {
             Self::Range(range) => vertex - range.start,
@@ -61,11 +61,12 @@ impl Used {
     }
 }
 
-/// The vertices of a primitive that its triangles use, in world space.
+/// The used vertices of a primitive in world space.
 pub(super) struct Vertices {
     used: Used,
     pub positions: Vec<Vec3>,
-    /// `None` where the face's normal is to be taken; empty without normals, as the others are without theirs.
+    /// Encoded normals; `None` stands for the face normal. Empty if the primitive has none, like the other
+    /// attributes.
     pub normals: Vec<Option<u32>>,
     pub texcoords: Vec<Vec2>,
     pub colors: Vec<u32>,
@@ -95,7 +96,7 @@ impl Vertices {
         Ok(Self { used, positions, normals, texcoords, colors })
     }
 
-    /// Where a vertex of the primitive stands in the lists.
+    /// Position of a vertex of the primitive in the lists.
     pub fn place(&self, vertex: usize) -> usize {
         self.used.place(vertex)
     }
@@ -125,7 +126,8 @@ fn position(mesh: &Mesh<'_>, node: &Placed<'_>, i: usize) -> Result<Vec3> {
     Err(bad(mesh, format_args!("POSITION"), i, &found, expected))
 }
 
-/// The inverse transpose times the determinant, which exists for every matrix; only directions count.
+/// The cofactor matrix, which transforms normals: the inverse transpose times the determinant. It exists for
+/// every matrix, and only directions matter.
 fn cofactors(node: &Placed<'_>) -> DMat3 {
     let linear = DMat3::from_mat4(node.world);
     let [x, y, z] = [linear.x_axis, linear.y_axis, linear.z_axis];

@@ -5,10 +5,10 @@ use glam::{Mat3, Quat, Vec3, vec3};
 use super::*;
 use crate::scene::{Sphere, builtin};
 
-/// The longest side of every scene here: a sphere of that size stands in the way of nothing.
+/// Longest side of every test scene; a sphere of that diameter is part of it and much too thick to count.
 const LONGEST: f32 = 16.0;
 
-/// The eight corners' twelve triangles of a box, turned somehow.
+/// The twelve triangles of a box in an arbitrary orientation.
 fn cuboid(center: Vec3, size: Vec3) -> Vec<[Vec3; 3]> {
     let turn = Mat3::from_quat(Quat::from_euler(glam::EulerRot::XYZ, 0.3, 1.1, -0.7));
     let corner = |i: u32| {
@@ -19,14 +19,14 @@ fn cuboid(center: Vec3, size: Vec3) -> Vec<[Vec3; 3]> {
     faces.iter().flat_map(|f| [[f[0], f[1], f[2]], [f[0], f[2], f[3]]]).map(|t| t.map(corner)).collect()
 }
 
-/// The triangles, as one object, in a scene [`LONGEST`] long.
+/// Thickness statistics of the triangles as one object, in a scene of size [`LONGEST`].
 fn thinness(triangles: Vec<[Vec3; 3]>) -> Thinness {
     let triangle_objects = vec![0; triangles.len()];
     let spheres = vec![Sphere { center: Vec3::ZERO, radius: 0.5 * LONGEST, object: 1 }];
     Thinness::of(&Scene { positions: triangles, triangle_objects, spheres, ..Scene::default() })
 }
 
-/// The length of what is between `low` and `high` thick, all in the scene's unit.
+/// Total length of things between `low` and `high` thick, all in the scene's unit of length.
 fn length_between(thinness: &Thinness, low: f32, high: f32) -> f32 {
     LONGEST * (thinness.length_below(high / LONGEST) - thinness.length_below(low / LONGEST))
 }
@@ -42,7 +42,7 @@ fn a_rod_is_as_thick_as_its_section_and_a_plate_as_its_width() {
     for (size, thickness) in cases {
         let found = thinness(cuboid(vec3(1.0, -2.0, 0.5), size));
         let length = length_between(&found, 0.7 * thickness, 1.45 * thickness);
-        // The axes of a cube are any axes.
+        // The principal axes of a cube are arbitrary.
         assert!((0.99..1.75).contains(&(length / size.max_element())), "{size}: {length}, {found:?}");
     }
 }

@@ -1,13 +1,13 @@
-//! When options have an effect.
+//! The settings under which options have an effect.
 
 use crate::{Jitter, Method, Settings};
 
-/// The frames that an option changes.
+/// The frames that an option has an effect on.
 #[derive(Debug)]
 pub struct Applicability {
-    /// Those of these settings.
+    /// Whether the option has an effect under these settings.
     pub to: fn(&Settings) -> bool,
-    /// Why it changes no others, as a sentence.
+    /// Why it has no effect under other settings, as a sentence.
     pub reason: &'static str,
 }
 

@@ -1,4 +1,4 @@
-//! Values that do not go with those of other options: what would, where they do not.
+//! Conflicts between options: each function returns the accepted values if a value conflicts with other options.
 
 use crate::{Filter, Jitter, Method, Settings};
 

@@ -1,109 +1,109 @@
-//! What an option takes: where it is kept, how it is written, and which values it may have.
+//! Types of options: the field of the settings, the textual form and the range of a value.
 
 use std::str::FromStr;
 
 use super::Value;
 use crate::{Focus, Settings};
 
-/// How the absence of a value is written.
+/// The textual form of an absent value.
 pub(super) const NONE: &str = "none";
 
-/// What an option takes.
+/// Type of an option's value.
 #[derive(Debug)]
 pub enum Kind {
-    /// `true` or `false`; `on` and `off` are read too.
+    /// A boolean, written `true` or `false`; parsing also accepts `on` and `off`.
     Flag(fn(&mut Settings) -> &mut bool),
-    /// A whole number.
+    /// An integer.
     Integer {
-        /// Where it is kept.
+        /// The field of the settings that holds it.
         field: fn(&mut Settings) -> &mut u32,
-        /// Its values.
+        /// Its allowed values.
         allowed: Integers,
-        /// How it is chosen in a window.
+        /// Its control in user interfaces.
         control: Control,
     },
-    /// A number.
+    /// A floating-point number.
     Number {
-        /// Where it is kept.
+        /// The field of the settings that holds it.
         field: fn(&mut Settings) -> &mut f32,
-        /// Its values.
+        /// Its allowed values.
         allowed: Numbers,
-        /// How it is chosen in a window.
+        /// Its control in user interfaces.
         control: Control,
     },
-    /// A number or `none`.
+    /// A floating-point number or `none`.
     OptionalNumber {
-        /// Where it is kept.
+        /// The field of the settings that holds it.
         field: fn(&mut Settings) -> &mut Option<f32>,
-        /// Its values.
+        /// Its allowed values.
         allowed: Numbers,
     },
-    /// One of a few names.
+    /// One of several names.
     Choice {
-        /// They, in order.
+        /// The possible choices, in order.
         choices: &'static [Choice],
-        /// The index of what is chosen, where it has a name.
+        /// Index of the current choice; `None` if the settings match none of them.
         get: fn(&Settings) -> Option<usize>,
-        /// Chooses by index, which is one of `choices`.
+        /// Sets the choice with this index into `choices`.
         set: fn(&mut Settings, usize),
     },
-    /// Two numbers `X,Y`.
+    /// A pair of numbers, written `X,Y`.
     Point {
-        /// Where they are kept.
+        /// The field of the settings that holds it.
         field: fn(&mut Settings) -> &mut [f32; 2],
-        /// The largest magnitude of each.
+        /// Largest absolute value of each number.
         most: f32,
     },
-    /// A run of a scene's objects, `FIRST-LAST` or one index, or `none`.
+    /// A range of the scene's objects, written `FIRST-LAST` or as one index, or `none`.
     Objects(fn(&mut Settings) -> &mut Option<Focus>),
 }
 
-/// A value of a [`Kind::Choice`].
+/// One of the values of a [`Kind::Choice`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Choice {
-    /// Its name.
+    /// The choice's name.
     pub name: &'static str,
-    /// A name that it had before, still accepted.
+    /// An earlier name, which is still accepted.
     pub old_name: Option<&'static str>,
-    /// What it does, in one sentence.
+    /// Description of the choice in one sentence.
     pub summary: &'static str,
 }
 
-/// The values of a [`Kind::Integer`].
+/// Allowed values of a [`Kind::Integer`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Integers {
-    /// From the least to the largest.
+    /// All integers from the first to the second, both included.
     Range(u32, u32),
-    /// These, in order.
+    /// Exactly these integers.
     OneOf(&'static [u32]),
 }
 
-/// The values of a [`Kind::Number`]: from `low` to `high`.
+/// Allowed values of a [`Kind::Number`]: the range from `low` to `high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Numbers {
-    /// The lower end.
+    /// Lower bound.
     pub low: f32,
-    /// The upper end; [`f32::MAX`] for all that are finite.
+    /// Upper bound; [`f32::MAX`] allows all finite numbers.
     pub high: f32,
-    /// Whether the lower end is one of them.
+    /// Whether `low` itself is allowed.
     pub with_low: bool,
-    /// Whether the upper end is one of them.
+    /// Whether `high` itself is allowed.
     pub with_high: bool,
 }
 
-/// How a number is chosen in a window.
+/// The control of a number in user interfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Control {
-    /// Along a range, which may be a part of what is allowed.
+    /// A slider; its range may be smaller than the allowed one.
     Slider {
-        /// The lower end.
+        /// Least value of the slider.
         low: f32,
-        /// The upper end.
+        /// Greatest value of the slider.
         high: f32,
-        /// The distance of neighbouring values.
+        /// Distance between neighbouring values.
         step: f32,
     },
-    /// One of a few sides of a square.
+    /// A choice between these sides of a square.
     Sides(&'static [u32]),
 }
 
@@ -153,7 +153,7 @@ impl Numbers {
 }
 
 impl Kind {
-    /// What its values look like.
+    /// Describes the accepted values, for error messages.
     #[must_use]
     pub fn expected(&self) -> String {
         match self {
@@ -171,7 +171,7 @@ impl Kind {
         }
     }
 
-    /// A word that stands for a value in usage texts.
+    /// The placeholder of a value in usage texts.
     #[must_use]
     pub fn placeholder(&self) -> &'static str {
         match self {
@@ -184,7 +184,7 @@ impl Kind {
         }
     }
 
-    /// Values that it takes, as text: every name, both ends of controls, forms of everything else.
+    /// Example values as text: all names, both ends of sliders, one of each form otherwise.
     #[must_use]
     pub fn examples(&self) -> Vec<String> {
         let controlled = |control: &Control| match control {
@@ -219,7 +219,7 @@ impl Kind {
         }
     }
 
-    /// Sets it from text; `None` where the text has not its form.
+    /// Parses a value and sets it; `None` if the text does not have its form.
     pub(super) fn set(&self, settings: &mut Settings, text: &str) -> Option<()> {
         match self {
             Self::Flag(field) => *field(settings) = flag(text)?,
@@ -238,7 +238,7 @@ impl Kind {
         Some(())
     }
 
-    /// Gives `to` the value that `from` has, where it has one.
+    /// Copies the option's value from one settings to another; does nothing if `from` has none.
     pub(super) fn copy(&self, from: &Settings, to: &mut Settings) {
         let mut from = *from;
         match self {
@@ -256,7 +256,7 @@ impl Kind {
         }
     }
 
-    /// Is the value within the range?
+    /// Whether the option's value is within its range.
     pub(super) fn holds(&self, settings: &mut Settings) -> bool {
         match (self, self.get(settings)) {
             (Self::Integer { allowed, .. }, Value::Integer(value)) => allowed.hold(value),
@@ -271,7 +271,7 @@ impl Kind {
 }
 
 impl Choice {
-    /// Is that its name, present or old?
+    /// Whether `text` is the choice's present or earlier name.
     #[must_use]
     pub fn is(&self, text: &str) -> bool {
         self.name.eq_ignore_ascii_case(text)
@@ -291,7 +291,7 @@ fn optional<T: FromStr>(text: &str) -> Option<Option<T>> {
     if text == NONE { Some(None) } else { text.parse().ok().map(Some) }
 }
 
-/// `FIRST-LAST`, or one index for both.
+/// Parses `FIRST-LAST`, or a single index as both.
 impl FromStr for Focus {
     type Err = std::num::ParseIntError;
 

@@ -1,8 +1,8 @@
-//! The table of options: what every value of [`Settings`] is called, what it does, which values it takes, and when it has
-//! an effect.
+//! The table of options: the name and description of every value of [`Settings`], the values that it accepts and
+//! the frames that it affects.
 //!
-//! Command lines, scripts, controls, warnings, statistics and documentation follow from [`OPTIONS`]. A new option is a field
-//! of [`Settings`] and a row of the table; a field without a row fails a test.
+//! Command lines, scripts, controls, warnings, statistics and documentation are generated from [`OPTIONS`]. A new
+//! option needs a field of [`Settings`] and a row of the table; a test fails if the row is missing.
 
 mod applicability;
 mod conflicts;
@@ -23,57 +23,57 @@ pub use table::OPTIONS;
 use super::{Focus, Method, Settings};
 use crate::{Error, Result};
 
-/// One option of a frame.
+/// One option of a frame: a row of the table.
 #[derive(Debug)]
 pub struct OptionSpec {
     /// The name, in lower case with hyphens: `t-pos`.
     pub name: &'static str,
-    /// A name that it had before, still accepted.
+    /// An earlier name, which is still accepted.
     pub old_name: Option<&'static str>,
-    /// A short name for controls.
+    /// A short label for controls of user interfaces.
     pub label: &'static str,
-    /// What it does, in one sentence.
+    /// Description of the option in one sentence.
     pub summary: &'static str,
-    /// What it takes.
+    /// Type of the value, its range and its field in the settings.
     pub kind: Kind,
-    /// The value of the paper that the option comes from.
+    /// The value in the paper that the option comes from.
     pub published: Option<Published>,
-    /// Where it stands in menus and documentation.
+    /// The group that lists the option in menus and documentation.
     pub group: Group,
-    /// When it changes the frame.
+    /// The settings under which the option has an effect.
     pub applicability: &'static Applicability,
     conflict: fn(&Settings) -> Option<String>,
 }
 
-/// A value that a paper uses.
+/// A value published in a paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Published {
     /// The value as text.
     pub value: &'static str,
-    /// The paper, as the front page of this crate calls it.
+    /// The paper, by the short name that the front page of this crate gives it.
     pub paper: &'static str,
 }
 
-/// Options that belong together.
+/// Groups of options for menus and documentation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
-    /// Of every method.
+    /// Options of all methods.
     Frame,
-    /// Undersampling (Kim 2016).
+    /// Adaptive undersampling (Kim 2016).
     Adaptive,
-    /// Extra samples (Jin 2009; lecture).
+    /// Supersampling (Jin 2009; lecture).
     Supersampling,
     /// Path tracing.
     Paths,
-    /// Two eyes (Kim & Sung 2021).
+    /// Stereo rendering (Kim & Sung 2021).
     Stereo,
 }
 
 impl Group {
-    /// All of them, in order.
+    /// All groups, in the order of the menus.
     pub const ALL: [Self; 5] = [Self::Frame, Self::Adaptive, Self::Supersampling, Self::Paths, Self::Stereo];
 
-    /// A heading.
+    /// The group's heading.
     #[must_use]
     pub fn title(self) -> &'static str {
         match self {
@@ -85,7 +85,7 @@ impl Group {
         }
     }
 
-    /// Its options, in order.
+    /// The group's options, in the order of the table.
     pub fn options(self) -> impl Iterator<Item = &'static OptionSpec> {
         OPTIONS.iter().filter(move |option| option.group == self)
     }
@@ -95,19 +95,19 @@ impl Group {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Value {
-    /// There is none, or none that the option could be set to.
+    /// `none`; also the value of a choice that no name describes, such as thresholds that are not a preset.
     None,
     /// `true` or `false`.
     Flag(bool),
-    /// A whole number.
+    /// An integer.
     Integer(u32),
-    /// A number.
+    /// A floating-point number.
     Number(f32),
-    /// The name of a [`Choice`].
+    /// The name of one of the [`Choice`]s.
     Name(&'static str),
-    /// Two numbers, `X,Y`.
+    /// A pair of numbers, written `X,Y`.
     Point([f32; 2]),
-    /// The first and the last of a run of indices, `FIRST-LAST`.
+    /// First and last index of a range of objects, written `FIRST-LAST`.
     Indices([u32; 2]),
 }
 
@@ -125,10 +125,10 @@ impl fmt::Display for Value {
     }
 }
 
-/// The option of that name, present or old.
+/// Finds an option by its present or earlier name.
 ///
 /// # Errors
-/// [`Error::Setting`] lists the options.
+/// [`Error::Setting`] lists the options if there is none of this name.
 pub fn find(name: &str) -> Result<&'static OptionSpec> {
     let named = |option: &&OptionSpec| option.name == name || option.old_name == Some(name);
     OPTIONS.iter().find(named).ok_or_else(|| {
@@ -137,7 +137,7 @@ pub fn find(name: &str) -> Result<&'static OptionSpec> {
     })
 }
 
-/// There is one option of a name.
+/// Options compare by name, which is unique.
 impl PartialEq for OptionSpec {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
@@ -182,37 +182,37 @@ impl OptionSpec {
         Self { conflict, ..self }
     }
 
-    /// Its value in these settings.
+    /// The option's value in the settings.
     #[must_use]
     pub fn get(&self, settings: &Settings) -> Value {
         self.kind.get(&mut { *settings })
     }
 
-    /// Sets it from text of the right form. Whether a frame can have the value is what [`OptionSpec::check`] and
-    /// [`Settings::validate`] say.
+    /// Parses a value and sets it. Only the form of the text is checked; [`OptionSpec::check`] and
+    /// [`Settings::validate`] check the value.
     ///
     /// # Errors
-    /// [`Error::Setting`] where the text has not the form of a value; nothing is changed then.
+    /// [`Error::Setting`] if the text does not have the form of a value; `settings` is then unchanged.
     pub fn set(&self, settings: &mut Settings, text: &str) -> Result<()> {
         self.kind.set(settings, text).ok_or_else(|| self.error(self.kind.expected(), text))
     }
 
-    /// Its default for a method.
+    /// The option's default value for a method.
     #[must_use]
     pub fn default(&self, method: Method) -> Value {
         self.get(&Settings::for_method(method))
     }
 
-    /// Does it change the frame?
+    /// Whether the option has an effect on frames with these settings.
     #[must_use]
     pub fn applies(&self, settings: &Settings) -> bool {
         (self.applicability.to)(settings)
     }
 
-    /// Checks that its value is within the range.
+    /// Checks that the option's value is within its range.
     ///
     /// # Errors
-    /// [`Error::Setting`] with the range.
+    /// [`Error::Setting`] with the expected range.
     pub fn check(&self, settings: &Settings) -> Result<()> {
         self.check_within(&mut { *settings })
     }
@@ -225,10 +225,10 @@ impl OptionSpec {
         Err(self.error(self.kind.expected(), &self.get(settings).to_string()))
     }
 
-    /// Checks that its value goes with those of the other options.
+    /// Checks that the option's value does not conflict with other options.
     ///
     /// # Errors
-    /// [`Error::Setting`] with what would.
+    /// [`Error::Setting`] with the values that would be accepted.
     pub fn check_with_others(&self, settings: &Settings) -> Result<()> {
         let found = || self.get(settings).to_string();
         (self.conflict)(settings).map_or(Ok(()), |expected| Err(self.error(expected, &found())))
@@ -240,14 +240,14 @@ impl OptionSpec {
 }
 
 impl Settings {
-    /// The defaults of a method: they differ in [`Method::usual_depth`].
+    /// The default settings of a method, which differ in [`Method::usual_depth`].
     #[must_use]
     pub fn for_method(method: Method) -> Self {
         Self { method, depth: method.usual_depth(), ..Self::default() }
     }
 
-    /// The same with another method. A depth that was the default becomes the default of that method, and options that the
-    /// method neither uses nor accepts as they are become their defaults.
+    /// The settings with another method. A default depth becomes that method's default. Options that the method
+    /// does not use, and whose values it would reject, return to their defaults.
     #[must_use]
     pub fn with_method(&self, method: Method) -> Self {
         let usual = self.depth == self.method.usual_depth();
@@ -255,7 +255,7 @@ impl Settings {
         Self { method, depth, ..*self }.without_foreign()
     }
 
-    /// The same without options that the method neither uses nor accepts as they are: with their defaults.
+    /// The settings with defaults for options that the method does not use and whose values it would reject.
     #[must_use]
     pub fn without_foreign(&self) -> Self {
         let mut settings = *self;
@@ -267,15 +267,15 @@ impl Settings {
         settings
     }
 
-    /// Sets an option by name from text of the right form.
+    /// Parses a value and sets the option of this name.
     ///
     /// # Errors
-    /// As [`find`] and [`OptionSpec::set`].
+    /// Those of [`find`] and [`OptionSpec::set`].
     pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
         find(name)?.set(self, text)
     }
 
-    /// Checks every value by itself, and all together.
+    /// Checks the range of every option, and the options against each other.
     ///
     /// # Errors
     /// [`Error::Setting`] names the option, what was expected and what was found.
@@ -285,7 +285,8 @@ impl Settings {
         OPTIONS.iter().try_for_each(|option| option.check_with_others(self))
     }
 
-    /// The options that have to be set, in this order, to make these settings from the method's defaults.
+    /// The options, in the order of the table, whose values differ from the method's defaults; setting them on
+    /// the defaults gives these settings.
     #[must_use]
     pub fn differences(&self) -> Vec<(&'static OptionSpec, Value)> {
         let mut reached = Self::for_method(self.method);
@@ -304,7 +305,7 @@ impl Settings {
     }
 }
 
-/// Every option with its value, hyphens in names being underscores.
+/// Serializes as a map of all options, with underscores instead of hyphens in their names.
 impl Serialize for Settings {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(OPTIONS.len()))?;

@@ -1,4 +1,4 @@
-//! The rows.
+//! The rows of the table of options.
 
 use super::Control::Sides;
 use super::Integers::{OneOf, Range};
@@ -14,7 +14,7 @@ use crate::{
     StereoReuse, Unsampled,
 };
 
-/// A [`Kind::Choice`] between the variants of an enum, kept in a field.
+/// A [`Kind::Choice`] between the variants of an enum in a field of the settings.
 macro_rules! choice {
     ($kind:ident in $($field:ident).+) => {
         Kind::Choice {
@@ -37,7 +37,7 @@ macro_rules! number {
     };
 }
 
-/// A threshold of Jin 2009.
+/// An option for a threshold of Jin 2009.
 macro_rules! threshold {
     ($field:ident, $published:literal, $summary:literal) => {
         extra(
@@ -54,27 +54,27 @@ const KIM: &str = "Kim 2016";
 const JIN: &str = "Jin 2009";
 const VR: &str = "Kim & Sung 2021";
 
-/// An option of every method.
+/// An option in the group of all methods.
 const fn frame(name: &'static str, label: &'static str, kind: Kind, summary: &'static str) -> OptionSpec {
     OptionSpec::new(Group::Frame, name, label, kind, summary)
 }
 
-/// An option of the adaptive method.
+/// An option that needs the adaptive method.
 const fn adaptive(name: &'static str, label: &'static str, kind: Kind, summary: &'static str) -> OptionSpec {
     OptionSpec::new(Group::Adaptive, name, label, kind, summary).with(&ADAPTIVE)
 }
 
-/// An option of extra samples.
+/// An option that needs extra samples.
 const fn extra(name: &'static str, label: &'static str, kind: Kind, summary: &'static str) -> OptionSpec {
     OptionSpec::new(Group::Supersampling, name, label, kind, summary).with(&EXTRA_SAMPLES)
 }
 
-/// An option of path tracing.
+/// An option that needs path tracing.
 const fn path(name: &'static str, label: &'static str, kind: Kind, summary: &'static str) -> OptionSpec {
     OptionSpec::new(Group::Paths, name, label, kind, summary).with(&PATHS)
 }
 
-/// An option of two eyes.
+/// An option that needs stereo rendering.
 const fn stereo(name: &'static str, label: &'static str, kind: Kind, summary: &'static str) -> OptionSpec {
     OptionSpec::new(Group::Stereo, name, label, kind, summary).with(&TWO_EYES)
 }
@@ -83,12 +83,12 @@ const fn between(low: f32, high: f32) -> Numbers {
     Numbers { low, high, with_low: true, with_high: true }
 }
 
-/// Without the lower end.
+/// The range without its lower bound.
 const fn above(low: f32, high: f32) -> Numbers {
     Numbers { with_low: false, ..between(low, high) }
 }
 
-/// Without the upper end.
+/// The range without its upper bound.
 const fn below(low: f32, high: f32) -> Numbers {
     Numbers { with_high: false, ..between(low, high) }
 }
@@ -97,7 +97,7 @@ const fn slider(low: f32, high: f32, step: f32) -> Control {
     Control::Slider { low, high, step }
 }
 
-/// Every option, in the order in which values are set: those that change others before these.
+/// All options, in the order in which values are applied: an option precedes those that it changes.
 #[rustfmt::skip]
 pub static OPTIONS: &[OptionSpec] = &[
     frame("method", "method",

@@ -1,9 +1,9 @@
-//! The table is complete, and what it sets it gets.
+//! Tests that the table has every option and that setting a value and reading it agree.
 
 use super::*;
 use crate::{DirectLight, Filter, Foveation, Jitter, Paths, StereoReuse};
 
-/// Settings in which every option has another value than in `settings`.
+/// Settings in which every option differs from `settings`.
 fn all_changed(settings: &Settings) -> Settings {
     let mut changed = *settings;
     for option in OPTIONS {
@@ -17,7 +17,7 @@ fn all_changed(settings: &Settings) -> Settings {
     changed
 }
 
-/// A field of the settings that is in no row of the table keeps its line of the debugging text.
+/// A field that no row of the table sets keeps its line in the debug output.
 #[test]
 fn every_field_of_the_settings_is_an_option() {
     let fields = |settings: &Settings| -> Vec<String> {

@@ -1,4 +1,4 @@
-// The planes as postcorrection sees them: a pixel that is to be traced is claimed by one thread alone.
+// Access to the attribute planes for postcorrection: exactly one thread claims a pixel for tracing.
 
 var<storage, read_write> attributes: array<atomic<u32>>;
 
@@ -10,7 +10,7 @@ fn attributes_write(place: u32, word: u32) {
     atomicStore(&attributes[place], word);
 }
 
-// What postcorrection compares: OID, and SHDBIT if it is wished.
+// The identity that postcorrection compares: OID, and SHDBIT if the settings include it.
 fn attributes_identity(object: u32, shadow: u32) -> vec2u {
     return vec2u(object, select(0u, shadow, COMPARES_SHADOWS));
 }
@@ -27,7 +27,7 @@ fn attributes_load_identity(pixel: vec2u) -> vec2u {
     return attributes_stored_identity(pixel, atomicLoad(&attributes[attributes_object(pixel)]));
 }
 
-// Whether the pixel was interpolated, differs, and is now this thread's to trace.
+// Claims the pixel if it was interpolated and its identity differs; true for one thread only.
 fn attributes_claim(pixel: vec2u, unlike: vec2u) -> bool {
     let place = attributes_object(pixel);
     let word = atomicLoad(&attributes[place]);
@@ -41,7 +41,8 @@ fn attributes_traced(pixel: vec2u) -> bool {
     return (atomicLoad(&attributes[attributes_object(pixel)]) & ATTRIBUTES_TRACED) != 0u;
 }
 
-// For those that come to the pixel later: the rest of its attributes stays, which nothing refers to any more.
+// Stores the identity for neighbours that compare with the pixel later; no one reads the other attributes any
+// more.
 fn attributes_store_identity(pixel: vec2u, a: Attributes) {
     var word = a.object | ATTRIBUTES_TRACED;
     if !HAS_SHADOW_WORD {

@@ -1,4 +1,4 @@
-// The planes as the adaptive steps write and read them.
+// Access to the attribute planes for the adaptive steps.
 
 var<storage, read_write> attributes: array<u32>;
 
@@ -81,7 +81,7 @@ fn attributes_load(pixel: vec2u) -> Attributes {
     return a;
 }
 
-// Eleven bits for each logarithm and ten for the correlation, whose zero is exact.
+// Encodes a footprint: eleven bits for each logarithm and ten for the correlation, with an exact zero.
 fn footprint_encode(footprint: vec3f) -> u32 {
     let share = (footprint.xy - FOOTPRINT_LEAST) / (FOOTPRINT_MOST - FOOTPRINT_LEAST);
     let lengths = vec2u(round(2047.0 * clamp(share, vec2f(0.0), vec2f(1.0))));
@@ -94,7 +94,7 @@ fn footprint_decode(packed: u32) -> vec3f {
     return vec3f(lengths, f32(packed >> 22u) / 511.0 - 1.0);
 }
 
-// Three radiances with a shared exponent: nine bits each, relative error 2^-9 of the largest.
+// Encodes three radiances with a shared exponent and nine bits each; the error is at most 2^-9 of the largest.
 fn rgb9e5_encode(color: vec3f) -> u32 {
     let clamped = clamp(color, vec3f(0.0), vec3f(65408.0));
     let largest = max(clamped.x, max(clamped.y, clamped.z));

@@ -1,8 +1,8 @@
-// Pixels to be traced, x | y << 16, packed densely: one queue for all steps of a band.
+// The list of pixels to trace, x | y << 16, densely packed: one queue for all steps of a band.
 
 struct List {
     count: u32,
-    // What the step listed that is to be traced now.
+    // Start of the range that is traced next.
     begin: u32,
     end: u32,
     padding: u32,
@@ -17,8 +17,8 @@ fn list_pixel(entry: u32) -> vec2u {
     return vec2u(entry & 0xffffu, entry >> 16u);
 }
 
-// Does the pixel lie between the rows of its references (A2), or in their row (A1)? It is as far from them as the
-// lowest bit of its coordinates says.
+// Whether the pixel lies between the rows of its references (A2) or in their row (A1). The lowest set bit of its
+// coordinates is its distance from them.
 fn list_between_rows(pixel: vec2u) -> bool {
     let bits = pixel.x | pixel.y;
     return (pixel.y & bits & (~bits + 1u)) != 0u;

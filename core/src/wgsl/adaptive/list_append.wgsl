@@ -1,4 +1,4 @@
-// Appending to the list of samples to be traced.
+// Appends pixels to the list of samples to trace.
 
 struct ListOut {
     count: atomic<u32>,
@@ -10,8 +10,8 @@ struct ListOut {
 
 var<storage, read_write> list: ListOut;
 
-// Lists the pixel for tracing. Deviation: packing by an atomic counter, which keeps the order within a row of
-// threads, instead of by parallel scans; Step-II-b is left with the dispatch.
+// Lists the pixel for tracing. Deviation: packs the list with an atomic counter instead of parallel scans, which
+// leaves only the indirect dispatch to Step-II-b.
 fn list_append(pixel: vec2u) {
     let place = atomicAdd(&list.count, 1u);
     list.pixels[place] = list_entry(pixel);

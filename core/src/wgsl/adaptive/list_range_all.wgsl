@@ -1,4 +1,4 @@
-// Range of the list that is dispatched: everything that the adaptive steps have listed.
+// Range of the list that is dispatched: all entries of the adaptive steps.
 
 const LIST_SAMPLES: u32 = 1u;
 

@@ -1,4 +1,4 @@
-// Range of the list that is dispatched: entries not yet treated, up to the most that a round may trace.
+// Range of the list that is dispatched: entries not yet processed, at most as many as a round may trace.
 
 const LIST_SAMPLES: u32 = 1u;
 

@@ -1,4 +1,4 @@
-// Range of the list that is dispatched: what the previous step has appended.
+// Range of the list that is dispatched: entries that the previous step has appended.
 
 const LIST_SAMPLES: u32 = 1u;
 

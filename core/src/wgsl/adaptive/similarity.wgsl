@@ -1,9 +1,10 @@
 // The seven similarity checks of Kim 2016, Table 1, on the attribute vectors of two reference pixels.
 //
-// Deviations: tolerances are strict bounds, so that a tolerance of 0 traces everything. G4 fails only where both
-// distances from the other's tangent plane exceed what the stored normals and depths round to; as
-// printed it compares the signs of rounding errors on flat surfaces. Its tangent planes are those of the faces: a
-// shading normal that leans over a flat face looks like an inflection. TX is the table's formula, not the prose.
+// Deviations: tolerances are strict bounds, so that a tolerance of 0 traces everything. G4 fails only if both
+// distances from the other's tangent plane exceed the rounding errors of the stored normals and depths; as
+// printed, it compares the signs of rounding errors on flat surfaces. Its tangent planes are those of the faces,
+// since an interpolated shading normal on a flat face looks like an inflection. TX is the table's formula, not
+// the prose.
 
 fn similarity_position(pixel: vec2u, depth: f32) -> vec3f {
     let ray = frame_ray(pixel);
@@ -51,7 +52,8 @@ fn similarity_failed(a: Attributes, a_pixel: vec2u, b: Attributes, b_pixel: vec2
 }
 
 // The attribute vector half way between two references. Deviation: the paper interpolates linearly in the image;
-// here everything is interpolated in perspective, which is exact on a plane, and the point lies on the pixel's ray.
+// here all attributes are interpolated with perspective correction, which is exact on a plane, and the point lies
+// on the pixel's ray.
 fn similarity_interpolate(a: Attributes, b: Attributes) -> Attributes {
     var middle = a;
     if a.object == 0u {
@@ -72,7 +74,7 @@ fn similarity_interpolate(a: Attributes, b: Attributes) -> Attributes {
     return middle;
 }
 
-// The colour that follows from an attribute vector.
+// Shades an attribute vector.
 fn similarity_shade(pixel: vec2u, a: Attributes) -> vec3f {
     if a.object == 0u {
         return frame.background;

@@ -1,23 +1,24 @@
-// What a pixel counts for in another one (Dammertz et al. 2010, equations 6 and 7, with the distance from the surface's plane
-// in place of that of two points).
+// Edge-stopping weights between pixels (Dammertz et al. 2010, equations 6 and 7, with the distance from the
+// surface's plane in place of that between two points).
 
-// The first level's width of differences of light over their sum, of one sample; it halves with each level.
+// Width for the difference of light divided by the sum, after one sample; it halves with each level.
 const ATROUS_LIGHT: f32 = 1.5;
-// Widths of the distance from the plane, in pixels there; of what mirrors show, of the difference of distances over them.
+// Width for the distance from the plane, in pixel widths there; and for mirrored surfaces, for the relative
+// difference of distances.
 const ATROUS_PLANE: f32 = 2.0;
 const ATROUS_DEPTH: f32 = 0.125;
-// Of the difference of unit normals, and of albedos.
+// Widths for the difference of unit normals, and for that of albedos.
 const ATROUS_NORMAL: f32 = 0.25;
 const ATROUS_ALBEDO: f32 = 0.5;
 
-// What the pixel that is filtered makes of others.
+// Terms of the weights that depend on the filtered pixel alone.
 struct AtrousPixel {
     words: vec4u,
     normal: vec3f,
     albedo: f32,
     sum: f32,
-    // The distance from its surface's plane, in widths, of what lies so far along the ray of another pixel: a step across,
-    // a step down and its own, each of where rays start and where they go.
+    // Distance from the pixel's plane, in widths, of a point on another pixel's ray, as a linear function of its
+    // depth (x + depth * y): the change per step across, per step down, and the value at the pixel itself.
     plane_across: vec2f,
     plane_down: vec2f,
     plane_own: vec2f,
@@ -35,7 +36,7 @@ fn atrous_albedo(word: u32) -> f32 {
 fn atrous_pixel(pixel: vec2u, words: vec4u) -> AtrousPixel {
     let depth = bitcast<f32>(words.y);
     let normal = atrous_normal(words.x);
-    // Rays change evenly across the picture.
+    // Rays change linearly across the image.
     let ray = eyes_ray(pixel, vec2f(0.5, 0.5));
     let left = eyes_ray(pixel, vec2f(0.0, 0.5));
     let above = eyes_ray(pixel, vec2f(0.5, 0.0));

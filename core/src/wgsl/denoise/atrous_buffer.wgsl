@@ -1,11 +1,11 @@
-// Pixels as the a-trous filter sees them, four words each: normal, mean albedo and kind of guide, of 8 bits a component; how
-// far along the primary ray, 0 for pixels that are not filtered; and the light, what arrives at the first diffuse surface
-// over pi: its channels' sum, and the shares of two of them, which add up without being unpacked.
+// Pixels of the a-trous filter, four words each: normal, mean albedo and kind of guide in 8 bits per component;
+// distance along the primary ray, 0 for pixels that are not filtered; and the light, which is the irradiance at
+// the first diffuse surface over pi: the sum of its channels and the shares of two of them.
 
 var<storage, read_write> atrous_buffer: array<vec4u>;
 var<storage, read> atrous_buffer_before: array<vec4u>;
 
-// Surfaces are taken for no darker: what a black one shows remains.
+// Least albedo to divide by, so that light from black surfaces stays finite.
 const ATROUS_BUFFER_LEAST_ALBEDO: f32 = 0.01;
 // Light below this counts as black.
 const ATROUS_BUFFER_BLACK: f32 = 1.0e-20;

@@ -1,11 +1,12 @@
-// What guides the removal of noise: the first diffuse surface of each pixel's paths, seen directly or by mirrors and glass.
-// Four words a pixel: its normal and how far it lies along the primary ray, both of the first sample; albedo, in which what
-// mirrors and glass leave is a factor, the mean of all samples in 10 bits a channel, and above it what kind of guide it is;
-// not 0 where the last path was stopped and went by diffuse surfaces alone.
+// The G-buffer that guides the denoiser: the first diffuse surface of each pixel's paths, seen directly or
+// through mirrors and glass. Four words per pixel: the normal; its distance along the primary ray (both of the
+// first sample); the albedo times the transmittance of mirrors and glass before it, as a mean of all samples with
+// 10 bits per channel, and above it the kind of guide; and a flag that is not 0 if the last path was stopped and
+// used only diffuse lobes.
 
 var<storage, read_write> gbuffer: array<vec4u>;
 
-// Nothing to be filtered: some path met no diffuse surface, or shone by itself up to the first.
+// The pixel is not filtered: some path met no diffuse surface, or met emission before it left the first.
 const GBUFFER_NONE: u32 = 0u;
 const GBUFFER_DIRECT: u32 = 1u;
 const GBUFFER_MIRRORED: u32 = 2u;

@@ -3,15 +3,15 @@
 struct GBufferPixel {
     // A unit of length in units of the primary ray's parameter.
     unit: f32,
-    // How far the path has gone, in those; at the first diffuse surface once it is found.
+    // Length of the path so far in these units; it stops at the first diffuse surface.
     depth: f32,
     kind: u32,
     normal: u32,
     albedo: vec3f,
-    // It shone before the first diffuse surface was left.
+    // Whether the path met emission before it left the first diffuse surface.
     shone: bool,
     stopped: bool,
-    // Some surface was left by its mirror or through it.
+    // Whether the path left some surface by reflection or refraction.
     specular: bool,
 }
 
@@ -32,8 +32,8 @@ fn gbuffer_emission(path: ptr<function, Path>, emission: vec3f) {
     }
 }
 
-// A surface counts as diffuse by how it is left more often, for the light that it scatters is in all of its samples; or
-// if this path is to leave it so.
+// Records a surface as the first diffuse one if paths mostly leave it by the diffuse lobe, as all of its samples
+// then contain diffuse light, or if this path does.
 fn gbuffer_surface(path: ptr<function, Path>, s: Surface, lobes: Lobes, diffuse: bool) {
     if (*path).gbuffer_pixel.kind == GBUFFER_NONE && (diffuse || 2.0 * lobes.chances.x >= lobes.sum) {
         (*path).gbuffer_pixel.kind = select(GBUFFER_MIRRORED, GBUFFER_DIRECT, (*path).level == 1u);

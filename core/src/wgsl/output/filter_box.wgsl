@@ -1,10 +1,11 @@
-// Box filter: a pixel is the average of its own samples.
+// Box filter: a pixel is the mean of its own samples.
 
 fn filter_pixel(pixel: vec2u) -> vec3f {
     return filter_sum(SAMPLING * pixel) / f32(SAMPLING * SAMPLING);
 }
 
-// The sum of a pixel's samples. Sixteen are summed in fours and in their order, as extra samples are: to the last bit the same.
+// The sum of a pixel's samples. Sixteen are summed in groups of four in sampling order, bitwise like extra
+// samples.
 fn filter_sum(first: vec2u) -> vec3f {
     var sum = vec3f(0.0);
     if SAMPLING == 4u {

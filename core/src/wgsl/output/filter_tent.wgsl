@@ -1,5 +1,5 @@
-// Tent filter: a sample's weight falls linearly with its distance from the pixel's centre, along both axes, to nothing at the
-// centres of the neighbours.
+// Tent filter: along both axes a sample's weight falls linearly with its distance from the pixel's centre, to
+// zero at the centres of the neighbours.
 
 fn filter_pixel(pixel: vec2u) -> vec3f {
     let center = (vec2f(pixel) + 0.5) * f32(SAMPLING);

@@ -1,4 +1,4 @@
-// Counts the work where it is done, and keeps a record of every pixel, unless pixels have several samples.
+// Counts rays, samples and traversal work, and keeps a record of every pixel unless pixels have several samples.
 
 struct PixelRecord {
     origin: u32,
@@ -7,14 +7,15 @@ struct PixelRecord {
     object: u32,
     depth: f32,
     normal: u32,
-    // Active quarters in bits 0 to 3, then what differs, see subpixels.wgsl; from bit 20 on, 1 + the round of a refined pixel.
+    // Active quarters in bits 0 to 3, then the differing attributes (`subpixels.wgsl`); from bit 20 on, 1 + the
+    // round of a refined pixel.
     edges: u32,
-    // The samples of a refined pixel, in their order.
+    // Mask of a refined pixel's samples, in sampling order.
     strata: u32,
 }
 
 struct Inspection {
-    // A low and a high word of each.
+    // A low and a high word for each counter.
     counters: array<atomic<u32>, COUNTER_WORDS>,
     pixels: array<PixelRecord>,
 }
@@ -47,7 +48,7 @@ fn inspect_count(counter: u32, amount: u32) {
     }
 }
 
-// The checks that a listed pixel fails; the rest of its record comes when it is traced.
+// Records the checks that a listed pixel fails; tracing the pixel fills in the rest of its record.
 fn inspect_failed(pixel: vec2u, failed: u32) {
     for (var check = 0u; check < CHECK_COUNT; check += 1u) {
         inspect_count(COUNTER_FAILED + check, (failed >> check) & 1u);
@@ -57,12 +58,12 @@ fn inspect_failed(pixel: vec2u, failed: u32) {
     }
 }
 
-// Counts a pixel that postcorrection is to trace.
+// Counts a pixel that postcorrection has claimed.
 fn inspect_claimed() {
     inspect_count(COUNTER_POSTCORRECTION + POSTCORRECTION_CLAIMED, 1u);
 }
 
-// What was counted since the last time is an origin's; returns its cost.
+// Counts a sample of `origin` with the work since the last call; returns its traversal cost.
 fn inspect_work(origin: u32) -> u32 {
     inspect_count(COUNTER_ORIGINS + origin, 1u);
     return inspect_cost();
@@ -93,13 +94,13 @@ fn inspect_pixel(pixel: vec2u, origin: u32, attributes: Attributes) {
     }
 }
 
-// A sample besides the one that the record is about.
+// Counts a sample in addition to the one that the record describes.
 fn inspect_extra(pixel: vec2u) {
     inspect_count(COUNTER_ORIGINS + ORIGIN_EXTRA, 1u);
     inspect_more(pixel);
 }
 
-// More work for the sample that the record is about.
+// Counts more work for the sample that the record describes.
 fn inspect_more(pixel: vec2u) {
     let cost = inspect_cost();
     if HAS_RECORDS {
@@ -114,7 +115,7 @@ fn inspect_edges(pixel: vec2u, edges: u32) {
     }
 }
 
-// A pixel that has these samples besides its own, since that round.
+// Records the samples of a refined pixel and its round.
 fn inspect_refined(pixel: vec2u, strata: u32, round: u32) {
     if HAS_RECORDS {
         let index = pixel.y * frame.size.x + pixel.x;

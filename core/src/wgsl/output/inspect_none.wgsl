@@ -1,4 +1,4 @@
-// Counters of timed frames: empty functions.
+// Counters for timed frames: functions without effect.
 
 fn inspect_node() {}
 fn inspect_primitive() {}

@@ -1,3 +1,3 @@
-// Drops colours: for counting kernels of frames with several samples a pixel.
+// Discards colours, for counting kernels of frames with several samples per pixel.
 
 fn output(pixel: vec2u, radiance: vec3f) {}

@@ -1,21 +1,21 @@
-// Light from emissive surfaces, found by rays to points on them (next-event estimation) and, with multiple importance
-// sampling, by paths that meet them.
+// Light from emissive surfaces by next-event estimation and, with multiple importance sampling, also by paths
+// that hit them.
 
-// Each emissive primitive, and the bits of the share of the whole up to and with it.
+// Each emissive primitive, and the bits of the cumulative probability up to and including it.
 var<storage, read> emitters: array<vec2u>;
 
-// Rays to points on emitters end so far behind them, of the distance: rounding decides nothing.
+// Shadow rays end this factor beyond the point on the emitter, so that rounding does not decide the hit.
 const EMITTERS_REACH: f32 = 1.001;
 
-// How densely the direction to a point on an emitter is drawn, per unit of solid angle: there the emitter is seen at this
-// cosine from so far away.
+// Density of next-event estimation per unit of solid angle, for a point on an emitter seen at this cosine and
+// distance.
 fn emitters_density(object: u32, cosine: f32, distance: f32) -> f32 {
     let emission = object_at(object).emission;
     return (emission.x + emission.y + emission.z) * frame.paths.emitter_scale * distance * distance / abs(cosine);
 }
 
-// What the emission counts for that a path met along a direction that was drawn with this density (0: not drawn); rays to
-// emitters bring the rest.
+// Weight of emission that a path hits along a direction sampled with `density` (0: not sampled from the BSDF);
+// next-event estimation contributes the rest.
 fn emitters_weight(density: f32, s: Surface, direction: vec3f) -> f32 {
     if density == 0.0 {
         return 1.0;
@@ -26,7 +26,7 @@ fn emitters_weight(density: f32, s: Surface, direction: vec3f) -> f32 {
     return density / (density + f32(LIGHT_SAMPLES) * emitters_density(s.object, dot(s.face, direction), s.t));
 }
 
-// The primitive that a number in [0, 1) draws: the first whose share ends behind it.
+// The primitive that a uniform number selects: the first whose cumulative probability exceeds it.
 fn emitters_select(number: f32) -> u32 {
     var low = 0u;
     var high = frame.paths.emitters - 1u;
@@ -46,7 +46,7 @@ struct EmitterPoint {
     normal: vec3f,
 }
 
-// A point of a primitive, uniform over its area.
+// A point on a primitive, uniform over its area.
 fn emitters_point(primitive: u32, place: vec2f) -> EmitterPoint {
     let corners = bvh_corners(primitive);
     if sphere_is(primitive) {
@@ -63,7 +63,7 @@ fn emitters_point(primitive: u32, place: vec2f) -> EmitterPoint {
     return EmitterPoint(position, surface_unit(surface_cross(ab, corners[2] - corners[1], -ac), vec3f(0.0)));
 }
 
-// An estimate of the irradiance by emitters, less what the path will bring by meeting them itself.
+// Estimate of the irradiance from emitters, without the part that is left to paths that hit them.
 fn emitters_irradiance(s: Surface, chance_of_diffuse: f32, pixel: vec2u, dimension: u32) -> vec3f {
     var sum = vec3f(0.0);
     for (var i = 0u; i < LIGHT_SAMPLES; i += 1u) {
@@ -95,7 +95,7 @@ fn emitters_sample(s: Surface, chance_of_diffuse: f32, which: f32, place: vec2f)
     var emission = object_at(object).emission;
     if HAS_EMISSIVE_TEXTURES || sphere_is(primitive) {
         let arrived = surface_at(ray, hit);
-        // A ray from outside meets the near side of a sphere; points on the other are hidden by it.
+        // From outside, a ray hits the near side of a sphere, which hides points on the far side.
         if sphere_is(primitive) && arrived.inside != (seen > 0.0) {
             return vec3f(0.0);
         }

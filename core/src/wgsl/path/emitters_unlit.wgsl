@@ -1,4 +1,5 @@
-// For frames lit by punctual lights alone: emitters are visible, directly and in mirrors and glass, but light nothing.
+// For frames lit by punctual lights only: emitters are visible directly and by reflection and refraction, but
+// illuminate nothing.
 
 fn emitters_weight(density: f32, s: Surface, direction: vec3f) -> f32 {
     return select(0.0, 1.0, density == 0.0);

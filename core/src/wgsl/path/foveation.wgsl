@@ -1,4 +1,5 @@
-// Paths stop away from the gaze, with a probability that grows with the distance (Kim & Sung 2021, equation 7).
+// Foveation: paths stop with a probability that grows with the distance from the gaze (Kim & Sung 2021, equation
+// 7).
 
 fn foveation_terminates(pixel: vec2u, number: f32) -> bool {
     return number < foveation_probability(pixel);

@@ -1,4 +1,4 @@
-// For frames without gaze-based stopping: paths go on everywhere in the picture.
+// For frames without foveation: no path is stopped by its distance from the gaze.
 
 fn foveation_terminates(pixel: vec2u, number: f32) -> bool {
     return false;

@@ -1,4 +1,4 @@
-// The ways on from a surface that a path chooses among, each as often as its largest channel is of their sum.
+// The lobes that a path may continue by; each is chosen with a probability proportional to its largest channel.
 
 struct Lobes {
     diffuse: vec3f,
@@ -6,9 +6,9 @@ struct Lobes {
     refraction: vec3f,
     // Largest channel of each lobe.
     chances: vec3f,
-    // Sum of the three.
+    // Sum of the largest channels.
     sum: f32,
-    // To the normal, on the viewer's side and, for refraction, on the other.
+    // Cosine of the angle to the normal on the viewer's side and, for refraction, on the other.
     cosine: f32,
     beyond: f32,
 }
@@ -16,7 +16,7 @@ struct Lobes {
 // The sampled lobe.
 struct BsdfSample {
     ray: Ray,
-    // The share of the light over the probability of the choice.
+    // The lobe's weight divided by the probability of choosing it.
     weight: vec3f,
     kind: u32,
 }
@@ -29,7 +29,7 @@ fn lobes_emission(m: Material) -> vec3f {
     return m.emission;
 }
 
-// `direction` is the unit direction of the ray that hit.
+// The lobes at a surface; `direction` is the unit direction of the incident ray.
 fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
     var lobes: Lobes;
     lobes.cosine = clamp(-dot(s.normal, direction), 0.0, 1.0);
@@ -49,7 +49,7 @@ fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
     return lobes;
 }
 
-// The mirrored or the refracted ray, by a number from the diffuse lobe's chance to the sum.
+// Samples reflection or refraction, for a number between the diffuse lobe's chance and the sum.
 fn lobes_specular(s: Surface, m: Material, lobes: Lobes, ray: Ray, direction: vec3f, number: f32) -> BsdfSample {
     if !HAS_REFRACTION || lobes.chances.z == 0.0 || number < lobes.chances.x + lobes.chances.y {
         let reflected = surface_spawn(s, normalize(reflect(direction, s.normal)), FAR, cone_bent(s, 1.0, 2.0));

@@ -1,4 +1,4 @@
-// For scenes of diffuse, non-emissive materials: paths go on by the diffuse lobe alone.
+// For scenes of diffuse, non-emissive materials: paths use the diffuse lobe only.
 
 struct Lobes {
     diffuse: vec3f,

@@ -1,30 +1,30 @@
-// One sample of a path tracer (Kajiya 1986): a path from the eye that goes on by one lobe of each surface.
+// One sample of a path tracer (Kajiya 1986): a path from the eye that continues by one lobe at each surface.
 
 // Bounce level from which on Russian roulette may end a path.
 const PATH_ROULETTE_LEVEL: u32 = 3u;
 
-// The numbers of a path: behind the place in the pixel a vertex has as many pairs of its own as PATH_DIMENSIONS.
+// Random dimensions per vertex: after the position in the pixel, each vertex has PATH_DIMENSIONS pairs.
 const PATH_DIMENSIONS: u32 = 4u;
-// Which lobe; whether the path stops away from the gaze.
+// Dimension of the choice of lobe, and of stopping away from the gaze.
 const PATH_LOBE: u32 = 0u;
 // Dimension of the diffuse direction.
 const PATH_DIRECTION: u32 = 1u;
-// Which emitter; whether roulette ends the path.
+// Dimension of the choice of emitter, and of Russian roulette.
 const PATH_EMITTER: u32 = 2u;
 // Dimension of the point on the emitter.
 const PATH_POINT: u32 = 3u;
-// Distance of the dimensions of successive light samples.
+// Distance between the dimensions of successive light samples.
 const PATH_LIGHT_SAMPLE: u32 = 1024u;
 
 struct Path {
     pixel: vec2u,
     ray: Ray,
     kind: u32,
-    // What the radiance that arrives along the ray counts for.
+    // Throughput: weight of the radiance that arrives along the ray.
     throughput: vec3f,
-    // Bounce level: 1 for the ray from the eye.
+    // Bounce level: 1 for the primary ray.
     level: u32,
-    // How densely the ray was drawn about a diffuse surface, per unit of solid angle; 0 for all other rays.
+    // Density with which the diffuse lobe sampled the ray, per unit of solid angle; 0 for other rays.
     density: f32,
     // Radiance found so far.
     radiance: vec3f,
@@ -44,7 +44,7 @@ fn path_begin(pixel: vec2u) -> Path {
     );
 }
 
-// Follows the ray to the next surface and leaves it again; false where the path ends.
+// Traces the ray to the next surface and scatters it there; false if the path ends.
 fn path_step(path: ptr<function, Path>) -> bool {
     let ray = (*path).ray;
     inspect_ray((*path).kind);
@@ -98,8 +98,8 @@ fn path_step(path: ptr<function, Path>) -> bool {
     return path_scatter(path, s, m, lobes, direction, random.x * lobes.sum);
 }
 
-// Goes on by the surface's lobe that a number up to their sum chooses, unless roulette ends the path; `direction` is the unit
-// direction of the ray that hit.
+// Continues by the lobe that `number`, up to the sum of chances, selects, unless Russian roulette ends the path;
+// `direction` is the unit direction of the incident ray.
 fn path_scatter(
     path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes, direction: vec3f, number: f32
 ) -> bool {
@@ -133,7 +133,7 @@ fn path_scatter(
     return true;
 }
 
-// A direction about a unit normal, as dense as its cosine.
+// A cosine-weighted direction around a unit normal.
 fn path_diffuse_direction(n: vec3f, random: vec2f) -> vec3f {
     let r = sqrt(random.x);
     let angle = 2.0 * PI * random.y;

@@ -1,4 +1,4 @@
-// Irradiance by punctual lights, a shadow ray for each.
+// Irradiance from punctual lights, with a shadow ray for each.
 
 fn punctual_irradiance(s: Surface) -> vec3f {
     let shadow = shadow_bits(s);

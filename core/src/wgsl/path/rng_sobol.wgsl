@@ -1,5 +1,5 @@
-// The samples of a pixel are spread evenly: the Sobol' sequence of two dimensions, scrambled and shuffled for each pair
-// (Burley 2020, "Practical Hash-based Owen Scrambling", JCGT 9(4)).
+// Random numbers that stratify the samples of a pixel: the two-dimensional Sobol' sequence, scrambled and
+// shuffled for each pair (Burley 2020, "Practical Hash-based Owen Scrambling", JCGT 9(4)).
 
 fn rng_words(pixel: vec2u, dimension: u32) -> vec2u {
     let keys = rng_pcg4d(vec4u(pixel, 0u, dimension));
@@ -7,9 +7,9 @@ fn rng_words(pixel: vec2u, dimension: u32) -> vec2u {
     return vec2u(rng_owen(reverseBits(index), keys.y), rng_owen(rng_sobol(index), keys.z));
 }
 
-// The second dimension; the first is the bits of the index in reverse. The bits are the coefficients of a polynomial over two
-// elements, which is shifted by 1: halves, quarters and so on at once (Ahmed 2024, "An Implementation Algorithm of 2D Sobol
-// Sequence Fast, Elegant, and Compact").
+// The second Sobol' dimension; the first is the bit-reversed index. The bits are the coefficients of a polynomial
+// over GF(2) that is shifted by 1, in log2 steps (Ahmed 2024, "An Implementation Algorithm of 2D Sobol Sequence
+// Fast, Elegant, and Compact").
 fn rng_sobol(index: u32) -> u32 {
     var word = index;
     word ^= word >> 16u;
@@ -20,7 +20,7 @@ fn rng_sobol(index: u32) -> u32 {
     return reverseBits(word);
 }
 
-// Owen's scrambling: every bit is flipped or not by what stands above it.
+// Owen scrambling: flips each bit depending on the bits above it.
 fn rng_owen(word: u32, key: u32) -> u32 {
     var x = reverseBits(word) + key;
     x ^= x * 0x6c50b47cu;

@@ -1,4 +1,4 @@
-// Sums of path samples where each pixel has its own samples alone: added and displayed at once.
+// Adds a path's sample to the sum of its own pixel and writes the mean.
 
 fn samples_add(pixel: vec2u, stereo_reuse: StereoReuse, radiance: vec3f) {
     if COUNTS {

@@ -1,4 +1,4 @@
-// Hit filter of the probe that counts the surfaces along a ray: no surface stops it.
+// Any-hit filter of the probe that counts the surfaces along a ray: no surface stops it.
 
 var<private> any_hit_counted: u32;
 

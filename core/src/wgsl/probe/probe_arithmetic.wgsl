@@ -1,10 +1,10 @@
-// As much arithmetic as the device does: eight chains of products and sums, none of which waits for another.
+// Measures arithmetic throughput: eight independent chains of multiply-adds.
 
 var<storage, read_write> results: array<f32>;
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(global_invocation_id) id: vec3u) {
-    // No number grows, and none becomes so small that it slows the device down.
+    // Keeps numbers bounded and away from subnormal ones, which may be slow.
     let factor = vec4f(0.999);
     let term = vec4f(0.001 * f32(id.x & 7u) + 0.001);
     var a = term;

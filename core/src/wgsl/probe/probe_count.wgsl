@@ -1,4 +1,4 @@
-// Counts the surfaces that rays of the caller pass through.
+// Counts the surfaces that the caller's rays pass through.
 
 var<storage, read_write> results: array<u32>;
 

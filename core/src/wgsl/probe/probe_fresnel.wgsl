@@ -1,4 +1,4 @@
-// Evaluates Fresnel's equations for boundaries that the caller states.
+// Evaluates Fresnel's equations at the caller's boundaries.
 
 struct ProbeBoundary {
     cosine: f32,
@@ -7,12 +7,12 @@ struct ProbeBoundary {
 
 struct ProbeFresnel {
     reflectance: f32,
-    // Cosine of the refracted direction.
+    // Cosine of the angle of refraction.
     transmitted: f32,
     // 1 at total internal reflection, else 0.
     total: u32,
     padding0: u32,
-    // For the normal +z and a ray that comes along +x; zero where everything is reflected.
+    // Direction of refraction for normal +z and an incident ray along +x; zero at total reflection.
     refracted: vec3f,
     padding1: u32,
 }

@@ -1,13 +1,13 @@
-// Rays that the caller states.
+// The caller's rays.
 
 struct ProbeRay {
     origin: vec3f,
     t_max: f32,
     direction: vec3f,
     any: u32,
-    // 1 + the primitive that the ray leaves, 0 for none.
+    // 1 + the primitive that the ray starts on, 0 for none.
     left: u32,
-    // Of what the ray stands for, where it starts, and what that grows by in a unit of length.
+    // Ray cone: width at the origin and growth per unit of length.
     width: f32,
     growth: f32,
     padding: u32,

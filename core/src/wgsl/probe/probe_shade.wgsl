@@ -1,12 +1,12 @@
-// Traces and shades rays of the caller, and reports radiance and attributes.
+// Traces and shades the caller's rays; returns radiance and attributes.
 
 struct ProbeSample {
     color: vec3f,
     depth: f32,
     normal: vec3f,
-    // OID + 1, 0 where the ray meets nothing.
+    // OID + 1, or 0 if the ray hits nothing.
     object: u32,
-    // The part of the colour that other rays brought.
+    // Reflected and refracted radiance in the colour.
     gcol: vec3f,
     shadow: u32,
     texcoord: vec2f,

@@ -1,14 +1,14 @@
-// Reports hit points, and the origins of rays that leave the surface to either side.
+// Returns hit points, and the origins of rays that leave the surface on either side.
 
 struct ProbeSpawn {
     position: vec3f,
-    // MISS where nothing is hit; everything else is zero then.
+    // MISS if nothing is hit; all other fields are then zero.
     primitive: u32,
     normal: vec3f,
     object: u32,
     face: vec3f,
     inside: u32,
-    // Origins of rays to the viewer's side of the face and to the other.
+    // Origins of rays on the viewer's side of the face and on the other.
     above: vec3f,
     t: f32,
     below: vec3f,

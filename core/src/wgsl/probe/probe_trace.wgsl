@@ -1,4 +1,4 @@
-// Traces rays of the caller and reports their closest hits.
+// Traces the caller's rays and returns their closest hits.
 
 struct ProbeHit {
     t: f32,

@@ -1,5 +1,5 @@
-// What a frame leaves for the next one: of each pixel the point in the scene that it shows (FAR if it
-// is not to be seen from elsewhere), and its radiance.
+// The history that a frame leaves for the next one: for each pixel the world-space point that it shows (FAR if
+// that is not valid from other positions), and its radiance.
 
 var<storage, read_write> history: array<f32>;
 

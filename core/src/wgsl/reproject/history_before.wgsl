@@ -1,4 +1,4 @@
-// Reads the history that the previous frame has left.
+// Reads the history buffer that the last frame has written.
 
 var<storage, read> history_before: array<f32>;
 

@@ -1,6 +1,7 @@
-// Which pixels a frame traces anew: those whose rank in their tile is among frame.renewed ranks from frame.renewed_from on.
-// Ranks are Bayer's (1973, "An optimum method for two-level rendition of continuous-tone pictures"): of any 4^k ranks that
-// follow on a multiple of it, each square of a tile that is divided into 4^k has one.
+// Selects the pixels that a frame traces: those whose rank in their tile is among the `frame.refresh_count` ranks
+// from `frame.refresh_first` on. Ranks form a Bayer matrix (1973, "An optimum method for two-level rendition of
+// continuous-tone pictures"): of any 4^k consecutive ranks that start at a multiple of 4^k, each of the tile's
+// 4^k squares has one.
 
 fn refresh_pixel(rank: u32) -> vec2u {
     let at = frame_tile(reverseBits(rank % RANKS) / (0xffffffffu / RANKS + 1u));
@@ -13,7 +14,7 @@ fn refresh_rank(pixel: vec2u) -> u32 {
     return reverseBits(mixed.x | (mixed.y << 1u)) / (0xffffffffu / RANKS + 1u);
 }
 
-// The bits of eight-bit numbers, each with a gap behind it.
+// Spreads the bits of eight-bit numbers, with a gap after each.
 fn refresh_spread(random: vec2u) -> vec2u {
     var bits = (random | (random << vec2u(4u))) & vec2u(0x0f0fu);
     bits = (bits | (bits << vec2u(2u))) & vec2u(0x3333u);

@@ -1,26 +1,26 @@
-// Projects the surface points of the previous frame into the present one.
+// Projects the surface points of the last frame into the current view.
 
 struct Splat {
-    // The greatest key of what landed in the pixel, 0 where nothing did.
+    // Greatest depth key of the points in the pixel, 0 if there are none.
     key: atomic<u32>,
-    // The first pixel of the frame before that has this key, its bits inverted.
+    // First pixel of the last frame with this key, bits inverted.
     source: atomic<u32>,
 }
 
 var<storage, read_write> splats: array<Splat>;
 
-// Target of a pixel of the previous frame.
+// Pixel and depth key of a reprojected point.
 struct Reprojected {
     to: u32,
-    // Key of the depth test; 0 where the point is outside of the frame.
+    // Key of the depth test; 0 if the point is outside the frame.
     key: u32,
 }
 
-// Of this many bits of a key's 32 the lowest tell how near to the centre of the pixel.
+// Number of the lowest bits of a key, which encode the distance from the pixel's centre.
 const REPROJECT_OFFSET_BITS: u32 = 13u;
 
-// The key is greater for the nearer of two points (closest depth wins); of points that are as far to a part in 2^11, which
-// are of one surface, for the one that is nearer to the centre of the pixel.
+// Reprojects a pixel. Keys are greater for nearer points; among depths that agree to one part in 2^11, hence of
+// one surface, for the point nearer to the pixel's centre.
 fn reproject_point(pixel: vec2u) -> Reprojected {
     let point = history_point(pixel.y * frame.size.x + pixel.x);
     if point.x == FAR {
@@ -39,7 +39,7 @@ fn reproject_point(pixel: vec2u) -> Reprojected {
     return Reprojected(to.y * frame.size.x + to.x, ~(order | min(offset, (1u << REPROJECT_OFFSET_BITS) - 1u)));
 }
 
-// Whether the camera has moved since the previous frame.
+// Whether the camera has moved since the last frame.
 fn reproject_is_needed() -> bool {
     return frame.refresh_count < RANKS && frame.still == 0u;
 }

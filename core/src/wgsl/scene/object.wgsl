@@ -1,4 +1,4 @@
-// What the shaders know of an object: its material in glTF's terms.
+// An object's material as shaders read it, with glTF's parameters.
 
 struct Object {
     base_color: vec3f,
@@ -9,16 +9,16 @@ struct Object {
     roughness: f32,
     transmission: f32,
     ior: f32,
-    // Shares of local, mirrored and refracted light where OBJECT_WEIGHTS is set.
+    // Weights of diffuse, reflected and refracted light if OBJECT_WEIGHTS is set.
     weights: vec3f,
     flags: u32,
-    // Rectangles of the textures in the atlas.
+    // Places of the textures in the atlas.
     base_color_texture: vec4u,
     metallic_roughness_texture: vec4u,
     emissive_texture: vec4u,
 }
 
-// Reads an object; compilers drop the reads of fields that are not used.
+// Reads an object; compilers drop the reads of unused fields.
 fn object_at(object: u32) -> Object {
     let base = object_part(object, 0u);
     let emission = object_part(object, 1u);

@@ -1,4 +1,4 @@
-// The objects in a buffer, as GPUs read it: seven times four words each.
+// The objects in a buffer, for GPUs: seven times four words each.
 
 var<storage, read> objects: array<vec4u>;
 

@@ -1,4 +1,4 @@
-// The objects in an image, as CPUs read it: seven texels each.
+// The objects in an image, for CPUs: seven texels each.
 
 var objects: texture_2d<u32>;
 

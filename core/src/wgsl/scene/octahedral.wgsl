@@ -1,4 +1,4 @@
-// Unit vectors in 32 bits: octahedral mapping, two 16-bit signed normalised numbers (Cigolle et al. 2014).
+// Unit vectors in 32 bits: octahedral mapping to two 16-bit signed normalised integers (Cigolle et al. 2014).
 
 fn octahedral_encode(n: vec3f) -> u32 {
     let l1 = abs(n.x) + abs(n.y) + abs(n.z);

@@ -1,7 +1,8 @@
-// All images in one array of pages, with glTF's wrap modes. A place is (x | y << 16, width | height << 16,
-// page | wrap_s << 11 | wrap_t << 13 | page of the levels << 15 | TEXTURE_* flags, x | y << 16 of the levels).
+// The texture atlas: all images in an array of pages, with glTF's wrap modes. A texture's place is (x | y << 16,
+// width | height << 16, page | wrap_s << 11 | wrap_t << 13 | page of the levels << 15 | TEXTURE_* flags, x | y <<
+// 16 of the levels).
 
-// The pages as sRGB: decoded when read.
+// The pages as sRGB, decoded on reading.
 var atlas_color: texture_2d_array<f32>;
 // The same pages without decoding.
 var atlas_data: texture_2d_array<f32>;
@@ -14,7 +15,7 @@ struct Texels {
     nearest: bool,
 }
 
-// The coordinate inside [0, 1] that shows the same texel.
+// Maps a coordinate into [0, 1] by its wrap mode.
 fn texture_fold_axis(x: f32, wrap: u32) -> f32 {
     let repeated = x - floor(x);
     let mirrored = 1.0 - abs(1.0 - 2.0 * (0.5 * x - floor(0.5 * x)));
@@ -22,7 +23,8 @@ fn texture_fold_axis(x: f32, wrap: u32) -> f32 {
     return select(select(clamped, mirrored, wrap == WRAP_MIRROR), repeated, wrap == WRAP_REPEAT);
 }
 
-// Folded coordinates lead at most one texel beside the image (two where its weight is zero): no division is needed.
+// Wraps a texel index. Folded coordinates are at most one texel outside the image (two with weight zero), so no
+// division is needed.
 fn texture_wrap_axis(i: i32, size: i32, wrap: u32) -> i32 {
     let repeated = select(select(i, i - size, i >= size), i + size, i < 0);
     return select(clamp(i, 0, size - 1), repeated, wrap == WRAP_REPEAT);
@@ -61,7 +63,7 @@ fn texture_present(place: vec4u) -> bool {
     return (place.z & TEXTURE_PRESENT) != 0u;
 }
 
-// Whether the point is part of the surface: that is never a matter of an average.
+// Whether the point is part of the surface: alpha is tested at the point, never averaged.
 fn texture_alpha(place: vec4u, texcoord: vec2f) -> f32 {
     if !texture_present(place) {
         return 1.0;
@@ -69,7 +71,7 @@ fn texture_alpha(place: vec4u, texcoord: vec2f) -> f32 {
     return texture_point(atlas_color, texture_whole(place), texture_wrap(place.z), texcoord).a;
 }
 
-// Of several textures of a material the first that is there decides how coordinates are stored.
+// The first texture of a material, which determines how texture coordinates are stored.
 fn texture_first(object: u32) -> u32 {
     let base = object_at(object).base_color_texture.z;
     let metallic_roughness = object_at(object).metallic_roughness_texture.z;

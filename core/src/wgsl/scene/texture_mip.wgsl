@@ -1,13 +1,14 @@
-// Textures with mip levels: the average over a footprint, an ellipse in texture coordinates with the second moments
-// (ss, tt, st) of its axes. It is sampled by points of a level along both axes (along the longer one as McCormack et al. 1999,
-// "Feline"), a texel of the level apart, whose weights cover lengths r in units of that distance and so change smoothly
-// with them: they are closer to a square pixel's average than one wide texel is.
+// Texture lookups with mip levels: the average over a footprint, an ellipse in texture coordinates given by the
+// second moments (ss, tt, st) of its axes. It is approximated by points of one level along both axes (along the
+// longer one as in McCormack et al. 1999, "Feline"), one texel of the level apart. Their weights cover a length r
+// in units of this distance and change continuously with it, which comes closer to a box average over a pixel
+// than a single wide texel.
 //
-// The lengths are such that second moments are those of the average which many samples of the image itself converge to. With
-// texels s wide in a level, an average over the footprint's axis w and the bilinear filters on both sides:
+// The lengths are chosen so that second moments match those of the average that many samples of the image would
+// converge to. For a level with texels s wide, a footprint axis w and the bilinear filters on both sides:
 //   2 + w^2 = (s^2 - 1) + 2 s^2 + (r^2 - 1) s^2, in texels of the image,
-// so r^2 = (w^2 + 3) / s^2 - 2, and one point does for s^2 = 1 + w^2 / 3: the level is the one below that. One is taken off
-// w^2: what is magnified is the image as it is.
+// so r^2 = (w^2 + 3) / s^2 - 2, and one point suffices for s^2 = 1 + w^2 / 3; the level is the next finer one. 1
+// is subtracted from w^2 so that magnified textures are shown unfiltered.
 
 // The footprint's ellipse in texels of the image.
 struct Ellipse {
@@ -17,7 +18,7 @@ struct Ellipse {
     axes: vec2f,
 }
 
-// The rectangle of a mip level from 1 on.
+// The rectangle of a mip level, from 1 on.
 fn texture_level(place: vec4u, level: u32) -> Texels {
     let size = texture_corner(place.y);
     var corner = texture_corner(place.w);
@@ -48,7 +49,7 @@ fn texture_average(atlas: texture_2d_array<f32>, place: vec4u, texcoord: vec2f, 
     let level = min(0.5 * log2(s2), smallest);
     let below = u32(level);
     let finer = texture_points(atlas, place, below, texcoord, ellipse);
-    // Blends two levels, so that no seam is visible between them.
+    // Blends two levels to avoid visible seams.
     let part = 1.0 - TEXTURE_STEPS * (f32(below + 1u) - level);
     if part <= 0.0 {
         return finer;
@@ -57,7 +58,7 @@ fn texture_average(atlas: texture_2d_array<f32>, place: vec4u, texcoord: vec2f, 
 }
 
 fn texture_points(atlas: texture_2d_array<f32>, place: vec4u, level: u32, texcoord: vec2f, ellipse: Ellipse) -> vec4f {
-    // glTF's nearest texel is for what is magnified.
+    // Nearest filtering (glTF) applies to magnification only.
     var t = texture_whole(place);
     t.nearest = false;
     if level > 0u {
@@ -94,7 +95,7 @@ fn texture_data(place: vec4u, texcoord: vec2f, footprint: vec3f) -> vec4f {
     return texture_average(atlas_data, place, texcoord, footprint);
 }
 
-// -1 where exactly one of the coordinates is folded back, so that the footprint leans the other way.
+// -1 if exactly one of the coordinates is mirrored, which flips the footprint's correlation; else 1.
 fn texture_fold_sign(object: u32, texcoord: vec2f) -> f32 {
     let odd = abs(floor(texcoord) - 2.0 * floor(0.5 * texcoord)) == vec2f(1.0);
     let back = odd & (texture_wrap(texture_first(object)) == vec2u(WRAP_MIRROR));

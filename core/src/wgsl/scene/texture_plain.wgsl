@@ -1,4 +1,4 @@
-// Textures without mip levels: what a texture shows is what it shows at one point, whatever a sample stands for.
+// Texture lookups without mip levels: the texture at the hit point, whatever the footprint.
 
 fn texture_color(place: vec4u, texcoord: vec2f, footprint: vec3f) -> vec4f {
     if !texture_present(place) {

@@ -1,4 +1,4 @@
-// Texture coordinates and colours at a hit, as far as the scene has them.
+// Texture coordinates and colours at a hit, if the scene has them.
 
 fn vertex_texcoord(hit: Hit) -> vec2f {
     let corners = vertex_texcoords(hit.primitive);

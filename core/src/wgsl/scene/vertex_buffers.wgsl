@@ -1,9 +1,9 @@
-// Texture coordinates and colours of a primitive's corners in a buffer, as GPUs read them: three pairs of numbers, then three
-// colours, as far as the scene has them.
+// Texture coordinates and colours of a primitive's corners in a buffer, for GPUs: three pairs of coordinates,
+// then three colours, each if present.
 
 var<storage, read> vertices: array<u32>;
 
-// Words a primitive: 6 of texture coordinates, 3 of colours.
+// Words per primitive: 6 of texture coordinates, 3 of colours.
 fn vertex_stride() -> u32 {
     if VERTEX_STRIDE_KNOWN {
         return VERTEX_STRIDE;
@@ -25,7 +25,7 @@ fn vertex_corner_texcoord(index: u32) -> vec2f {
     return vec2f(bitcast<f32>(vertices[index]), bitcast<f32>(vertices[index + 1u]));
 }
 
-// Of the three corners, and whether there are any.
+// Colours of the three corners, and a flag for their presence.
 fn vertex_colors(primitive: u32) -> vec4u {
     let stride = vertex_stride();
     if stride != 3u && stride != 9u {

@@ -1,5 +1,5 @@
-// Texture coordinates and colours of a primitive's corners in an image, as CPUs read them: two texels of coordinates, then one
-// of colours, which says whether there are any.
+// Texture coordinates and colours of a primitive's corners in an image, for CPUs: two texels of coordinates, then
+// one of colours with a flag for their presence.
 
 var vertices: texture_2d<u32>;
 
@@ -13,7 +13,7 @@ fn vertex_texcoords(primitive: u32) -> array<vec2f, 3> {
     return array<vec2f, 3>(ab.xy, ab.zw, c.xy);
 }
 
-// Of the three corners, and whether there are any.
+// Colours of the three corners, and a flag for their presence.
 fn vertex_colors(primitive: u32) -> vec4u {
     if VERTEX_STRIDE_KNOWN && VERTEX_STRIDE % 6u == 0u {
         return vec4u(0u);

@@ -5,14 +5,14 @@ struct Light {
     kind: u32,
     intensity: vec3f,
     radius: f32,
-    // Unit vector in which the light shines.
+    // Unit vector in which the light travels along the axis.
     direction: vec3f,
     // 1 / range^2, 0 without a range.
     inverse_range2: f32,
-    // Cosine c of the angle to the axis gives the cone (c x scale + offset)^2, clamped to [0, 1].
+    // Cosine c of the angle to the axis gives the cone factor (c x scale + offset)^2, clamped to [0, 1].
     cone_scale: f32,
     cone_offset: f32,
-    // The most that falloff may multiply the intensity by.
+    // Limit of the falloff factor on the intensity.
     limit: f32,
     padding: f32,
 }

@@ -1,4 +1,4 @@
-// Materials at a point, in Whitted's terms; the formulas are in core/MATERIALS.md.
+// Evaluates materials at a point (Whitted 1980); the formulas are in core/MATERIALS.md.
 
 struct Material {
     base: vec3f,
@@ -44,12 +44,13 @@ fn material_is(m: Material, flag: u32) -> bool {
     return (m.flags & flag) != 0u;
 }
 
-// The share of the specular lobe that is traced as a mirror.
+// The fraction of the specular lobe that is traced as a mirror.
 fn material_gloss(m: Material) -> f32 {
     return max(0.0, 1.0 - 2.0 * m.roughness);
 }
 
-// The index on the viewer's side over that on the other; `inside` is the side behind the surface.
+// The index of refraction on the viewer's side over that on the other; `inside` means that the viewer is behind
+// the surface.
 fn material_ratio(m: Material, inside: bool) -> f32 {
     return select(1.0 / m.ior, m.ior, inside);
 }
@@ -66,7 +67,7 @@ fn material_fresnel(m: Material, cosine: f32, inside: bool) -> vec3f {
     let ratio = material_ratio(m, solid_inside);
     var dielectric = fresnel_reflectance(cosine, ratio, fresnel_transmitted(cosine, ratio));
     if material_is(m, OBJECT_THIN) {
-        // Reflectance of a pane: both faces, all orders of internal reflection.
+        // Reflectance of a thin pane: both faces with all internal reflections.
         dielectric = 2.0 * dielectric / (1.0 + dielectric);
     }
     let grazing = material_grazing(cosine);
@@ -74,7 +75,7 @@ fn material_fresnel(m: Material, cosine: f32, inside: bool) -> vec3f {
     return mix(vec3f(dielectric), metal, m.metallic);
 }
 
-// The share of the radiance along the reflected ray.
+// Weight of the reflected ray's radiance.
 fn material_mirror(m: Material, cosine: f32, inside: bool) -> vec3f {
     if material_is(m, OBJECT_WEIGHTS) {
         return vec3f(m.weights.y);
@@ -85,7 +86,7 @@ fn material_mirror(m: Material, cosine: f32, inside: bool) -> vec3f {
     return material_fresnel(m, cosine, inside) * material_gloss(m);
 }
 
-// The share of the radiance along the refracted ray, where there is one.
+// Weight of the refracted ray's radiance, if there is one.
 fn material_refraction(m: Material, cosine: f32, inside: bool) -> vec3f {
     if material_is(m, OBJECT_WEIGHTS) {
         return vec3f(m.weights.z);
@@ -96,7 +97,7 @@ fn material_refraction(m: Material, cosine: f32, inside: bool) -> vec3f {
     return m.base * m.transmission * (1.0 - m.metallic) * (1.0 - material_fresnel(m, cosine, inside));
 }
 
-// The share of light that is scattered in all directions.
+// Albedo of the diffuse lobe.
 fn material_diffuse(m: Material, cosine: f32, inside: bool) -> vec3f {
     if material_is(m, OBJECT_WEIGHTS) {
         return m.base * m.weights.x;
@@ -109,7 +110,7 @@ fn material_diffuse(m: Material, cosine: f32, inside: bool) -> vec3f {
     return diffuse;
 }
 
-// What of a metal is not traced as a mirror: it scatters light from everywhere too.
+// The part of a metal's reflection that is not traced as a mirror; it counts as diffuse as well.
 fn material_rough_metal(m: Material) -> vec3f {
     if material_is(m, OBJECT_WEIGHTS) {
         return vec3f(0.0);
@@ -117,13 +118,13 @@ fn material_rough_metal(m: Material) -> vec3f {
     return m.base * (m.metallic * (1.0 - material_gloss(m)));
 }
 
-// Albedo of the diffuse and the specular lobe together.
+// Sum of the albedos of the diffuse and the specular lobe.
 fn material_albedo(m: Material, cosine: f32, inside: bool) -> vec3f {
     return material_diffuse(m, cosine, inside) + material_rough_metal(m);
 }
 
-// What the surface sends towards the viewer by itself: emission, ambient and direct light. `view` is the unit
-// vector to the viewer, bit i of `shadow` says that light i does not reach the point.
+// Radiance towards the viewer without further rays: emission, ambient and direct light. `view` is the unit vector
+// to the viewer; bit i of `shadow` means that light i does not reach the point.
 fn material_local(m: Material, position: vec3f, normal: vec3f, view: vec3f, inside: bool, shadow: u32) -> vec3f {
     if material_is(m, OBJECT_UNLIT) {
         return m.base;
@@ -133,15 +134,15 @@ fn material_local(m: Material, position: vec3f, normal: vec3f, view: vec3f, insi
     return m.emission + frame.ambient * ambient + lights_reflected(m, diffuse, position, normal, view, shadow);
 }
 
-// Microfacet lobe (Blinn-Phong distribution, Neumann's visibility) for one light.
+// Microfacet lobe for one light (Blinn-Phong distribution, Neumann's visibility term).
 fn material_lobe(m: Material, normal: vec3f, view: vec3f, light: vec3f) -> vec3f {
     if m.roughness >= 1.0 || material_is(m, OBJECT_WEIGHTS) {
         return vec3f(0.0);
     }
-    // Zero where the light comes from behind, along the view.
+    // Zero if the light comes from the opposite of the view direction.
     let sum = view + light;
     let half_way = sum * inverseSqrt(max(dot(sum, sum), 1.0e-12));
-    // A point light's image in a perfect mirror has no width: it is shown as wide as roughness 0.2 makes it.
+    // A point light's image in a perfect mirror would have no width; it is shown with at least roughness 0.2.
     let roughness = max(m.roughness, 0.2);
     let alpha2 = roughness * roughness * roughness * roughness;
     let exponent = max(2.0 / alpha2 - 2.0, 0.0);

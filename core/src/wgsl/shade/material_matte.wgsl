@@ -1,4 +1,4 @@
-// For scenes of diffuse materials: a material is its albedo.
+// For scenes of diffuse materials only: a material is its albedo.
 
 struct Material {
     base: vec3f,

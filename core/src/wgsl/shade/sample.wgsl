@@ -1,9 +1,9 @@
-// One traced sample: a primary ray with everything that follows from it (Whitted).
+// Traces one sample: a primary ray and the rays that follow from it (Whitted 1980).
 
 struct Sample {
     attributes: Attributes,
     color: vec3f,
-    // Whether rays beyond the first hit were followed.
+    // Whether any ray beyond the first hit was traced.
     bounced: bool,
 }
 

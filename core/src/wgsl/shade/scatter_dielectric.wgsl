@@ -1,5 +1,5 @@
-// Mirror reflection and refraction: a tree of rays, walked with a stack of the branches still to come. What the
-// depth limit, the weight cut or the limit of rays leaves out is replaced by the environment's fallback radiance.
+// Specular reflection and refraction: a tree of rays, traversed with a stack of pending branches. Rays cut off by
+// the depth limit, the least weight or the limit of rays have the environment's fallback radiance.
 
 struct PathState {
     ray: Ray,
@@ -23,7 +23,7 @@ fn scatter_next(state: ptr<function, PathState>) -> bool {
     return true;
 }
 
-// Pushes a branch, or returns the radiance that stands for it where a limit cuts it off.
+// Pushes a branch; returns the fallback radiance in its place if a limit cuts it off.
 fn scatter_push(ray: Ray, weight: vec3f, level: u32, kind: u32) -> vec3f {
     let largest = max(weight.x, max(weight.y, weight.z));
     if largest <= 0.0 {
@@ -39,7 +39,7 @@ fn scatter_push(ray: Ray, weight: vec3f, level: u32, kind: u32) -> vec3f {
     return vec3f(0.0);
 }
 
-// Sends both rays on their way; `direction` is the unit direction of the ray that hit.
+// Continues with both rays; `direction` is the unit direction of the incident ray.
 fn scatter(s: Surface, m: Material, state: PathState, direction: vec3f) -> vec3f {
     var sum = vec3f(0.0);
     let level = state.level + 1u;

@@ -1,5 +1,5 @@
-// Mirror reflection: one ray follows the other until the depth limit or the weight cut. What is cut off is
-// replaced by the environment's fallback radiance.
+// Specular reflection as an iterated chain of rays, up to the depth limit or the least weight. Rays that are cut
+// off have the environment's fallback radiance.
 
 struct PathState {
     ray: Ray,
@@ -18,7 +18,7 @@ fn scatter_next(state: ptr<function, PathState>) -> bool {
     return next;
 }
 
-// Sends the reflected ray on its way; `direction` is the unit direction of the ray that hit.
+// Continues with the reflected ray; `direction` is the unit direction of the incident ray.
 fn scatter(s: Surface, m: Material, state: PathState, direction: vec3f) -> vec3f {
     let cosine = clamp(-dot(s.normal, direction), 0.0, 1.0);
     let weight = state.weight * material_mirror(m, cosine, s.inside);

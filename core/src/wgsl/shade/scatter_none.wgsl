@@ -1,4 +1,4 @@
-// For scenes without mirrors and glass: a sample is its primary ray alone.
+// For scenes without reflection and refraction: a sample is its primary ray alone.
 
 struct PathState {
     ray: Ray,

@@ -1,5 +1,5 @@
-// One shadow ray a light; bit i is set where light i does not reach the point (SHDBIT). A light behind the
-// shading normal contributes nothing whatever its bit says, so it gets no ray.
+// Traces a shadow ray for each light; bit i is set if light i does not reach the point (SHDBIT). A light behind
+// the shading normal contributes nothing in any case and gets no ray.
 
 fn shadow_bits(s: Surface) -> u32 {
     let origin = s.position + s.offset * s.face;

@@ -1,4 +1,4 @@
-// Stores a path sample until its visibility from the other eye is known.
+// Stores a path's sample until the reprojection pass weights it.
 
 fn samples_add(pixel: vec2u, stereo_reuse: StereoReuse, radiance: vec3f) {
     let place = samples_place(pixel);

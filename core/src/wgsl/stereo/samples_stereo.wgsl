@@ -1,15 +1,18 @@
-// Sums of samples, and what crosses over: each sample lands in one pixel at most, whose samples are a list.
+// Sums of samples with stereo reuse: each sample contributes to at most one pixel of the other eye, which links
+// its contributions in a list.
 
 struct Sample {
-    // The pixel's own sum with what has landed in it.
+    // The pixel's sum: its own samples and those of the other eye.
     sum: array<f32, 3>,
-    // The first that landed here in this frame, and the next in the list that this one is in: indices + 1, 0 for none. Until
-    // the other eye has looked, what the path has met first.
+    // Head of the list of contributions in this frame, and the next entry of the list that this sample is in:
+    // indices + 1, 0 for none. Before the reprojection pass, `next` is the primitive that the path has hit first.
     splats: atomic<u32>,
     next: u32,
-    // What the path has met behind a mirror; where all samples count alike, how many there are instead.
+    // Before the reprojection pass, the primitive hit behind a mirror. With unweighted reuse, the number of
+    // samples.
     second: u32,
-    // What this pixel's sample of this frame counts for where it landed; until the other eye has looked, the sample.
+    // This sample's weighted contribution to the other eye's pixel; before the reprojection pass, the sample
+    // itself.
     stereo_reuse: array<f32, 3>,
 }
 

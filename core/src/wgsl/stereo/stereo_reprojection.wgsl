@@ -1,14 +1,14 @@
-// Visibility of a path's first surface, or of what a plane mirror shows of it, from the other eye.
+// Visibility of a path's first surface, or of its image in a planar mirror, from the other eye.
 
 struct StereoReprojection {
     pixel: vec2u,
     ray: Ray,
-    // Bounce level: 1 for the ray from the eye.
+    // Bounce level: 1 for the primary ray.
     level: u32,
     stereo_reuse: StereoReuse,
 }
 
-// A primitive that the ray is known to meet first.
+// The hit of a ray with the primitive that it is known to hit first.
 fn stereo_reproject_hit(ray: Ray, primitive: u32) -> Hit {
     if sphere_is(primitive) {
         return Hit(sphere_hit(ray, primitive), primitive, 0.0, 0.0);
@@ -17,7 +17,7 @@ fn stereo_reproject_hit(ray: Ray, primitive: u32) -> Hit {
     return Hit(found.t, primitive, found.u, found.v);
 }
 
-// Follows the path that has met these primitives (+ 1, 0 for none).
+// Retraces the path through the primitives that it has hit (index + 1, 0 for none).
 fn stereo_reproject_path(reprojection: ptr<function, StereoReprojection>, first: u32, second: u32) {
     var next = first;
     while next != 0u && (*reprojection).level < frame.depth {

@@ -1,4 +1,4 @@
-// Reuse for scenes without mirrors: the other eye is tested against first hits alone.
+// Reuse for scenes without mirrors: the other eye is tested against first hits only.
 
 struct StereoReuseMirror {
     there: bool,
@@ -16,8 +16,8 @@ fn stereo_reuse_image(mirror: StereoReuseMirror, s: Surface) -> StereoReuseImage
     return StereoReuseImage(s.position, s.face);
 }
 
-// What the light that the other eye's ray finds counts for, compared to what this eye's path found; negative if the ray does
-// not get there.
+// Weight of the light along the other eye's ray relative to that along this eye's path; negative if the ray does
+// not reach the point.
 fn stereo_reuse_share(mirror: StereoReuseMirror, s: Surface, ray: Ray) -> vec3f {
     inspect_ray(RAY_SHADOW);
     return vec3f(select(-1.0, 1.0, stereo_reuse_same_point(bvh_traverse(ray, false), s)));

@@ -1,16 +1,17 @@
-// The other eye looks at first hits, and at what the path has met behind a plane mirror: by the same mirror.
+// Reuse for scenes with mirrors: the other eye is tested against first hits, and against hits behind a planar
+// mirror by way of the same mirror.
 
-// The first hit, if it is a plane mirror and no more.
+// The first hit, if it is a purely specular planar mirror.
 struct StereoReuseMirror {
     there: bool,
     object: u32,
     point: vec3f,
     face: vec3f,
-    // Weight of the light that arrives by the mirror, for each channel.
+    // Reflectance of the mirror for each channel.
     share: vec3f,
 }
 
-// Faces are of one plane whose normals have this cosine.
+// Faces with at least this cosine between their normals are coplanar.
 const STEREO_REUSE_PLANE: f32 = 0.999999;
 
 fn stereo_reuse_mirror_none() -> StereoReuseMirror {
@@ -39,8 +40,8 @@ fn stereo_reuse_image(mirror: StereoReuseMirror, s: Surface) -> StereoReuseImage
     return StereoReuseImage(s.position - behind, reflect(s.face, mirror.face));
 }
 
-// What the light that the other eye's ray finds counts for, compared to what this eye's path found; negative if the ray does
-// not get there. A loop, so that there is one traversal: to the mirror, and on.
+// Weight of the light along the other eye's ray relative to that along this eye's path; negative if the ray does
+// not reach the point. A loop over mirror and surface, so that the traversal is inlined once.
 fn stereo_reuse_share(mirror: StereoReuseMirror, s: Surface, to: Ray) -> vec3f {
     var ray = to;
     var share = vec3f(1.0);

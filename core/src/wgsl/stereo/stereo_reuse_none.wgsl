@@ -1,4 +1,4 @@
-// For frames without reuse between the eyes: a sample counts in its own pixel alone.
+// For frames without stereo reuse: a sample counts in its own pixel only.
 
 struct StereoReuse {
     nothing: u32,

@@ -1,11 +1,11 @@
-// A sample of one eye is one more of the other eye, wherever that sees the point of a diffuse surface (Kim & Sung 2021,
-// equations 1 to 5), and where the ray that a mirror reflects meets the plane of the other eye's picture (equation 6). The
-// plane is at depth 1.
+// Unweighted reuse: a sample counts fully in the other eye if that sees the point on a diffuse surface (Kim &
+// Sung 2021, equations 1 to 5), and where a reflected ray meets the plane of the other eye's image (equation 6).
+// The plane is at depth 1.
 
 struct StereoReuse {
     // Weight of the sample in its own pixel.
     own: f32,
-    // Where it lands: the index of a pixel + 1, 0 for nowhere.
+    // Pixel of the other eye: index + 1, 0 for none.
     splat: u32,
     // Weight of the sample in the other eye's pixel, for each channel.
     other: vec3f,

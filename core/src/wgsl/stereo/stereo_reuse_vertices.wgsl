@@ -1,8 +1,8 @@
-// The surfaces of a path that the other eye is tested against: 1 + index of the primitive, 0 for none.
+// The primitives of a path's hits that the other eye is tested against: index + 1, 0 for none.
 
 struct StereoReuse {
     first: u32,
-    // The primitive seen by way of a plane mirror.
+    // The primitive seen in a planar mirror.
     second: u32,
 }
 

@@ -1,32 +1,32 @@
-// A sample of one eye is one of the other eye too, if that sees the same point of a diffuse surface. In its own pixel and in
-// the other it counts for as much as makes up for finding the point in two ways (balance heuristic: Veach, Guibas 1995):
-// where the one eye finds points with a density of 1 to a pixel, the other finds them with one of k, the size that the
-// surface has in the other's picture over that in the one's.
+// Weighted reuse: a sample also counts in the other eye if that sees the same point on a diffuse surface. Weights
+// in both pixels compensate for finding the point in two ways (balance heuristic, Veach & Guibas 1995): where one
+// eye samples points with density 1 per pixel, the other does with density k, the ratio of the surface's size in
+// the other's image to that in the one's.
 
 struct StereoReuse {
     // Weight of the sample in its own pixel.
     own: f32,
-    // Where it lands: the index of a pixel + 1, 0 for nowhere.
+    // Pixel of the other eye: index + 1, 0 for none.
     splat: u32,
     // Weight of the sample in the other eye's pixel, for each channel.
     other: vec3f,
     mirror: StereoReuseMirror,
 }
 
-// Points coincide that are no farther apart, of the distance from the eye.
+// Points coincide up to this distance, relative to the distance from the eye.
 const STEREO_REUSE_NEAR: f32 = 1.0e-3;
 
 fn stereo_reuse_begin() -> StereoReuse {
     return StereoReuse(1.0, 0u, vec3f(0.0), stereo_reuse_mirror_none());
 }
 
-// What an eye sees: a point of a surface, or its image in a mirror.
+// What an eye sees: a surface point, or its image in a mirror.
 struct StereoReuseImage {
     point: vec3f,
     face: vec3f,
 }
 
-// Looks from the other eye at what the path has met; true where it is a mirror, to look at what is behind.
+// Tests a hit from the other eye; true for a mirror, whose image is tested next.
 fn stereo_reuse_at(reprojection: ptr<function, StereoReprojection>, s: Surface, m: Material, lobes: Lobes) -> bool {
     if stereo_reuse_enters_mirror(reprojection, s, m, lobes) {
         return true;
@@ -58,7 +58,7 @@ fn stereo_reuse_find(reprojection: ptr<function, StereoReprojection>, s: Surface
     (*reprojection).stereo_reuse.other = there / (here + there) * share;
 }
 
-// Has a ray to a point of a surface at 1 of its parameter met that point?
+// Whether a ray to a surface point at parameter 1 has hit that point.
 fn stereo_reuse_same_point(hit: Hit, s: Surface) -> bool {
     if hit.primitive == MISS || hit.primitive == s.primitive {
         return hit.primitive == s.primitive;

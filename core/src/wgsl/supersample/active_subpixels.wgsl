@@ -1,9 +1,9 @@
-// Active subpixels, subpixels that get extra samples, in a list of their own: x | y << 14 | quarter << 28, and
-// whether it is the first of its pixel, the master (Jin 2009, 4.3.2). All of a pixel are in one run of ACTIVE_RUN entries.
+// List entries of active subpixels, which get extra samples: x | y << 14 | quarter << 28, and a flag for the
+// first of its pixel, the master (Jin 2009, 4.3.2). The entries of a pixel are in one run of ACTIVE_RUN entries.
 
 const ACTIVE_MASTER: u32 = 0x40000000u;
 const ACTIVE_NONE: u32 = 0xffffffffu;
-// Number of samples of an active subpixel.
+// Number of extra samples of an active subpixel.
 const ACTIVE_SAMPLES: u32 = 4u;
 const ACTIVE_RUN: u32 = TRACE_GROUP / ACTIVE_SAMPLES;
 

@@ -1,4 +1,4 @@
-// Range of the list that is dispatched: listed pixels whose next samples are not traced yet.
+// Range of the list that is dispatched: refined pixels whose next samples are not traced yet.
 
 const LIST_SAMPLES: u32 = 4u;
 

@@ -1,12 +1,13 @@
-// What supersampling compares of neighbouring pixels (Jin 2009, Table 1), as planes of the attribute buffer, for every row of
-// the band. Deviations: normals in 32 bits; of the secondary rays the one with the largest weight is kept, reflected or
-// refracted; a texture that is only seen in a mirror counts as one, though what shows it is small.
+// The attributes that supersampling compares between pixels (Jin 2009, Table 1), as planes of the attribute
+// buffer for every row of the band. Deviations: normals have 32 bits; of the secondary rays, the one with the
+// largest weight is kept, reflected or refracted; and a texture seen in a mirror counts even if the mirror's
+// weight is small.
 
 struct PixelEdges {
-    // OID + 1, the number of lights in shadow, EDGES_TEXTURE: of the primary hit.
+    // Packed primary hit: OID + 1, the number of shadowed lights, and PIXEL_EDGES_TEXTURE.
     primary: u32,
     normal: u32,
-    // The same of the secondary hit, 0 where there is none.
+    // The same of the secondary hit; 0 if there is none.
     secondary: u32,
     secondary_normal: u32,
     // Linear radiance of the sample.
@@ -65,13 +66,14 @@ fn pixel_edges_store(pixel: vec2u, e: PixelEdges) {
     attributes_write(pixel_edges_place(pixel, PIXEL_EDGE_COLOR + 2u), color.z);
 }
 
-// The eight around a pixel and itself, row by row from the upper left; beyond the frame, the nearest inside.
+// The 3x3 pixels around and including `pixel`, row by row from the upper left; beyond the frame, the nearest
+// inside.
 fn pixel_edges_neighbour(pixel: vec2u, index: u32) -> vec2u {
     let beside = vec2i(pixel) + vec2i(i32(index % 3u), i32(index / 3u)) - 1;
     return pixel_edges_inside(beside);
 }
 
-// The nearest pixel of which is known what is compared.
+// The nearest pixel whose attributes are stored.
 fn pixel_edges_inside(pixel: vec2i) -> vec2u {
     let low = vec2i(0, i32(max(frame.part.row, PIXEL_EDGES_APRON) - PIXEL_EDGES_APRON));
     return vec2u(clamp(pixel, low, vec2i(frame.size) - 1));

@@ -1,7 +1,7 @@
-// Samples of the recursive quincunx (lecture, "Adaptive supersampling"): corners and centre of a pixel, then of the quads
-// between them that differ along their diagonal, twice. Places are in eighths of a pixel, rows counted from the band's first.
-// Every sample has a place of its own in memory: those on the lattice of quarter pixels, which quads share, and the centres
-// of the smallest quads, which they do not.
+// Samples of the recursive quincunx (lecture, "Adaptive supersampling"): centre and corners of a pixel, then two
+// levels of those of quads whose diagonal samples differ. Points are in eighths of a pixel, with rows counted
+// from the band's first. Every sample has its own storage: those on the lattice of quarter pixels, which quads
+// share, and the centres of the smallest quads, which they do not.
 
 var<storage, read_write> samples: array<f32>;
 
@@ -29,13 +29,14 @@ fn quincunx_store(point: vec2u, color: vec3f) {
     samples[place + 2u] = color.z;
 }
 
-// A square with a sample in its middle's place of an outer one: from its inner corner to its outer one.
+// A square, given by the samples at opposite corners: the inner one, at the centre of the parent quad, and the
+// outer one.
 struct Quad {
     inner: vec2u,
     outer: vec2u,
 }
 
-// A quarter of a pixel: from the centre to a corner.
+// A quarter of a pixel, from the centre to a corner.
 fn quincunx_quad(pixel: vec2u, subpixel: u32) -> Quad {
     let corner = vec2u(subpixel & 1u, subpixel >> 1u);
     return Quad(8u * pixel + 4u, 8u * (pixel + corner));
@@ -50,7 +51,7 @@ fn quincunx_middle(q: Quad) -> vec2u {
     return (q.inner + q.outer) / 2u;
 }
 
-// A quarter of a quad: from its middle to one of its corners, in the order inner, beside, beside, outer.
+// A quarter of a quad, from its centre to one of its corners, in the order inner, beside, beside, outer.
 fn quincunx_part(q: Quad, part: u32) -> Quad {
     let x = select(q.inner.x, q.outer.x, (part & 1u) != 0u);
     let y = select(q.inner.y, q.outer.y, (part & 2u) != 0u);
@@ -63,7 +64,7 @@ fn quincunx_differs(q: Quad) -> bool {
     return contrast_exceeds(min(a, b), max(a, b), frame.tolerances.quincunx_threshold);
 }
 
-// The pixel that counts a sample which several pixels share.
+// The pixel that counts a sample shared by several pixels.
 fn quincunx_pixel(point: vec2u) -> vec2u {
     return min(point / 8u + vec2u(0u, frame.part.row), frame.size - 1u);
 }

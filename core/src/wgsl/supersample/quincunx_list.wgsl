@@ -1,4 +1,4 @@
-// Samples to be traced: 17 bits along the row, 15 along the column of the band.
+// List entries of quincunx samples: 17 bits for the column, 15 for the row in the band.
 
 fn quincunx_entry(point: vec2u) -> u32 {
     return point.x | (point.y << 17u);

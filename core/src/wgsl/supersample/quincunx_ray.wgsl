@@ -1,5 +1,5 @@
-// The ray through a sample of the quincunx. A sample of the first level stands for half of the pixel's area, those that a
-// subpixel is divided by for an eighth of it, and so on.
+// The ray through a quincunx sample. A sample of the first level represents half of the pixel's area, one that
+// divides a subpixel an eighth of it, and so on.
 
 const SQRT_2: f32 = 1.41421356;
 

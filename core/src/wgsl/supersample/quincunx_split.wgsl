@@ -1,6 +1,6 @@
-// A quad is divided: what it needs for that is traced, each sample once, whoever needs it.
+// Divides a quad: lists the samples that the division needs, each once even if several quads share it.
 
-// A bit for each of the sixteen lattice samples of a pixel.
+// A claim bit for each of a pixel's sixteen lattice samples.
 var<storage, read_write> attributes: array<atomic<u32>>;
 
 fn quincunx_split(q: Quad) {

@@ -1,6 +1,6 @@
-// The first four samples of refined pixels, one in each quarter, and what follows from them.
+// The state of refined pixels: their first four samples, one in each quarter, the sum and flags.
 
-// Where the sum of a pixel's samples is kept, behind the four.
+// Index of the sum of a pixel's samples, after the first four.
 const REFINE_SUM: u32 = 4u;
 
 fn refine_place(pixel: vec2u, index: u32) -> u32 {
@@ -21,13 +21,13 @@ fn refine_store(pixel: vec2u, index: u32, color: vec3f) {
     list.words[place + 2u] = words.z;
 }
 
-// Which of the first four lies in that quarter, counted from the upper left.
+// Index of the sample in a quarter, among the first four; quarters count from the upper left.
 fn refine_in_subpixel(subpixel: u32) -> u32 {
     return (4u - subpixel) & 3u;
 }
 
-// What is known of a pixel besides its samples: 1 + the round in which it was listed, whether it was traced, for which the rounds
-// may not suffice, and which samples it gets.
+// State of a refined pixel: 1 + the round that listed it, whether it was traced (rounds may end before), and the
+// mask of its samples.
 
 const REFINE_ROUND: u32 = 0x7fu;
 const REFINE_TRACED: u32 = 0x80u;
@@ -41,7 +41,7 @@ fn refine_round(pixel: vec2u) -> u32 {
     return (refine_state(pixel) & REFINE_ROUND) - 1u;
 }
 
-// Is the pixel this thread's to list, for that round?
+// Claims a pixel for this thread to list in a round; true for one thread only.
 fn refine_claim(pixel: vec2u, round: u32) -> bool {
     return atomicMax(&attributes[pixel_edges_place(pixel, PIXEL_EDGE_ROUND)], round + 1u) == 0u;
 }

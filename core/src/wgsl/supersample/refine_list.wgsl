@@ -1,4 +1,5 @@
-// The list as refinement sees it: for each pixel a place for each four samples it may get, then what is known of it.
+// The list for refinement: space for an entry per step of four samples of each pixel, followed by the samples and
+// sums of all pixels.
 
 struct RefineList {
     count: atomic<u32>,
@@ -10,7 +11,7 @@ struct RefineList {
 
 var<storage, read_write> list: RefineList;
 
-// The next four samples of a pixel, after that many steps of four.
+// Lists the next four samples of a pixel, after `step` steps.
 fn refine_append(pixel: vec2u, step: u32) {
     let place = atomicAdd(&list.count, 1u);
     list.words[place] = pixel.x | (pixel.y << 14u) | (step << 28u);

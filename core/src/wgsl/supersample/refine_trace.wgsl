@@ -1,4 +1,4 @@
-// A thread for each of the four samples that a listed pixel gets at once.
+// Traces the four samples of a step of a listed pixel, one per thread.
 
 var<workgroup> refine_colors: array<vec3f, TRACE_GROUP>;
 
@@ -6,7 +6,7 @@ struct Refining {
     listed: bool,
     pixel: vec2u,
     step: u32,
-    // Which of the four samples of a step this thread traces.
+    // Which of the step's four samples this thread traces.
     part: u32,
 }
 

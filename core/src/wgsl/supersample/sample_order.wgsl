@@ -1,5 +1,5 @@
-// The order of a pixel's sixteen samples (Sobol's): each four that follow each other are one in each quarter, each column and
-// each row of the pixel's 4x4 cells.
+// The order of a pixel's sixteen samples (Sobol'): each four in succession have one in each quarter, column and
+// row of the pixel's 4x4 cells.
 
 fn sample_order_stratum(i: u32) -> vec2u {
     let a = i & 1u;

@@ -1,4 +1,5 @@
-// The secondary hit of a sample (Jin 2009, 4.2.1): one bounce from the first, by the ray that brings most.
+// The secondary hit of a sample (Jin 2009, 4.2.1): one bounce from the first hit, along the ray with the largest
+// weight.
 
 var<private> secondary_weight: f32;
 var<private> secondary_words: vec2u;

@@ -1,4 +1,4 @@
-// For frames that do not compare secondary hits: nothing is stored of them.
+// For frames that do not compare secondary hits: stores nothing.
 
 fn secondary_begin() {}
 fn secondary_hit(weight: vec3f, s: Surface, shadow: u32) {}

@@ -1,10 +1,11 @@
-// The two-step test of a pixel's quarters (Jin 2009, 4.1.3, 4.2.2): what differs from three neighbours chooses the threshold,
-// then the contrast of the four colours decides.
+// The two-step test of a pixel's quarters (Jin 2009, 4.1.3, 4.2.2): the attributes that differ from three
+// neighbours select the threshold, then the contrast of the four colours decides.
 
 struct Test {
     // Bit i is set where subpixel i, numbered as in active_subpixels.wgsl, is active.
     subpixels: u32,
-    // Of any quarter: bit 0, the contrast exceeds the colour's threshold; bits 1 to 8, the attributes of Table 1 differ.
+    // For any quarter: bit 0 if the contrast exceeds the colour threshold, bits 1 to 8 if attributes of Table 1
+    // differ.
     differing: u32,
 }
 
@@ -14,13 +15,13 @@ fn subpixels_test(pixel: vec2u) -> Test {
     }
     let own = pixel_edges_load(pixel);
     let own_shown = contrast_shown(own.color);
-    // Textures are tested on the pixel itself, whatever its neighbours are.
+    // Textures are tested on the pixel itself, independent of its neighbours.
     let own_bits = subpixels_textures(own);
     var bits: array<u32, 9>;
     var shown: array<vec3f, 9>;
     for (var i = 0u; i < 9u; i += 1u) {
         if i == 4u {
-            // The pixel itself.
+            // Skips the pixel itself.
             continue;
         }
         let other = pixel_edges_load(pixel_edges_neighbour(pixel, i));
@@ -42,7 +43,8 @@ fn subpixels_test(pixel: vec2u) -> Test {
     return test;
 }
 
-// Colours that differ less than this around the whole pixel differ less around each quarter, whatever the attributes are.
+// Early test: if the colours around the pixel differ by less than this, no quarter is active, whatever the
+// attributes.
 fn subpixels_may_differ(pixel: vec2u) -> bool {
     let range = contrast_range(pixel);
     return contrast_exceeds(range.low, range.high, 0.999 * frame.tolerances.tau_least);
@@ -63,7 +65,7 @@ fn subpixels_differing(own: PixelEdges, other: PixelEdges) -> u32 {
         | (subpixels_differing_at(own.secondary, other.secondary, own.secondary_normal, other.secondary_normal) << 4u);
 }
 
-// Bits for differences of object, normal and number of shadowing lights.
+// Bits of differing object, normal and number of shadowed lights.
 fn subpixels_differing_at(a: u32, b: u32, a_normal: u32, b_normal: u32) -> u32 {
     if !subpixels_in_focus(a) && !subpixels_in_focus(b) {
         return 0u;

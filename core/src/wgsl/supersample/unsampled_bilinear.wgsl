@@ -1,6 +1,7 @@
-// The centres around an inactive quarter of a pixel stand for it, bilinearly (Jin 2009, section 6).
+// Inactive quarters of a pixel are interpolated bilinearly between the surrounding pixel centres (Jin 2009,
+// section 6).
 
-// What bilinear interpolation adds to the pixel's colour for its inactive subpixels.
+// Change of the pixel's colour by bilinear interpolation in its inactive subpixels.
 fn unsampled_correction(pixel: vec2u, mask: u32) -> vec3f {
     let own = pixel_edges_color(pixel);
     var sum = vec3f(0.0);

@@ -1,4 +1,4 @@
-// The sample at a pixel's centre stands for its inactive quarters (Jin 2009, Figure 5).
+// Inactive quarters of a pixel have the colour of the sample at its centre (Jin 2009, Figure 5).
 
 fn unsampled_correction(pixel: vec2u, mask: u32) -> vec3f {
     return vec3f(0.0);

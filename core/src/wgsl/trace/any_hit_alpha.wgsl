@@ -1,4 +1,4 @@
-// Hit filter for scenes with alpha-masked surfaces, and with surfaces that let shadow rays pass.
+// Any-hit filter for scenes with alpha-masked surfaces, and with surfaces that shadow rays ignore.
 
 fn any_hit_accepts(primitive: u32, u: f32, v: f32, shadow: bool) -> bool {
     let flags = shading_at(primitive).w;

@@ -1,4 +1,4 @@
-// Traversal of the compressed wide BVH (Ylitie, Karras, Laine 2017) that obvhs builds: 80-byte nodes of eight
+// Traversal of the compressed wide BVH (Ylitie, Karras & Laine 2017) built with obvhs: 80-byte nodes of eight
 // children with boxes of 8-bit planes, visited front to back by the octant of the ray.
 
 struct Hit {
@@ -12,7 +12,7 @@ fn bvh_corners(primitive: u32) -> array<vec3f, 3> {
     return array<vec3f, 3>(bvh_corner(primitive, 0u), bvh_corner(primitive, 1u), bvh_corner(primitive, 2u));
 }
 
-// Terms of the slab test that depend on the ray alone.
+// Per-ray terms of the slab test.
 struct Slabs {
     origin: vec3f,
     inverse: vec3f,
@@ -21,8 +21,8 @@ struct Slabs {
 }
 
 fn bvh_slabs(ray: Ray) -> Slabs {
-    // A component of zero would give 0 x infinity at a plane through the origin. What takes its place turns the ray by
-    // less than the shear of the triangle test is rounded.
+    // A component of zero would give 0 x infinity at a plane through the origin. Its replacement turns the ray by
+    // less than the rounding error of the triangle test's shear.
     let size = abs(ray.direction);
     let least = 1.0e-18 * max(size.x, max(size.y, size.z));
     let direction = select(ray.direction, select(vec3f(-least), vec3f(least), ray.direction >= vec3f(0.0)), size < vec3f(least));
@@ -31,7 +31,7 @@ fn bvh_slabs(ray: Ray) -> Slabs {
     return Slabs(ray.origin, 1.0 / direction, negative, octant * 0x01010101u);
 }
 
-// Four children: the bits of those that the ray meets before t_max.
+// Tests four children; returns a mask of those that the ray hits before t_max.
 fn bvh_four(meta4: u32, octant: u32, lo_x: u32, hi_x: u32, lo_y: u32, hi_y: u32, lo_z: u32, hi_z: u32,
             scale: vec3f, near_start: vec3f, far_start: vec3f, negative: vec3<bool>, t_max: f32) -> u32 {
     let near_x = vec4f(unpack4xU8(select(lo_x, hi_x, negative.x))) * scale.x + near_start.x;
@@ -56,7 +56,7 @@ struct Visit {
     leaves: vec2u,
 }
 
-// The children of a node that the ray meets: inner ones as a group, primitives as a mask.
+// Tests the children of a node: returns inner ones as a group and primitives as a mask.
 fn bvh_visit(index: u32, slabs: Slabs, t_max: f32) -> Visit {
     let n0 = bvh_node(index, 0u);
     let n1 = bvh_node(index, 1u);
@@ -68,7 +68,7 @@ fn bvh_visit(index: u32, slabs: Slabs, t_max: f32) -> Visit {
     let scale = unit * slabs.inverse;
     let low = bitcast<vec3f>(n0.xyz) - slabs.origin;
     let start = low * slabs.inverse;
-    // The boxes grow by BVH_ROUNDING of what bounds the distance to their planes along any axis.
+    // Boxes grow by BVH_ROUNDING times a bound of the distance to their planes along any axis.
     let distance = max(abs(low.x), max(abs(low.y), abs(low.z))) + 256.0 * max(unit.x, max(unit.y, unit.z));
     let margin = abs(slabs.inverse) * (BVH_ROUNDING * distance);
     let mask =
@@ -77,7 +77,8 @@ fn bvh_visit(index: u32, slabs: Slabs, t_max: f32) -> Visit {
     return Visit(vec2u(n1.x, (mask & 0xff000000u) | (n0.w >> 24u)), vec2u(n1.y, mask & 0x00ffffffu));
 }
 
-// Hits at the same distance go to the lower object, and within one to the lower place, whatever comes first.
+// Whether a hit is nearer than the best one. At the same distance the lower OID wins, then the lower primitive
+// index, whatever the order of traversal.
 fn bvh_nearer(t: f32, primitive: u32, best: Hit) -> bool {
     if best.primitive == MISS || abs(t - best.t) > SAME_DISTANCE * best.t {
         return t < best.t;
@@ -91,8 +92,8 @@ fn bvh_precedes(a: u32, b: u32) -> bool {
     return object < other || (object == other && a < b);
 }
 
-// A ray that passes straight through meets what comes after the pane that it left, in the order in which all of its
-// surfaces come: its edge functions are those of before, and so nothing is met twice and nothing is missed.
+// Whether a hit comes after the pane that a straight-through ray has left, in the same strict order of hits. The
+// ray's edge functions are unchanged, so no surface is hit twice or missed.
 fn bvh_ahead(ray: Ray, t: f32, primitive: u32) -> bool {
     if !HAS_PANES {
         return true;
@@ -100,12 +101,12 @@ fn bvh_ahead(ray: Ray, t: f32, primitive: u32) -> bool {
     return t > ray.after || (t == ray.after && bvh_precedes(ray.left, primitive));
 }
 
-// Nearest hit (`any` false), or some hit (`any` true; only its existence is meaningful).
+// Finds the nearest hit (`any` false), or any hit (`any` true; then only its existence is meaningful).
 fn bvh_traverse(ray: Ray, any: bool) -> Hit {
     let slabs = bvh_slabs(ray);
     let shear = triangle_shear(ray);
     var best = Hit(ray.t_max, MISS, 0.0, 0.0);
-    // Ray parameter of the closest hit so far: farther nodes are skipped.
+    // Ray parameter of the closest hit so far; farther nodes are skipped.
     var reach = ray.t_max;
     var stack: array<vec2u, BVH_STACK>;
     var stacked = 0u;

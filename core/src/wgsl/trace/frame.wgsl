@@ -1,72 +1,73 @@
-// The frame's constants and its primary rays.
+// The frame's uniform constants and its primary rays.
 
-// Where primary rays start and where they go.
+// The camera's origin and basis vectors, which define primary rays.
 struct FrameCamera {
     origin: vec3f,
-    // 1, or 0 of a perspective camera.
+    // 1 if orthographic, 0 if perspective.
     orthographic: f32,
     right: vec3f,
-    // 1 / size.y, of samples.
+    // 1 / size.y, in samples.
     inverse_height: f32,
     up: vec3f,
     padding_x: u32,
     forward: vec3f,
     padding_y: u32,
-    // How far the eyes are aside of the origin, and how far their pictures are shifted, in lengths of `right`.
+    // Offset of each eye from the origin, and horizontal shift of its image; both in lengths of `right`.
     eyes: vec2f,
     padding_z: vec2u,
 }
 
-// What a dispatch treats.
+// The range that a dispatch processes.
 struct FramePart {
-    // Where this part of the pass begins: a row of workgroups, or a place in the list.
+    // Start of this part of the pass: a row of workgroups, or an index into the list.
     first: u32,
-    // The samples that the pass treats: each stride-th row from `row` until before `end`.
+    // The rows of samples that the pass processes: every `stride`-th one in `row..end`.
     stride: u32,
     row: u32,
     end: u32,
-    // What is stored of row y is in row |y - turn|.
+    // Row y is stored as row |y - turn| of the buffers.
     turn: u32,
-    // The most samples that a thread of the postcorrection traces.
+    // The most samples that one thread of the postcorrection traces.
     walk: u32,
-    // The direction of a scan, or the distance of the samples that a filter reads.
+    // Direction of a scan, or distance of a filter's taps, in samples.
     step: vec2i,
 }
 
-// How much may differ between samples that count as similar.
+// Tolerances and thresholds of the tests between samples.
 struct FrameTolerances {
     // Kim 2016, Table 1.
     pos: f32,
     norm: f32,
     tex: f32,
     gcol: f32,
-    // Of objects, normals, shadow counts and textures, at the primary hit and at the secondary one (Jin 2009, Table 1).
+    // Thresholds for objects, normals, shadow counts and textures, of the primary and the secondary hit (Jin
+    // 2009, Table 1).
     tau_primary: vec4f,
     tau_secondary: vec4f,
     tau_col: f32,
-    // The least of the nine thresholds.
+    // The smallest of the nine thresholds.
     tau_least: f32,
-    // The objects whose differences count: OID + 1 of the first and of the last.
+    // The range of objects whose attributes are compared: OID + 1 of the first and of the last.
     focus_first: u32,
     focus_last: u32,
-    // How much the ends of a quincunx may differ.
+    // Contrast threshold of the quincunx.
     quincunx_threshold: f32,
     padding_x: u32,
     padding_y: u32,
     padding_z: u32,
 }
 
-// Of path tracing.
+// Constants of path tracing.
 struct FramePaths {
-    // Where the eyes look, in pixels, and the probability of stopping for each pixel away from there.
+    // Position of the gaze in pixels, and the probability of stopping per pixel of distance from it.
     gaze: vec2f,
     stop: f32,
-    // 1 over the sum of strength times area of all emitters.
+    // Reciprocal of the sum of strength times area over all emitters.
     emitter_scale: f32,
     emitters: u32,
-    // Of each pixel, since the camera rests.
+    // Index of the frame's sample since the camera came to rest.
     sample: u32,
-    // Samples of each pixel that were traced elsewhere and added.
+    // Samples per pixel that were added from elsewhere.
     merged: u32,
     padding_x: u32,
 }
@@ -82,12 +83,12 @@ struct FrameUniform {
     depth: u32,
     fallback_radiance: vec3f,
     seed: u32,
-    // In samples.
+    // Samples across and down.
     size: vec2u,
-    // The ranks that are traced anew: the first and how many.
+    // The ranks that the frame traces: the first and their number.
     refresh_first: u32,
     refresh_count: u32,
-    // Not 0 where the camera is that of the frame before.
+    // Not 0 if the camera is the same as in the frame before.
     still: u32,
     padding_x: u32,
     padding_y: u32,
@@ -105,36 +106,36 @@ struct Ray {
     origin: vec3f,
     t_max: f32,
     direction: vec3f,
-    // The primitive that the ray leaves, MISS if it leaves none.
+    // The primitive that the ray starts on, MISS if none.
     left: u32,
-    // Where it left it; above 0 for rays that pass straight through, on their way since before.
+    // Ray parameter of the surface left; above 0 for rays that continue straight through a pane.
     after: f32,
-    // How wide what the ray stands for is where it starts, and what that grows by in a unit of the ray's parameter.
+    // Ray cone: width at the origin, and its growth per unit of the ray's parameter.
     cone: vec2f,
 }
 
-// Through a sample (a pixel, unless pixels have several), for which it stands; a perspective ray's parameter is the view depth
-// along `forward`.
+// The primary ray through the centre of a sample, with a cone as wide as the sample. For perspective rays the
+// parameter is the view depth along `forward`.
 fn frame_ray(pixel: vec2u) -> Ray {
     return frame_ray_in(pixel, 1.0);
 }
 
-// Through a cell of a grid that is so many times as fine as that of the samples.
+// The ray through a cell of a grid `fineness` times as fine as that of the samples.
 fn frame_ray_in(stratum: vec2u, fineness: f32) -> Ray {
     return frame_ray_at(vec2f(stratum) + jitter_in(stratum), fineness, 1.0);
 }
 
-// What textures are averaged over, of the width that a sample stands for. An average that is as wide is blurred by the filter
-// that it is taken with: extra samples beside single ones are closest to 64 a pixel at 0.85 (wooden_staircase, sponza_dabrovic:
-// 1 is 0.3 dB worse).
+// Width of texture averages relative to the sample's width. An average as wide as the sample would be blurred
+// again by its own filter kernel: 0.85 is closest to 64 samples per pixel (on wooden_staircase and
+// sponza_dabrovic, 1 is 0.3 dB worse).
 const FRAME_FOOTPRINT: f32 = 0.85;
 
-// The width of a cell at depth 1, from its scale.
+// Width of a cell at depth 1.
 fn frame_side(scale: f32) -> f32 {
     return FRAME_FOOTPRINT * 2.0 * scale * length(frame.camera.up);
 }
 
-// Through a place in such a grid, for a square of so many cells' side.
+// The ray through position `at` of a grid `fineness` times as fine, with a cone `strata` cells wide.
 fn frame_ray_at(at: vec2f, fineness: f32, strata: f32) -> Ray {
     let size = fineness * vec2f(frame.size);
     let scale = frame.camera.inverse_height / fineness;
@@ -152,7 +153,7 @@ fn frame_ray_at(at: vec2f, fineness: f32, strata: f32) -> Ray {
     );
 }
 
-// The place in the image, in samples from the upper left, where a point is seen; negative behind the camera.
+// Position in the image where a point is seen, in samples from the upper left; negative behind the camera.
 fn frame_place(point: vec3f) -> vec2f {
     let size = vec2f(frame.size);
     let away = point - frame.camera.origin;
@@ -166,12 +167,13 @@ fn frame_place(point: vec3f) -> vec2f {
     return 0.5 * (size + vec2f(x, -y) / along * size.y);
 }
 
-// Where a row of the frame is stored in the band.
+// Row of the band's buffers that stores row y of the frame.
 fn frame_band_row(y: u32) -> u32 {
     return u32(abs(i32(y) - i32(frame.part.turn)));
 }
 
-// The place of a thread in a square tile, along a Z-order curve: threads that run together see neighbouring pixels.
+// Position of a thread in a square tile along a Z-order curve, so that threads of a subgroup process neighbouring
+// pixels.
 fn frame_tile(index: u32) -> vec2u {
     var bits = vec2u(index, index >> 1u) & vec2u(0x55555555u);
     bits = (bits | (bits >> vec2u(1u))) & vec2u(0x33333333u);

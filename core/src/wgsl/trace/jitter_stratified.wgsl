@@ -1,6 +1,7 @@
-// Samples lie anywhere in their cells (lecture, "Jittered sampling"), at places that follow from cell and seed. Those of a square
-// of 4x4 cells are a scrambled (0,2)-net (Sobol; Kollig, Keller 2002, "Efficient Multidimensional Sampling"): each sixteenth of
-// its width and of its height has one of them too, so that edges of any slope part them evenly.
+// Jitters samples within their cells (lecture, "Jittered sampling"), by a hash of cell and seed. The samples of
+// each square of 4x4 cells form a scrambled (0,2)-net (Sobol; Kollig & Keller 2002, "Efficient Multidimensional
+// Sampling"): each sixteenth of its width and of its height has exactly one sample, so that edges of any slope
+// divide them evenly.
 
 // The hash pcg3d (Jarzynski, Olano 2020, "Hash Functions for GPU Rendering", JCGT 9(3)).
 fn jitter_hash(at: vec2u) -> vec2u {
@@ -20,7 +21,7 @@ fn jitter_in(stratum: vec2u) -> vec2f {
     return vec2f((low << vec2u(22u)) | (jitter_hash(stratum) >> vec2u(10u))) / 16777216.0;
 }
 
-// The third and fourth binary digit of the net's one point whose first two are these.
+// The third and fourth binary digits of the net's only point with these first two digits.
 fn jitter_net(high: vec2u) -> vec2u {
     let fourth = (high.x ^ high.y) & 1u;
     let third = ((high.x >> 1u) ^ (high.y >> 1u) ^ high.y) & 1u;

@@ -1,13 +1,14 @@
-// Ray cones: what a sample stands for is as wide as the cone around its rays (Akenine-Moeller et al. 2021, "Improved Shader
-// and Texture Level of Detail Using Ray Cones"). A cone is its width and what that grows by; behind a focus the width is
-// negative, like the picture that a lens turns round.
+// Ray cones (Akenine-Moeller et al. 2021, "Improved Shader and Texture Level of Detail Using Ray Cones"): the
+// width of the region around a ray that its sample represents, and the growth of this width. After a focus the
+// width is negative, as the image is inverted.
 
-// The width where a ray arrives, and what it grows by in a unit of length from there on.
+// The cone where a ray hits: its width, and its growth per unit of length from there on.
 fn cone_arrived(ray: Ray, t: f32) -> vec2f {
     return vec2f(ray.cone.x + t * ray.cone.y, ray.cone.y / length(ray.direction));
 }
 
-// Second moments (ss, tt, st), in texture coordinates, of the axes of the ellipse that the cone cuts out of a triangle.
+// Second moments (ss, tt, st), in texture coordinates, of the axes of the ellipse in which the cone intersects a
+// triangle.
 fn cone_footprint(width: f32, direction: vec3f, face: vec3f, corners: array<vec3f, 3>, texcoords: array<vec2f, 3>) -> vec3f {
     let ab = corners[1] - corners[0];
     let ac = corners[2] - corners[0];
@@ -19,7 +20,7 @@ fn cone_footprint(width: f32, direction: vec3f, face: vec3f, corners: array<vec3
     if !(area2 > 1.0e-30) || width == 0.0 {
         return vec3f(0.0);
     }
-    // Any direction in the surface will do where the ray arrives along the normal.
+    // At normal incidence any direction in the surface will do.
     let upright = dot(sine, sine) < 1.0e-12;
     let other = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 1.0, 0.0), abs(face.x) > 0.5);
     let across = normalize(select(sine, cross(face, other), upright));
@@ -34,14 +35,14 @@ fn cone_footprint(width: f32, direction: vec3f, face: vec3f, corners: array<vec3
     return vec3f(a * a + b * b, a.x * a.y + b.x * b.y);
 }
 
-// The footprint as it is stored among the attributes.
+// The footprint in the encoding of the attributes.
 fn cone_attribute(s: Surface) -> vec3f {
     let sign = texture_fold_sign(s.object, s.texcoord);
     return attributes_footprint(s.footprint * vec3f(1.0, 1.0, sign));
 }
 
-// How far the normal turns in a unit of length, on average over the directions; positive where the surface bulges
-// towards the viewer.
+// Mean curvature at the hit: change of the normal per unit of length, averaged over directions; positive where
+// the surface is convex towards the viewer.
 fn cone_curvature(s: Surface) -> f32 {
     let corners = bvh_corners(s.primitive);
     var curvature: f32;
@@ -62,7 +63,8 @@ fn cone_turn(normal: vec3f, edge: vec3f) -> f32 {
     return dot(normal, edge) / max(dot(edge, edge), 1.0e-30);
 }
 
-// The cone of a ray that leaves the surface: it keeps `kept` of its growth, and turns by `turned` of what the normal does.
+// The cone of a ray that leaves the surface: it keeps the fraction `kept` of its growth and gains `turned` times
+// the turn of the normal over its width.
 fn cone_bent(s: Surface, kept: f32, turned: f32) -> vec2f {
     let growth = kept * s.cone.y + turned * cone_curvature(s) * s.cone.x;
     return vec2f(s.cone.x, clamp(growth, -CONE_MOST_GROWTH, CONE_MOST_GROWTH));

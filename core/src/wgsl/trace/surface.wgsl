@@ -1,4 +1,4 @@
-// The interpolated surface at a hit, and the origins of rays that leave it.
+// Interpolates the surface at a hit and computes the origins of rays that leave it.
 
 struct Surface {
     // Index of the primitive that was hit.
@@ -6,15 +6,15 @@ struct Surface {
     t: f32,
     position: vec3f,
     object: u32,
-    // Shading normal and normal of the face, both on the viewer's side of the face.
+    // Shading normal and face normal, both on the viewer's side of the face.
     normal: vec3f,
     face: vec3f,
-    // Distance of spawned origins from the face.
+    // Distance of spawned rays' origins from the face.
     offset: f32,
     inside: bool,
     texcoord: vec2f,
     color: vec3f,
-    // Of the ray's cone: its width here, what it grows by in a unit of length, and what it covers of textures.
+    // The ray cone: its width here and the growth of the width per unit of length.
     cone: vec2f,
     footprint: vec3f,
 }
@@ -51,7 +51,7 @@ fn surface_of_sphere(ray: Ray, hit: Hit, center: vec3f, radius: f32) -> Surface 
     return s;
 }
 
-// 1 - cos of the angle by which an encoded normal may differ from what it encodes, as far as f32 tells it from 1.
+// Upper bound of 1 - cos of the angle between a normal and its encoding, as far as f32 resolves it.
 const FLAT_ERROR: f32 = 2.0e-7;
 
 fn surface_of_triangle(ray: Ray, hit: Hit, corners: array<vec3f, 3>) -> Surface {
@@ -65,25 +65,26 @@ fn surface_of_triangle(ray: Ray, hit: Hit, corners: array<vec3f, 3>) -> Surface 
     let data = shading_at(hit.primitive);
     let smooth_normal = (1.0 - hit.u - hit.v) * octahedral_decode(data.x)
         + hit.u * octahedral_decode(data.y) + hit.v * octahedral_decode(data.z);
-    // The normals say which side is out; the winding may disagree.
+    // The shading normals define the outside; the winding may contradict them.
     let turned = dot(winding, smooth_normal) < 0.0;
     var s: Surface;
     s.inside = surface_from_behind(ray, corners, winding) != turned;
     s.face = select(winding, -winding, turned != s.inside);
     s.normal = s.face;
-    // Normals of opposite directions leave nothing; those of flat triangles are the face's, but for their encoding.
+    // Opposite normals may cancel out. On flat triangles the normals equal the face's up to their encoding.
     let shading_normal = normalize(select(smooth_normal, -smooth_normal, s.inside));
     let flat_triangle = all(data.xx == data.yz) && dot(shading_normal, s.face) > 1.0 - FLAT_ERROR;
     if dot(smooth_normal, smooth_normal) > 1.0e-6 && !flat_triangle {
         s.normal = shading_normal;
     }
-    // One rounding in the unit of the coordinates, the others in that of the triangle.
+    // One rounding is relative to the coordinates, the others to the triangle's size.
     s.position = corners[0] + (hit.u * ab - hit.v * ca);
     s.offset = surface_offset(s.face, max(max(abs(corners[0]), abs(corners[1])), abs(corners[2])), size);
     return s;
 }
 
-// The normal from the two shorter sides, which are the farthest from parallel: in slivers the others lose it.
+// Face normal from the two shortest edges, which are the least parallel; slivers would lose precision with
+// others.
 fn surface_cross(ab: vec3f, bc: vec3f, ca: vec3f) -> vec3f {
     let lengths = vec3f(dot(ab, ab), dot(bc, bc), dot(ca, ca));
     if lengths.x >= max(lengths.y, lengths.z) {
@@ -103,8 +104,8 @@ fn surface_unit(v: vec3f, fallback: vec3f) -> vec3f {
     return normalize(v / size);
 }
 
-// Does the ray come from the side that the winding's normal points away from? As the triangle's own test saw it, which is
-// right at any angle, where the normal is a few roundings off.
+// Whether the ray comes from behind, by the winding. Repeats the decision of the intersection test, which is
+// right at any angle, while the normal has rounding errors.
 fn surface_from_behind(ray: Ray, corners: array<vec3f, 3>, winding: vec3f) -> bool {
     let shear = triangle_shear(ray);
     let a = triangle_flatten(shear, triangle_permute(corners[0] - ray.origin, shear.axis));
@@ -122,13 +123,13 @@ fn surface_offset(face: vec3f, coordinates: vec3f, size: f32) -> f32 {
     return OFFSET_COORDINATES * dot(abs(face), coordinates) + OFFSET_SIZE * size;
 }
 
-// A ray that leaves the surface on the side that its direction points to.
+// A ray that leaves the surface on the side that `direction` points to.
 fn surface_spawn(s: Surface, direction: vec3f, t_max: f32, cone: vec2f) -> Ray {
     let side = select(-s.offset, s.offset, dot(direction, s.face) >= 0.0);
     return Ray(s.position + side * s.face, t_max, direction, s.primitive, 0.0, cone);
 }
 
-// The continuation of a ray through the surface, in the same direction.
+// Continues a ray straight through the surface.
 fn surface_pass(s: Surface, ray: Ray) -> Ray {
     return Ray(ray.origin, FAR, ray.direction, s.primitive, s.t, ray.cone);
 }

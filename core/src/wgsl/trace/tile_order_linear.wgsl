@@ -1,4 +1,4 @@
-// Order of tiles on GPUs: workgroups treat the tiles in their own order.
+// Maps workgroups to tiles in order, for GPUs.
 
 const TILE_ORDER_SINGLE: u32 = 1u;
 const TILE_ORDER_RUN: u32 = 1u;

@@ -1,6 +1,6 @@
-// Ray against triangle in the ray's own frame (Woop, Benthin, Wald 2013): the corners, seen from the ray's origin, are
-// sheared along the ray, so that it passes through a triangle whose edge functions have one sign. Both sides count.
-// triangle_edge_exact.wgsl decides the signs so that a closed mesh is crossed the right number of times.
+// Ray-triangle test in ray space (Woop, Benthin & Wald 2013): the corners, relative to the ray's origin, are
+// sheared along the ray, so that the ray hits a triangle whose edge functions have the same sign. Two-sided.
+// `triangle_edge_exact.wgsl` decides the signs so that a closed mesh is crossed the right number of times.
 
 struct TriangleHit {
     t: f32,
@@ -10,7 +10,7 @@ struct TriangleHit {
     hit: bool,
 }
 
-// What depends on the ray alone: the axis of its largest component becomes z, the others are sheared away.
+// Per-ray terms: the axis of the largest component becomes z, and the others are sheared to zero.
 struct Shear {
     origin: vec3f,
     axis: u32,
@@ -28,7 +28,7 @@ fn triangle_shear(ray: Ray) -> Shear {
     return Shear(ray.origin, axis, vec3f(d.x / d.z, d.y / d.z, 1.0 / d.z));
 }
 
-// The same bits for a corner whatever triangle it belongs to and wherever it stands in it.
+// Transforms a corner; bitwise the same whatever triangle it belongs to and whichever corner it is.
 fn triangle_flatten(shear: Shear, corner: vec3f) -> vec2f {
     return corner.xy - triangle_edge_rounded(shear.shear.xy * corner.z);
 }
@@ -48,7 +48,7 @@ fn triangle_hit(shear: Shear, corners: array<vec3f, 3>, t_max: f32) -> TriangleH
             edges = triangle_scaled_edges(a2, b2, c2);
             determinant = edges.x + edges.y + edges.z;
         }
-        // The weights have one sign or are zero, so that they add up without cancellation.
+        // The weights have one sign or are zero, so that their sum does not cancel.
         let weights = edges * (1.0 / determinant);
         let t = shear.shear.z * (weights.x * a.z + weights.y * b.z + weights.z * c.z);
         found = TriangleHit(t, weights.y, weights.z, t > 0.0 && t < t_max);
@@ -56,11 +56,11 @@ fn triangle_hit(shear: Shear, corners: array<vec3f, 3>, t_max: f32) -> TriangleH
     return found;
 }
 
-// Beyond these a product of weight and coordinate, or the reciprocal, may leave the range of f32.
+// Limits beyond which a product of weight and coordinate, or the reciprocal, may leave the range of f32.
 const TRIANGLE_SMALL: f32 = 1.0e-30;
 const TRIANGLE_LARGE: f32 = 1.0e37;
 
-// Edge functions in another unit, by a power of two; the first corner where they are all zero.
+// Edge functions scaled by a power of two; those of the first corner if all are zero.
 fn triangle_scaled_edges(a: vec2f, b: vec2f, c: vec2f) -> vec3f {
     let sizes = max(max(abs(a), abs(b)), abs(c));
     let exponent = clamp(bitcast<u32>(max(sizes.x, sizes.y)) >> 23u, 1u, 253u);

@@ -1,20 +1,20 @@
-// Edge functions p x q of a triangle's corners around the ray, with signs that are right in exact arithmetic on the
-// sheared corners. A rounded product is never on the wrong side of another: fl(p.x q.y) - fl(p.y q.x) has the right sign
-// or is zero. Zero is decided in integers, and a true zero by Simulation of Simplicity (Edelsbrunner, Muecke 1990):
-// every ray is moved by (d, d^2) for an infinitely small d > 0, where it meets no edge and no corner:
+// Edge functions p x q of a triangle's corners around the ray, with signs that are exact for the sheared corners.
+// Rounding is monotonic: fl(p.x q.y) - fl(p.y q.x) has the right sign or is zero. Zero is resolved in integers,
+// and a true zero by Simulation of Simplicity (Edelsbrunner & Muecke 1990): every ray is moved by (d, d^2) for an
+// infinitesimal d > 0, where it meets no edge and no corner:
 //
 //   (p - (d, d^2)) x (q - (d, d^2)) = p x q + d (p.y - q.y) + d^2 (q.x - p.x)
 //
-// So the signs are those of one point in the plane of the sheared corners: a triangle that is seen edge-on has not three
-// equal ones, and triangles that share an edge or a corner never both miss or both have the ray.
+// The signs are thus those of one point in the plane of the sheared corners: an edge-on triangle never has three
+// equal signs, and two triangles that share an edge or a corner never both miss or both hit the ray.
 
-// Keeps the compiler from computing a product and a sum in one step with one rounding, which may give the wrong sign. No
-// product here is as small: sheared coordinates are below 1e19.
+// Prevents fusing a product and a sum into one operation with a single rounding, which may give the wrong sign.
+// The bound does not change results: sheared coordinates are below 1e19.
 fn triangle_edge_rounded(products: vec2f) -> vec2f {
     return max(products, vec2f(-1.0e38));
 }
 
-// The weights of the corners a, b, c, in an unknown unit.
+// The edge functions of the corners a, b, c, up to a common scale.
 fn triangle_edge_functions(a: vec2f, b: vec2f, c: vec2f) -> vec3f {
     let plus = max(vec3f(c.x, a.x, b.x) * vec3f(b.y, c.y, a.y), vec3f(-1.0e38));
     let minus = max(vec3f(c.y, a.y, b.y) * vec3f(b.x, c.x, a.x), vec3f(-1.0e38));
@@ -32,7 +32,7 @@ fn triangle_edge_inside(edges: vec3f, a: vec2f, b: vec2f, c: vec2f) -> bool {
     return inside;
 }
 
-// The sign of p x q; `rounded` is its value in f32. Zero for equal points alone.
+// The sign of p x q; `rounded` is its value in f32. Zero only for equal points.
 fn triangle_edge_sign(rounded: f32, p: vec2f, q: vec2f) -> i32 {
     if rounded != 0.0 {
         return select(-1, 1, rounded > 0.0);
@@ -48,7 +48,7 @@ fn triangle_edge_order(x: f32, y: f32) -> i32 {
     return select(0, 1, x > y) - select(0, 1, x < y);
 }
 
-// (high 2^24 + low) 2^exponent, with 2^23 <= high < 2^24; the sign is 0 for zero.
+// (high 2^24 + low) 2^exponent with 2^23 <= high < 2^24; the sign is 0 for zero.
 struct Product {
     sign: i32,
     exponent: i32,
@@ -62,7 +62,7 @@ fn triangle_edge_product(x: f32, y: f32) -> Product {
     if a.x == 0u || b.x == 0u {
         return Product(0, 0, 0u, 0u);
     }
-    // 24 x 24 bits by halves of 12.
+    // Multiplies 24 x 24 bits by halves of 12 bits.
     let middle = (a.x >> 12u) * (b.x & 0xfffu) + (a.x & 0xfffu) * (b.x >> 12u);
     let low = (a.x & 0xfffu) * (b.x & 0xfffu) + ((middle & 0xfffu) << 12u);
     let high = (a.x >> 12u) * (b.x >> 12u) + (middle >> 12u) + (low >> 24u);
@@ -74,7 +74,7 @@ fn triangle_edge_product(x: f32, y: f32) -> Product {
     return Product(sign, exponent, (high << 1u) | ((low >> 23u) & 1u), (low << 1u) & 0xffffffu);
 }
 
-// Mantissa of 24 bits and exponent (of type i32) of a number; denormal ones are brought to the same form.
+// The mantissa of 24 bits and the exponent (as i32) of a number; subnormal numbers are normalised.
 fn triangle_edge_mantissa(bits: u32) -> vec2u {
     let biased = (bits >> 23u) & 0xffu;
     let fraction = bits & 0x7fffffu;

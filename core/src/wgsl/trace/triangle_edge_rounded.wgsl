@@ -1,6 +1,6 @@
-// Edge functions as they are often computed, from differences to one corner of the triangle (Moeller, Trumbore 1997 in
-// the plane): neighbours round a shared edge differently, and rays slip through between them. What exact edges are worth
-// and cost is measured against this.
+// Edge functions computed with rounding, from differences to one corner of the triangle (after Moeller & Trumbore
+// 1997): neighbours round a shared edge differently, so rays slip through between them. A baseline to measure the
+// benefit and the cost of exact edges.
 
 fn triangle_edge_rounded(products: vec2f) -> vec2f {
     return products;

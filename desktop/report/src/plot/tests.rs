@@ -1,4 +1,4 @@
-//! Scales, ticks, and that everything is drawn.
+//! Tests of the scales, the ticks, and that every mark is drawn.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! The registry, and what is measured for which table.
+//! Tests of the list of tables, and of the jobs of each.
 
 use glimpse::{Missing, Settings};
 
@@ -8,7 +8,7 @@ use crate::record::tests::example;
 use crate::subject::Prepared;
 use crate::table::Content;
 
-/// The jobs of a scene of that name whose frame has 64x32 pixels.
+/// Jobs of the tables for a scene of that name with frames of 64x32 pixels.
 fn jobs(tables: &[&str], scene: &str, table5_sizes: &[u32]) -> Vec<Job> {
     let mut prepared = Prepared::new("builtin:minray", None).unwrap();
     prepared.name = scene.to_owned();

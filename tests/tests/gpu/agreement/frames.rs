@@ -1,4 +1,4 @@
-//! Frames of the renderer, pixel by pixel against those of the reference.
+//! Frames of the renderer, compared with the reference pixel by pixel.
 
 use glam::{DVec3, Vec3};
 use glimpse::{
@@ -14,10 +14,10 @@ use glimpse_tests::{
 
 use super::{EPSILON, Pair};
 
-/// Stored normals are so far off, and computed ones a little more.
+/// Tolerance of normals: the error of the stored ones, plus rounding.
 const NORMAL: f64 = 1.5 * OCTAHEDRAL_ERROR as f64;
 
-/// A frame by the device, and the question to the reference what its pixels should be.
+/// A frame of the device, and the reference for its pixels.
 pub struct Frames<'a> {
     frame: ReferenceFrame<'a>,
     linear: LinearImage,
@@ -49,7 +49,7 @@ impl Pair {
 }
 
 impl Frames<'_> {
-    /// The same pixels with another idea of what they should be.
+    /// The same pixels against another reference or other settings.
     pub fn against<'a>(&self, reference: &'a Reference, settings: Settings) -> Frames<'a> {
         Frames {
             frame: ReferenceFrame { reference, settings, camera: self.frame.camera, size: self.frame.size },
@@ -58,7 +58,7 @@ impl Frames<'_> {
         }
     }
 
-    /// Kernels that count nothing compute the same bits.
+    /// Asserts that kernels without counters compute the same bits.
     pub fn assert_same_uncounted(&self, test_scene: &TestScene) {
         let ReferenceFrame { size, settings, .. } = &self.frame;
         assert_same(&test_scene.frame(*size, settings), &self.linear, &format!("{settings:?}"));
@@ -106,7 +106,7 @@ impl Frames<'_> {
         }
     }
 
-    /// The size of the numbers that a distance along a ray is computed from.
+    /// Magnitude of the numbers from which a distance along a ray is computed.
     fn span(&self, ray: &Ray) -> f64 {
         ray.origin.abs().max_element() + self.frame.reference.longest_side()
     }
@@ -119,7 +119,7 @@ impl Frames<'_> {
         self.tally(|p| judge(&self.found_hit(p), |r| self.exact_hit(p, &self.frame.traced(p, r).attributes)))
     }
 
-    /// Which checks fail, given how the pixels of the earlier steps came to be.
+    /// Failed checks, given the origins of the pixels of earlier steps.
     pub fn decisions(&self) -> Tally {
         self.tally(|p| {
             let bits = |failed| Answer::<0> { labels: [failed, 0], values: [], tolerances: [] };
@@ -129,7 +129,7 @@ impl Frames<'_> {
         })
     }
 
-    /// Which pixels postcorrection traces, given how they and their neighbours came to be.
+    /// Pixels that postcorrection traces, given their origins and those of their neighbours.
     pub fn corrections(&self) -> Tally {
         self.tally(|p| {
             let bit = |corrects| Answer::<0> { labels: [u32::from(corrects), 0], values: [], tolerances: [] };
@@ -159,7 +159,7 @@ impl Frames<'_> {
         self.tally(|p| judge(&self.found_color(p), |r| Answer::radiance(self.frame.checkerboard(p, r))))
     }
 
-    /// Which subpixels get extra samples, and what differs between pixels.
+    /// Active subpixels, and the attributes that differ between pixels.
     pub fn tested(&self) -> Tally {
         self.tally(|p| {
             let labels =
@@ -172,7 +172,7 @@ impl Frames<'_> {
         })
     }
 
-    /// Pixels from their samples, given which quarters got extra ones.
+    /// Colours of pixels from their samples, given the active quarters.
     pub fn supersampled_colors(&self) -> Tally {
         self.tally(|p| {
             judge(&self.found_color(p), |r| {
@@ -181,7 +181,8 @@ impl Frames<'_> {
         })
     }
 
-    /// In which round pixels are refined, given when their neighbours are, and which samples they get.
+    /// Round in which each pixel is refined, given the rounds of its neighbours, and the samples that it
+    /// gets.
     pub fn refinements(&self) -> Tally {
         self.tally(|p| {
             let labels = |round: Option<u32>, samples| Answer::<0> {
@@ -197,14 +198,14 @@ impl Frames<'_> {
         })
     }
 
-    /// Pixels from their samples, given which they got.
+    /// Colours of pixels from their samples, given which samples they got.
     pub fn refined_colors(&self) -> Tally {
         self.tally(|p| {
             judge(&self.found_color(p), |r| Answer::radiance(self.frame.refined(p, self.record(p).strata, r)))
         })
     }
 
-    /// Which quads of a quincunx are divided.
+    /// Divided quads of a quincunx frame.
     pub fn divided(&self) -> Tally {
         self.tally(|p| {
             let label = |divided| Answer::<0> { labels: [divided, 0], values: [], tolerances: [] };
@@ -212,7 +213,7 @@ impl Frames<'_> {
         })
     }
 
-    /// Pixels of a quincunx frame, given which quads are divided.
+    /// Colours of a quincunx frame, given the divided quads.
     pub fn quincunx_colors(&self) -> Tally {
         self.tally(|p| {
             let divided = self.found_divided(p);
@@ -225,7 +226,7 @@ impl Frames<'_> {
         record.active | record.differing << 4
     }
 
-    /// The adaptive frame that the reference makes on its own: pixels that came to be in another way.
+    /// Number of pixels whose origin differs from that in the reference's own adaptive frame.
     pub fn other_origins(&self) -> usize {
         let other = self.tally(|p| {
             let found = match self.record(p).origin {

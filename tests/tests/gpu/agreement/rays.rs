@@ -1,4 +1,4 @@
-//! Random rays through the shaders' own functions, against the reference.
+//! Random rays through the shaders' functions, compared with the reference.
 
 use glam::DVec3;
 use glimpse::{
@@ -49,8 +49,8 @@ fn vector(v: [f32; 3]) -> DVec3 {
     DVec3::from_array(v.map(f64::from))
 }
 
-/// What random rays see, with everything that follows from them: object and shadow bits, radiance, the part of it that
-/// other rays brought, texture coordinates.
+/// Shading results of random rays: object and shadow bits, radiance, the part of it from secondary rays, and
+/// texture coordinates.
 pub fn seen(pair: &Pair, reference: &Reference, count: usize) -> Tally {
     let rays = random_rays(&pair.test_scene, count);
     let samples = shade(&pair.test_scene, &rays, &pair.settings);
@@ -83,7 +83,7 @@ fn named(outcome: Outcome, ray: &ProbeRay) -> Outcome {
     }
 }
 
-/// Where random rays arrive: place, shading normal, normal of the face, side.
+/// Hit points of random rays: position, shading normal, face normal and side.
 pub fn arrived(pair: &Pair, reference: &Reference, count: usize) -> Tally {
     let rays = random_rays(&pair.test_scene, count);
     let spawned = spawn(&pair.test_scene, &rays);
@@ -91,7 +91,8 @@ pub fn arrived(pair: &Pair, reference: &Reference, count: usize) -> Tally {
     let side = reference.longest_side();
     let answer = |labels, [position, normal, face]: [DVec3; 3]| {
         let values: Vec<f64> = [position, normal, face].iter().flat_map(|v| v.to_array()).collect();
-        // A normal is interpolated over its triangle, which may be small: it is as good as it is stored.
+        // A normal is interpolated over its triangle, which may be small: it has the precision of the stored
+        // normals.
         let mut tolerances = [f64::from(OCTAHEDRAL_ERROR); 9];
         tolerances[..3].fill(16.0 * EPSILON * side);
         Answer::<9> { labels, values: values.try_into().expect("nine numbers"), tolerances }
@@ -117,7 +118,8 @@ pub fn arrived(pair: &Pair, reference: &Reference, count: usize) -> Tally {
     })
 }
 
-/// New rays start on their side of the face, and no farther from it than the reference's displacement of them.
+/// Whether spawned rays start on their side of the face, and no farther from it than the reference displaces
+/// them.
 fn off_its_surface(s: &ProbeSpawn, side: f64) -> bool {
     let (face, position) = (vector(s.face), vector(s.position));
     let [above, below] = [s.above, s.below].map(|o| (vector(o) - position).dot(face));

@@ -1,4 +1,4 @@
-//! A frame that follows on another, pixel by pixel against the reference, given what the first one showed.
+//! A reprojected frame against the reference pixel by pixel, given the pixels of the frame before.
 
 use glam::{DVec3, Vec3};
 use glimpse::{
@@ -10,16 +10,16 @@ use glimpse_tests::{gallery, gpu, note};
 
 use super::Pair;
 
-/// Pixels that may be decided in another way: points that land on the border of two pixels or are equally good.
+/// Allowed share of pixels decided differently: points on the border of two pixels, or equally near.
 const TIES: f64 = 0.001;
 
-/// Ranks that a tenth of the pixels are.
+/// Number of ranks, of 256, of a tenth of the pixels.
 const RENEWED: u32 = 26;
 
-/// Distance at which the background is taken to lie.
+/// Distance assigned to the background.
 const BEYOND: f64 = 1e30;
 
-/// Rays beyond the first hit, whose surfaces would not be shown again, are not followed.
+/// Depth 1: rays beyond the first hit are not followed, as their surfaces would not be reprojected.
 fn settings(method: Method) -> Settings {
     Settings { method, depth: 1, ..Settings::default() }
 }
@@ -28,7 +28,7 @@ fn frame(pair: &Pair, camera: Camera) -> ReferenceFrame<'_> {
     ReferenceFrame { reference: &pair.reference, camera, size: pair.size, settings: pair.settings }
 }
 
-/// What a frame by full ray tracing leaves of each pixel.
+/// Data of each pixel that a frame by full ray tracing keeps.
 fn kept(pair: &Pair) -> Vec<Kept> {
     let camera = pair.test_scene.camera;
     let mut full =
@@ -81,7 +81,7 @@ fn agree(name: &str, scene: Scene, moved: impl Fn(&Camera) -> Camera) {
     assert!(f64::from(decided + colors) <= TIES * total as f64, "{name}: {decided} {colors}");
 }
 
-/// Levels of sRGB, before they are rounded.
+/// sRGB level from 0 to 255, before rounding.
 fn encoded(radiance: f64) -> f64 {
     let c = radiance.clamp(0.0, 1.0);
     255.0 * if c <= 0.003_130_8 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 }

@@ -1,4 +1,4 @@
-//! The comparisons see what they should: each of them objects to a reference that is wrong by a little.
+//! Tests of the comparisons: each of them fails against a slightly wrong reference.
 
 use glam::Vec2;
 use glimpse::{Method, Mip, Scene, Settings, Tolerances, reference::Reference, scene::LightKind};
@@ -59,7 +59,7 @@ fn textures_shifted_by_half_a_texel_are_seen() {
     objects(&frames.traced_colors(), 50, "radiance");
 }
 
-/// Textures of which samples show one point, where they should show averages.
+/// Textures sampled at a point where averages are expected.
 #[test]
 fn points_in_place_of_averages_are_seen() {
     let scene = gallery::lenses();

@@ -1,4 +1,4 @@
-//! Two eyes: what crosses over from one to the other changes noise and nothing else.
+//! Two eyes: reusing samples of the other eye changes only the noise.
 
 use glam::DVec3;
 use glimpse::{
@@ -7,7 +7,7 @@ use glimpse::{
 };
 use glimpse_tests::gallery::stereo;
 
-/// Twelve pixels an eye, and one column that the right eye lacks.
+/// Size of both pictures in pixels: the left eye has twelve columns, the right eye eleven.
 const SIZE: [u32; 2] = [23, 9];
 
 fn settings(stereo_reuse: StereoReuse) -> Settings {
@@ -21,10 +21,10 @@ fn pixels() -> impl Iterator<Item = [u32; 2]> {
     (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| [x, y]))
 }
 
-/// Sums and sums of squares of a pixel's samples; luminance decides nothing here, the sum of the channels does.
+/// Sum and sum of squares of each pixel's samples, with the channels summed.
 type Sums = Vec<[f64; 2]>;
 
-/// Frames of one sample a pixel: what each pixel shows, over so many of them.
+/// Accumulates the pixels of `samples` frames with one sample per pixel.
 fn sums(scene: &Scene, settings: Settings, samples: u32) -> Sums {
     let reference = Reference::new(scene);
     let camera = *scene.camera(None).expect("a camera");
@@ -49,7 +49,7 @@ fn sums(scene: &Scene, settings: Settings, samples: u32) -> Sums {
     sums
 }
 
-/// How many standard errors the means of each pixel differ by.
+/// Difference of the means of each pixel in standard errors.
 fn deviations(a: &Sums, b: &Sums, samples: u32) -> Vec<f64> {
     let n = f64::from(samples);
     let error2 = |[sum, squares]: [f64; 2]| (squares / n - (sum / n).powi(2)).max(1e-12) / n;
@@ -69,7 +69,7 @@ fn what_crosses_over_changes_no_mean_unless_it_is_counted_as_in_the_paper() {
     let weighted = with(StereoReuse::Weighted);
     let right = deviations(&alone, &weighted, SAMPLES);
     let largest = right.iter().fold(0.0_f64, |most, z| most.max(z.abs()));
-    // 207 pixels: squares of standard normal deviates have mean 1, and that of so many an error of 0.1.
+    // 207 pixels: squares of standard normal deviates have mean 1, and the mean of this many an error of 0.1.
     assert!(mean_square(&right) < 1.4, "{}: {right:.1?}", mean_square(&right));
     assert!(largest < 4.5, "{largest}");
     let wrong = deviations(&alone, &with(StereoReuse::Paper), SAMPLES);

@@ -1,4 +1,4 @@
-//! Light of emitters, found by walking, by rays to them, and by both.
+//! Light of emitters, found by BSDF sampling, by sampling the emitters, and by both.
 
 use std::f64::consts::PI;
 
@@ -11,7 +11,7 @@ use glimpse_tests::builder::{Builder, front_camera, glass, matte, mirror};
 
 use super::{Mean, WAYS, for_each, mean, settings};
 
-/// The means of the quarters of a square picture.
+/// Means of the quarters of a square picture.
 fn quarters(scene: &Scene, settings: &Settings, samples: u32) -> [Mean; 4] {
     let mut means = [Mean::default(); 4];
     for_each(scene, settings, [16; 2], samples, |[x, y], path| {
@@ -20,8 +20,8 @@ fn quarters(scene: &Scene, settings: &Settings, samples: u32) -> [Mean; 4] {
     means
 }
 
-/// A room with satin walls, a mirror ball and a glass ball; beside the view, which would be noise alone of them, a
-/// glowing ball and a glowing board of two sides with a texture.
+/// A room with satin walls, a mirror ball and a glass ball; outside the view, where they would only add
+/// noise, a glowing ball and a two-sided glowing board with a texture.
 fn lit_room() -> Scene {
     let mut b = Builder::new();
     let [white, red, green] = [vec3(0.7, 0.7, 0.7), vec3(0.6, 0.1, 0.1), vec3(0.1, 0.5, 0.1)]
@@ -46,7 +46,8 @@ fn lit_room() -> Scene {
     b.seen_by(front_camera())
 }
 
-/// A floor of the albedo (0.8, 0.5, 0.2), a spot of it so small that the same light reaches all of it, and a lamp.
+/// A floor with albedo (0.8, 0.5, 0.2), of which the view is a spot so small that the light is uniform on it,
+/// and a lamp.
 fn spot_and_lamp(center: Vec3, radius: f32, radiance: Vec3) -> Builder {
     let mut b = Builder::new();
     let floor = b.object(matte(vec3(0.8, 0.5, 0.2)));
@@ -60,8 +61,8 @@ fn narrow_camera() -> Camera {
     Camera { right: 1e-4 * Vec3::X, up: 1e-4 * Vec3::Y, ..front_camera() }
 }
 
-/// Seen from a point, a sphere of radiance L is a disc: irradiance is pi L (r / d)^2 cos above the horizon, and pi L from
-/// within.
+/// Seen from a point, a sphere of radiance L is a disc: its irradiance is pi L (r / d)^2 cos if it is above
+/// the horizon, and pi L within it.
 #[test]
 fn a_sphere_lights_a_floor() {
     let (albedo, radiance) = (vec3(0.8, 0.5, 0.2), vec3(3.0, 6.0, 9.0));
@@ -82,7 +83,7 @@ fn a_sphere_lights_a_floor() {
     }
 }
 
-/// A plate in the way, and normals bent so that the lamp is behind them or so that it is behind the face alone.
+/// A plate that blocks the lamp, and normals bent so that the lamp is behind them or only behind the face.
 #[test]
 fn a_lamp_that_cannot_be_seen_leaves_no_light() {
     let lamp = vec3(0.75, 0.0, 1.0);
@@ -110,7 +111,7 @@ fn every_way_to_find_light_finds_the_same() {
     let scene = lit_room();
     let walk = settings(DirectLight::Bsdf, 8);
     let walked = quarters(&scene, &walk, 1000);
-    // Other numbers than those of the walk: errors are independent.
+    // Other random numbers than those of the walk, so that errors are independent.
     let both = Settings { seed: 1, ..settings(DirectLight::Mis, 8) };
     let [mut light, mut roulette, mut four, mut sobol, mut foveated] = [both; 5];
     light.paths.direct_light = DirectLight::Nee;
@@ -137,9 +138,10 @@ fn every_way_to_find_light_finds_the_same() {
     }
 }
 
-/// With both ways, what a surface adds to a sample is at most what the lamp itself shows (Veach 1997, 9.2: the balance heuristic's
-/// estimate is at most that of the better way, and a lobe's weight is at most 1), once by a ray to the lamp and once by the path that
-/// meets it. Rays to lamps alone have no such bound: beside a lamp there is always a point that is nearer.
+/// With both strategies, what a surface adds to a sample is at most the lamp's own radiance (Veach 1997, 9.2:
+/// the balance heuristic's estimate is at most that of the better strategy, and a lobe's weight is at most
+/// 1), once by a ray to the lamp and once by the path that hits it. Sampling emitters alone has no such
+/// bound, as points may be arbitrarily near to a lamp.
 #[test]
 fn no_sample_outshines_the_lamps() {
     let brightest = |scene: &Scene, direct_light, depth| {

@@ -1,4 +1,4 @@
-//! Bad files: every one is an error that names the element, and nothing panics.
+//! Invalid files: each is an error that names the element, and nothing panics.
 
 use serde_json::{Value, json};
 
@@ -157,7 +157,7 @@ fn nodes() {
     nodes(json!([{ "mesh": 0, "scale": [0, 0, 0] }]), &["the scene holds no triangles"]);
     nodes(json!([{}]), &["the scene holds no triangles"]);
     nodes(json!([{ "mesh": 0, "camera": 0 }]), &["camera 0 of node 0", "no such camera"]);
-    // A chain of a hundred thousand nodes does not overflow the stack.
+    // A chain of a hundred thousand nodes must not overflow the stack.
     let mut chain: Vec<_> = (1..100_000).map(|i| json!({ "children": [i] })).collect();
     chain.push(json!({ "mesh": 0 }));
     let mut file = File::triangle();
@@ -211,7 +211,7 @@ fn extensions_and_instances() {
     file.json["extensionsRequired"] = json!(["KHR_materials_volume", "KHR_draco_mesh_compression"]);
     file.fails(&["required extension KHR_draco_mesh_compression", "not supported", "KHR_lights_punctual"]);
 
-    // Three megabytes that name a hundred million triangles.
+    // Three megabytes that define a hundred million triangles.
     let mut file = File::triangle();
     let many = file.accessor(5121, "SCALAR", 3_000_000, &vec![0; 3_000_000]);
     file.primitive()["indices"] = json!(many);
@@ -272,7 +272,7 @@ fn materials() {
     );
 }
 
-/// Every byte of a file changed, one at a time: an error or a scene, never a panic.
+/// Changing any single byte of a file gives an error or a scene, never a panic.
 #[test]
 fn damaged_bytes_do_not_panic() {
     let mut file = File::triangle();

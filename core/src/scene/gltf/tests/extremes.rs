@@ -1,4 +1,4 @@
-//! Numbers at the ends of f32: each is an error that names it, or becomes one that shaders can work with.
+//! Numbers at the limits of f32: each is an error that names it, or becomes a number that shaders can use.
 
 use glam::{Vec3, vec3};
 use serde_json::{Value, json};
@@ -24,7 +24,7 @@ fn with_material(material: Value) -> File {
 fn subnormal_coordinates_are_zero() {
     let scene = with_positions(&[1.0e-40, 0.0, -1.0e-45, 1.0, 0.0, 0.0, 0.0, 1.0, 2.0e-38]).scene();
     assert_eq!(scene.positions[0], [Vec3::ZERO, Vec3::X, vec3(0.0, 1.0, 2.0e-38)]);
-    // Made subnormal by its node.
+    // The node's scale makes the coordinates subnormal.
     let mut file = with_positions(&[1.0e-30, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
     file.json["nodes"][0]["scale"] = json!([1e-10, 1, 1]);
     assert_eq!(file.scene().positions[0][0], Vec3::ZERO);
@@ -94,7 +94,7 @@ fn matrices_are_affine() {
     file.fails(&["node 0", "last row is 0, 0, 0, 1"]);
     file.json["nodes"][0]["matrix"] = json!([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 5, 0]);
     file.fails(&["node 0", "last row is 0, 0, 0, 1"]);
-    // A matrix without an inverse leaves a triangle that it does not flatten.
+    // A singular matrix that does not flatten the triangle is accepted.
     file.json["nodes"][0]["matrix"] = json!([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 5, 1]);
     assert_eq!(file.scene().positions[0][0], vec3(0.0, 0.0, 5.0));
 }
@@ -123,7 +123,8 @@ fn cameras() {
         with_camera(orthographic(ymag), json!({})).fails(&["camera 0", "orthographic height"]);
     }
     with_camera(orthographic(1e30), json!({})).fails(&["camera `camera0`", "axes of a length"]);
-    // What this renderer does not use does not matter: the frame has its own aspect, and rays do not end.
+    // Properties that the renderer does not use are not checked: the frame has its own aspect ratio, and rays
+    // have no far plane.
     let odd = json!({ "yfov": 1, "znear": -7, "zfar": -9, "aspectRatio": 0 });
     with_camera(json!({ "type": "perspective", "perspective": odd }), json!({})).scene();
 }

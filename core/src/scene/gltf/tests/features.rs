@@ -1,4 +1,4 @@
-//! What is supported: files, geometry, nodes, cameras, lights.
+//! Tests of supported features: files, geometry, nodes, cameras, lights.
 
 use std::f32::consts::{FRAC_1_SQRT_2 as HALF, FRAC_PI_2};
 
@@ -74,7 +74,7 @@ fn a_mirrored_node_keeps_normals_on_the_side_of_the_face() {
     assert_eq!(face(&scene, 0), Vec3::Z);
     let expected = vec3(-0.3, 0.0, 0.8).normalize();
     assert!(normal(&scene, 0).distance(expected) < 1e-4, "{}", normal(&scene, 0));
-    // Mirrored through the plane of the triangle: both turn around.
+    // Mirrored through the triangle's plane: winding and normal both flip.
     file.json["nodes"] = json!([{ "mesh": 0, "scale": [1, 1, -1] }]);
     let scene = file.scene();
     assert_eq!(face(&scene, 0), -Vec3::Z);
@@ -88,7 +88,7 @@ fn a_flattened_node_keeps_its_area_and_normal() {
     file.attribute("NORMAL", normals);
     file.json["nodes"] = json!([{ "mesh": 0, "scale": [1, 1, 0] }]);
     let scene = file.scene();
-    // The second normal has no length: the face's is taken.
+    // The second normal has zero length and is replaced by the face normal.
     assert!(scene.normals[0].iter().all(|n| octahedral_decode(*n) == Vec3::Z));
 }
 
@@ -161,7 +161,7 @@ fn sparse_values_replace_stored_ones_and_zeros() {
 fn quantised_attributes_are_read_with_stride_and_norm() {
     let mut file = File::triangle();
     file.json["extensionsRequired"] = json!(["KHR_mesh_quantization"]);
-    // Three signed 16-bit numbers and two bytes between them.
+    // Three signed 16-bit components and two bytes of padding per element.
     let words: [i16; 12] = [0, 0, 0, 99, 32767, 0, 0, 99, 0, -32768, 0, 99];
     let positions = file.accessor(5122, "VEC3", 3, bytemuck::cast_slice(&words));
     file.json["accessors"][positions]["normalized"] = json!(true);
@@ -285,7 +285,7 @@ fn texture_transforms_are_baked_into_the_coordinates() {
     file.json["materials"] = json!([{ "pbrMetallicRoughness": { "baseColorTexture": info } }]);
     file.primitive()["material"] = json!(0);
     let found = file.scene().texcoords[0];
-    // Counter-clockwise in the image, where v grows downwards: (1, 0) turns to (0, -1).
+    // Counter-clockwise in the image, where v grows downwards: (1, 0) rotates to (0, -1).
     for (found, expected) in found.iter().zip([vec2(10.0, 20.0), vec2(10.0, 18.0), vec2(13.0, 20.0)]) {
         assert!(found.distance(expected) < 1e-5, "{found} {expected}");
     }

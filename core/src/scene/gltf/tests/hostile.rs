@@ -1,4 +1,4 @@
-//! Files that mean harm: small ones that ask for much work or memory, or want to be seen in somebody's terminal.
+//! Malicious files: small ones that ask for much work or memory, or inject control sequences into a terminal.
 
 use serde_json::{Value, json};
 
@@ -179,14 +179,14 @@ fn many_cameras_are_not_all_listed() {
     assert!(error.contains("15 (camera0), 984 more") && error.len() < 400, "{error}");
 }
 
-/// Every surface has two sides, so that neither closedness nor winding is asked for.
+/// Surfaces are two-sided, so meshes need be neither closed nor consistently wound.
 #[test]
 fn inside_out_and_non_manifold_meshes_are_taken_as_they_are() {
     let mut file = File::triangle();
     let corners = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0];
     let positions = file.floats("VEC3", &corners);
     file.attribute("POSITION", positions);
-    // Three faces on one edge, the first of them again, and once more turned around.
+    // Three faces on one edge, the first repeated, and once more reversed.
     let indices = file.accessor(5121, "SCALAR", 15, &[0, 1, 2, 0, 1, 3, 0, 1, 4, 0, 1, 2, 0, 2, 1]);
     file.primitive()["indices"] = json!(indices);
     let scene = file.scene();

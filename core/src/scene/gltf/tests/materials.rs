@@ -18,7 +18,7 @@ fn imported(material: Value) -> Material {
     with_material(material).scene().materials.remove(0)
 }
 
-/// A file whose textures 0 to 2 show three images; `material` reads them.
+/// A file with three images as textures 0 to 2, and `material` to use them.
 fn textured(material: Value) -> File {
     let mut file = with_material(material);
     let texcoords = file.floats("VEC2", &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0]);

@@ -1,4 +1,4 @@
-//! Import tests: tiny files, built in the test.
+//! Import tests with small files that are generated in the test.
 
 mod bad;
 mod extremes;
@@ -13,14 +13,14 @@ use serde_json::{Value, json};
 use crate::Result;
 use crate::scene::Scene;
 
-/// A file under construction: one buffer, and JSON that a test changes at will.
+/// A glTF file under construction: one buffer, and JSON that tests modify.
 pub(super) struct File {
     pub json: Value,
     bytes: Vec<u8>,
 }
 
 impl File {
-    /// A node `n` with a mesh `m` that is a right triangle in z = 0.
+    /// A file with a node `n` and a mesh `m`: one right triangle in the plane z = 0.
     pub fn triangle() -> Self {
         let mut file = Self::empty();
         let positions = file.floats("VEC3", &[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
@@ -46,7 +46,7 @@ impl File {
         array.len() - 1
     }
 
-    /// A buffer view of these bytes; gives its index.
+    /// Adds a buffer view of these bytes; returns its index.
     pub fn view(&mut self, bytes: &[u8]) -> usize {
         self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
         let offset = self.bytes.len();
@@ -55,7 +55,7 @@ impl File {
         self.push("bufferViews", view)
     }
 
-    /// An accessor of these bytes; gives its index.
+    /// Adds an accessor of these bytes; returns its index.
     pub fn accessor(&mut self, component: u32, shape: &str, count: usize, bytes: &[u8]) -> usize {
         let view = self.view(bytes);
         self.push(
@@ -91,7 +91,7 @@ impl File {
         serde_json::to_vec(&json).unwrap()
     }
 
-    /// The `.gltf`, its buffer as a data URI.
+    /// The file as `.gltf` with its buffer as a data URI.
     pub fn gltf(&self) -> Vec<u8> {
         let uri = data_uri("application/octet-stream", &self.bytes);
         self.with_buffer(json!({ "byteLength": self.bytes.len(), "uri": uri }))
@@ -122,7 +122,7 @@ impl File {
         self.read().unwrap()
     }
 
-    /// The error's text, which must hold every one of `parts`.
+    /// Expects an error whose text contains all `parts`.
     pub fn fails(&self, parts: &[&str]) {
         fails(&self.gltf(), parts);
     }
@@ -140,7 +140,7 @@ pub(super) fn png(width: u32, height: u32, rgba: [u8; 4]) -> Vec<u8> {
     bytes.into_inner()
 }
 
-/// Reads a file that has no other files.
+/// Imports a file without external resources.
 pub(super) fn import(bytes: &[u8]) -> Result<Scene> {
     Scene::from_gltf(bytes, &mut |uri| Err(format!("there is no `{uri}`")))
 }

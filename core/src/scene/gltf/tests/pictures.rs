@@ -1,4 +1,4 @@
-//! Images that are odd, damaged, or lie about their size.
+//! Images that are unusual, damaged or declare a wrong size.
 
 use serde_json::json;
 
@@ -28,7 +28,7 @@ fn encoded(image: &image::DynamicImage, format: image::ImageFormat) -> Vec<u8> {
     bytes.into_inner()
 }
 
-/// A PNG whose header says another size, with the right checksum (PNG, annex D).
+/// A PNG whose header declares another size, with a valid checksum (PNG, annex D).
 fn png_that_says(width: u32, height: u32) -> Vec<u8> {
     let mut bytes = png(2, 2, [1; 4]);
     bytes[16..20].copy_from_slice(&width.to_be_bytes());
@@ -40,7 +40,7 @@ fn png_that_says(width: u32, height: u32) -> Vec<u8> {
     bytes
 }
 
-/// A JPEG whose frame header (marker SOF0) says another size.
+/// A JPEG whose frame header (marker SOF0) declares another size.
 fn jpeg_that_says(width: u16, height: u16) -> Vec<u8> {
     let image = image::DynamicImage::new_rgb8(8, 8);
     let mut bytes = encoded(&image, image::ImageFormat::Jpeg);
@@ -98,7 +98,7 @@ fn data_that_ends_too_early() {
     }
 }
 
-/// OpenEXR can be read for `compare`, but a texture is 8 bits and glTF knows two formats.
+/// Comparisons read OpenEXR, but glTF images are PNG or JPEG with 8 bits per channel.
 #[test]
 fn other_formats() {
     let exr = encoded(&image::DynamicImage::new_rgb32f(4, 4), image::ImageFormat::OpenExr);
