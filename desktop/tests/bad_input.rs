@@ -446,7 +446,7 @@ fn unknown_names() {
     for camera in ["99", "-1", "99999999999999999999", "", "1e0", "../main"] {
         let wanted = format!("--camera={camera}");
         let arguments = ["render", "builtin:room", "-o", "out.png", "--size", "16x16", wanted.as_str()];
-        bench.refused(&arguments, USAGE, &["no such camera; the scene has 0 (main)"]);
+        bench.refused(&arguments, USAGE, &["expected a camera of the scene, which has 0 (main)"]);
     }
     bench.refused(&render("builtin:room", &["--adapter", "no such adapter"]), FAILED, &["no such adapter"]);
 }
