@@ -186,7 +186,7 @@ mod tests {
         let (accumulator, _workers) = Accumulator::new(&View::new(&camera, [4, 3], &settings), 2);
         let busy = [1000, 500].map(Duration::from_millis).into_iter();
         let sides = Sides::of(6, 1500.0, &accumulator, busy, Duration::from_secs(2));
-        let text = "GPU 6 samples (75 % busy), core 0 0 samples (50 % busy), core 1 0 samples (25 % busy) in 2000 ms, \
+        let text = "GPU 6 samples (75 % busy), CPU thread 0 0 samples (50 % busy), CPU thread 1 0 samples (25 % busy) in 2000 ms, \
                     3.000 samples/s";
         assert_eq!(crate::summary::sides(&sides), text);
     }

@@ -108,8 +108,11 @@ pub fn sides(sides: &Sides) -> String {
     let side = |who: String, side: &Side| {
         format!("{who} {} ({:.0} % busy)", counted(side.samples as usize, "sample"), 100.0 * side.utilisation)
     };
-    let cpu_threads =
-        sides.cpu_threads.iter().enumerate().map(|(index, core)| side(format!("core {index}"), core));
+    let cpu_threads = sides
+        .cpu_threads
+        .iter()
+        .enumerate()
+        .map(|(index, thread)| side(format!("CPU thread {index}"), thread));
     let all: Vec<_> = std::iter::once(side("GPU".to_owned(), &sides.gpu)).chain(cpu_threads).collect();
     format!("{} in {:.0} ms, {:.3} samples/s", all.join(", "), sides.wall_ms, sides.samples_per_s)
 }

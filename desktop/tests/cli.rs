@@ -128,7 +128,7 @@ fn options_that_change_nothing_are_warned_of() {
 }
 
 #[test]
-fn cores_and_the_gpu_bring_a_pictures_samples_together() {
+fn cpu_threads_and_the_gpu_bring_a_pictures_samples_together() {
     let folder = tempfile::tempdir().unwrap();
     let line = "render builtin:cornell -o a.exr --size 70x40 --method path --samples 60 --denoise atrous --cpu-threads 2 --stats a.json";
     let output = glimpse(folder.path(), line);
@@ -137,14 +137,14 @@ fn cores_and_the_gpu_bring_a_pictures_samples_together() {
     let json = std::fs::read(folder.path().join("a.json")).unwrap();
     let sides = serde_json::from_slice::<serde_json::Value>(&json).unwrap()["sides"].take();
     let samples = |side: &serde_json::Value| side["samples"].as_u64().unwrap();
-    let cpu_threads = sides["cores"].as_array().unwrap();
+    let cpu_threads = sides["cpu_threads"].as_array().unwrap();
     // The timed frame and the warm-up frame before it took one sample each; each CPU thread may add more while
     // the last frame is rendered.
     let brought = samples(&sides["gpu"]) + cpu_threads.iter().map(samples).sum::<u64>();
     assert!(cpu_threads.len() == 2 && brought >= 58, "{sides}");
     assert!(sides["given_up"].as_u64() <= Some(2) && sides["samples_per_s"].as_f64() > Some(0.0), "{sides}");
     assert!(said.contains(&format!("sides     GPU {} sample", samples(&sides["gpu"]))), "{said}");
-    assert!(said.contains("core 1 "), "{said}");
+    assert!(said.contains("CPU thread 1 "), "{said}");
 }
 
 #[test]

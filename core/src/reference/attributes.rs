@@ -1,4 +1,4 @@
-//! The ray-attribute vector of a pixel (Kim 2016, section 3.2), exact or as it is stored between the passes.
+//! The ray-attribute vector of a pixel (Kim 2016, section 3.2), exact or quantised as for storage.
 
 use glam::{DVec2, DVec3};
 
@@ -18,35 +18,35 @@ const MOST_RADIANCE: f64 = 65408.0;
 pub struct Attributes {
     /// Parameter along the pixel's ray (POS).
     pub depth: f64,
-    /// OID; `None` where the ray meets nothing.
+    /// OID; `None` if the ray hits nothing.
     pub object: Option<u32>,
     /// Unit shading normal on the viewer's side of the face (NORM).
     pub normal: DVec3,
     /// Unit normal of the face on the viewer's side.
     pub face: DVec3,
-    /// Bit i is set where light i does not reach the point (SHDBIT).
+    /// Bit i is set if light i does not reach the point (SHDBIT).
     pub shadow: u32,
-    /// The part of the radiance that other rays brought (GCOL).
+    /// Reflected and refracted radiance (GCOL).
     pub gcol: DVec3,
     /// Texture coordinates, wrapped into [0, 1] (TCOORD).
     pub texcoord: DVec2,
     /// Interpolated vertex colour, linear RGB.
     pub color: DVec3,
-    /// The pixel's footprint in textures: log2 of the second moments along s and along t, and their correlation.
+    /// Footprint in texture coordinates: log2 of the second moments along s and t, and their correlation.
     pub footprint: DVec3,
 }
 
-/// Logarithms of second moments that are stored.
+/// Range of the stored logarithms of second moments.
 const LEAST_LOG: f64 = -32.0;
 const MOST_LOG: f64 = 10.0;
 
-/// Second moments (ss, tt, st) as an attribute.
+/// Converts second moments (ss, tt, st) to a footprint attribute.
 pub(super) fn footprint(moments: DVec3) -> DVec3 {
     let [s, t] = [moments.x, moments.y].map(|x| x.log2().clamp(LEAST_LOG, MOST_LOG));
     DVec3::new(s, t, (moments.z / (0.5 * (s + t)).exp2()).clamp(-1.0, 1.0))
 }
 
-/// The second moments that an attribute stands for.
+/// Converts a footprint attribute to second moments (ss, tt, st).
 pub(super) fn moments(footprint: DVec3) -> DVec3 {
     let [s, t] = [footprint.x, footprint.y];
     DVec3::new(s.exp2(), t.exp2(), footprint.z * (0.5 * (s + t)).exp2())
@@ -69,7 +69,8 @@ impl Attributes {
         }
     }
 
-    /// What is left of it after it has been stored: numbers in steps, and only what a scene with these features needs.
+    /// The attributes after quantisation for storage; those that a scene with these features does not need are
+    /// left out.
     #[must_use]
     pub fn stored(&self, features: &Features, rounding: &mut Rounding) -> Self {
         if self.object.is_none() {
@@ -115,7 +116,7 @@ pub(super) fn stored_direction(d: DVec3) -> DVec3 {
     octahedral_decode_exact(octahedral_encode(d.as_vec3()))
 }
 
-/// Eleven bits for each logarithm, ten for the correlation.
+/// Quantises a footprint: eleven bits for each logarithm, ten for the correlation.
 fn stored_footprint(footprint: DVec3) -> DVec3 {
     let log = |x: f64| {
         LEAST_LOG + (MOST_LOG - LEAST_LOG) * in_steps((x - LEAST_LOG) / (MOST_LOG - LEAST_LOG), 2047.0)
@@ -123,7 +124,7 @@ fn stored_footprint(footprint: DVec3) -> DVec3 {
     DVec3::new(log(footprint.x), log(footprint.y), 2.0 * in_steps(0.5 * footprint.z + 0.5, 1022.0) - 1.0)
 }
 
-/// Three radiances with nine bits each and the exponent of the largest.
+/// Quantises three radiances to nine bits each with the exponent of the largest.
 fn stored_radiance(color: DVec3) -> DVec3 {
     let color = color.clamp(DVec3::ZERO, DVec3::splat(MOST_RADIANCE));
     let power = color.max_element().log2().floor().max(f64::from(-EXPONENT_BIAS - 1)) as i32 + 1;

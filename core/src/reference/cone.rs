@@ -1,17 +1,17 @@
-//! Ray cones: the width of a sample along its rays, and its footprint in textures.
+//! Ray cones: the width of a sample's region along its rays, and its footprint in textures.
 
 use glam::{DVec2, DVec3};
 
 use super::{Intersection, Ray, Reference, Surface};
 use crate::scene::octahedral_decode_exact;
 
-/// Surfaces are seen at no smaller cosine, and cones grow by no more.
+/// Least cosine at a surface, and greatest growth of a cone.
 const LEAST_COSINE: f64 = 1.0e-4;
 const MOST_GROWTH: f64 = 8.0;
-/// Squares of less than this are zero in f32.
+/// Squares below this are zero in f32.
 const LEAST_SQUARE: f64 = 1.0e-30;
 
-/// Second moments (ss, tt, st) of the axes of the ellipse that a cone of this width cuts out of a triangle.
+/// Second moments (ss, tt, st) of the axes of the ellipse in which a cone of this width intersects a triangle.
 pub(super) fn footprint(
     width: f64,
     direction: DVec3,
@@ -23,7 +23,7 @@ pub(super) fn footprint(
     let Some(normal) = cross.try_normalize() else { return DVec3::ZERO };
     let cosine = normal.dot(direction);
     let cosine = cosine.abs().max(LEAST_COSINE) * cosine.signum();
-    // Two parallel rays beside this one, where they meet the triangle's plane.
+    // Intersections of two parallel rays next to this one with the triangle's plane.
     let (x, y) = direction.any_orthonormal_pair();
     let moved = [x, y].map(|side| {
         let on_plane = width * (side - side.dot(normal) / cosine * direction);
@@ -35,8 +35,8 @@ pub(super) fn footprint(
 }
 
 impl Reference {
-    /// How far the normal turns in a unit of length, positive where the surface bulges towards the viewer: of a triangle
-    /// the mean of what it does along the three sides.
+    /// Mean curvature: turn of the normal per unit of length, positive where the surface is convex towards the
+    /// viewer; for a triangle the mean over its three sides.
     pub(super) fn curvature(&self, s: &Surface) -> f64 {
         let outside = match self.scene.spheres.get(s.primitive.wrapping_sub(self.scene.positions.len())) {
             Some(sphere) => f64::from(sphere.radius).recip(),
@@ -53,15 +53,15 @@ impl Reference {
         if s.inside { -outside } else { outside }
     }
 
-    /// Width and growth of the cone of a ray that leaves the surface. Where the normal turns by an angle, a mirrored ray
-    /// turns by twice that and a refracted one by what of the normal is in its direction (`turned`), which has `kept` of
-    /// the direction of the ray that arrives.
+    /// Width and growth of the cone of a ray that leaves the surface. If the normal turns by an angle, a
+    /// reflected ray turns by twice that and a refracted one by its direction's component along the normal
+    /// (`turned`); `kept` is the component along the incident direction.
     pub(super) fn bent(&self, s: &Surface, kept: f64, turned: f64) -> (f64, f64) {
         let growth = kept * s.growth + turned * self.curvature(s) * s.width;
         (s.width, growth.clamp(-MOST_GROWTH, MOST_GROWTH))
     }
 
-    /// Of a crossing: what the ray's cone covers of the textures of the object.
+    /// The cone's footprint in the object's textures at an intersection.
     pub(super) fn covered(&self, ray: &Ray, intersection: &Intersection) -> DVec3 {
         let corners = self.scene.positions.get(intersection.primitive);
         match (

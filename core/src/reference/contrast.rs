@@ -1,11 +1,12 @@
-//! How much colours differ (Mitchell 1987, as Jin 2009, 4.2.2, scales it).
+//! Contrast of colours (Mitchell 1987, scaled as in Jin 2009, 4.2.2).
 
 use glam::DVec3;
 
 /// Factors of the threshold for the red, green and blue contrast (Jin 2009, 4.2).
 const SCALE: [f64; 3] = [1.36, 1.02, 2.04];
 
-/// Red's, green's and blue's contrast, of colours about as they are shown; in the dark, the difference alone.
+/// Contrast of red, green and blue between approximately display-encoded colours; between dark colours, the
+/// difference.
 pub(super) fn contrasts(colors: impl Iterator<Item = DVec3>) -> [f64; 3] {
     let shown = colors.map(shown);
     let (low, high) = shown.fold((DVec3::INFINITY, DVec3::ZERO), |(low, high), c| (low.min(c), high.max(c)));
@@ -17,7 +18,7 @@ pub(super) fn shown(color: DVec3) -> DVec3 {
     color.clamp(DVec3::ZERO, DVec3::ONE).map(f64::sqrt)
 }
 
-/// Does any of them reach the threshold?
+/// Whether any channel reaches the threshold.
 pub(super) fn exceeds(contrasts: [f64; 3], tau: f64) -> bool {
     (0..3).any(|i| contrasts[i] >= tau * SCALE[i])
 }

@@ -1,10 +1,10 @@
-//! The removal of noise from a picture of paths.
+//! Denoisers of path-traced images.
 
 use glam::DVec3;
 
 use super::{GBufferPixel, ReferenceFrame, gbuffer::Way};
 
-/// A picture of paths with what guides the removal of its noise.
+/// A path-traced image with the G-buffer that guides its denoiser.
 pub struct Denoiser<'a> {
     /// The settings and camera of the frame.
     pub frame: &'a ReferenceFrame<'a>,
@@ -18,24 +18,25 @@ pub struct Denoiser<'a> {
 
 /// Lower bound of an albedo channel when radiance is divided by albedo.
 const LEAST_ALBEDO: f64 = 0.01;
-/// A pixel of one sample counts for no more than so many times the mean brightness of the four beside it.
+/// Limit of a pixel's brightness after one sample, as a multiple of the mean of its four neighbours.
 const BRIGHTER: f64 = 4.0;
-/// From so many samples on a pixel counts for as bright as it is.
+/// Number of samples from which brightness is no longer clamped.
 const SETTLED: f64 = 256.0;
-/// Widths of the weights: the first level's of differences of light over their sum, of one sample; of the distance from the
-/// plane, in pixels there; of what mirrors show, of the difference of distances over them; of unit normals; of albedos.
+/// Widths of the edge-stopping weights: for the difference of light over the sum, at the first level and after
+/// one sample; for the distance from the plane in pixel widths; for mirrored surfaces, the relative difference of
+/// distances; for unit normals; for albedos.
 const LIGHT: f64 = 1.5;
 const CHANNEL: f64 = 2.0;
 const DEPTH: f64 = 0.125;
 const NORMAL: f64 = 0.25;
 const ALBEDO: f64 = 0.5;
-/// Steps that guides are compared in: of a component of the normal and of the mean albedo.
+/// Quantisation steps of the guides that are compared: a component of the normal, and the mean albedo.
 const STEPS: f64 = 127.0;
 /// Number of levels of the a-trous filter; the step doubles from one to the next.
 const LEVELS: u32 = 4;
 
 impl Denoiser<'_> {
-    /// Kim & Sung 2021, Algorithm 5: what a pixel shows.
+    /// The displayed colour of a pixel with the median filter (Kim & Sung 2021, Algorithm 5).
     #[must_use]
     pub fn median(&self, pixel: [u32; 2]) -> DVec3 {
         let own = self.means[self.index(pixel)];
@@ -52,7 +53,7 @@ impl Denoiser<'_> {
         DVec3::new(channel(0), channel(1), channel(2))
     }
 
-    /// The picture filtered as in Dammertz et al. 2010, row by row.
+    /// The image after the a-trous filter (Dammertz et al. 2010), row by row.
     #[must_use]
     pub fn atrous(&self) -> Vec<DVec3> {
         let mut lights: Vec<_> = self.pixels().map(|pixel| self.light(pixel)).collect();
@@ -75,7 +76,7 @@ impl Denoiser<'_> {
         (y * self.frame.size[0] + x) as usize
     }
 
-    /// The pixel so many steps away, unless that is outside of what the eye sees.
+    /// Index of the pixel `step` times `offset` away; `None` if it is outside the same eye's image.
     fn tap(&self, pixel: [u32; 2], offset: [i32; 2], step: i32) -> Option<usize> {
         let at = [0, 1].map(|i| pixel[i].checked_add_signed(step * offset[i]));
         let inside = |i: usize| at[i].filter(|place| *place < self.frame.size[i]);
@@ -88,7 +89,8 @@ impl Denoiser<'_> {
         self.gbuffer[i].albedo.max(DVec3::splat(LEAST_ALBEDO))
     }
 
-    /// What arrives at the surface over pi, less what makes a pixel much brighter than those beside it.
+    /// Irradiance at the first diffuse surface over pi, with pixels clamped that are much brighter than their
+    /// neighbours.
     fn light(&self, pixel: [u32; 2]) -> DVec3 {
         let own = self.index(pixel);
         let brightness = |i: usize| self.means[i].element_sum() / self.albedo(i).element_sum();
@@ -99,7 +101,7 @@ impl Denoiser<'_> {
         let light = self.means[own] / self.albedo(own);
         let bright = brightness(own);
         let most = BRIGHTER * around.iter().sum::<f64>() / around.len() as f64;
-        // Without any around it the most is no number.
+        // Without neighbours `most` is NaN, and nothing is clamped.
         if bright > most {
             let settled = (f64::from(self.samples - 1) / SETTLED).min(1.0);
             return light * (most + (bright - most) * settled * settled) / bright;
@@ -114,7 +116,7 @@ impl Denoiser<'_> {
             return DVec3::ZERO;
         }
         let (mut sum, mut weights) = (DVec3::ZERO, 0.0);
-        // Beside it with steps of 1 and 4, on the diagonals with those of 2 and 8.
+        // Axis-aligned taps at steps of 1 and 4, diagonal ones at steps of 2 and 8.
         let apart = if step.trailing_zeros().is_multiple_of(2) { 1 } else { 2 };
         for offset in offsets().filter(|o| [0, apart].contains(&(o[0].abs() + o[1].abs()))) {
             let Some(other) = self.tap(pixel, offset, step) else { continue };
@@ -125,7 +127,7 @@ impl Denoiser<'_> {
         sum / weights
     }
 
-    /// How much two pixels see of one surface.
+    /// Weight by the similarity of two pixels' surfaces.
     fn alike(&self, own: usize, other: usize) -> f64 {
         let [p, q] = [own, other].map(|i| &self.gbuffer[i]);
         if p.way != q.way {
@@ -147,7 +149,7 @@ impl Denoiser<'_> {
         (-(albedo * albedo + bent.length_squared() + away * away)).exp2()
     }
 
-    /// How much light may differ by chance.
+    /// Weight by the difference of two pixels' light, with a width that follows its expected noise.
     fn of_light(&self, step: i32, a: DVec3, b: DVec3) -> f64 {
         let [a, b] = [a, b].map(DVec3::element_sum);
         if a + b == 0.0 {

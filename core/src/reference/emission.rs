@@ -1,4 +1,4 @@
-//! Light from emissive surfaces, found by rays to points on them (next-event estimation).
+//! Light from emissive surfaces by next-event estimation.
 
 use std::f64::consts::TAU;
 
@@ -6,21 +6,22 @@ use glam::DVec3;
 
 use super::{Ray, Reference, Rounding, Surface};
 
-/// Rays to points on emitters end so far behind them, of the distance: rounding decides nothing.
+/// Shadow rays end this factor beyond the point on the emitter, so that rounding does not decide the hit.
 const REACH: f64 = 1.001;
 
 /// The light that arrives from a sampled point on an emitter.
 #[derive(Clone, Copy)]
 pub(super) struct Emitted {
     pub radiance: DVec3,
-    /// Of the angle to the shading normal.
+    /// Cosine of the angle to the shading normal.
     pub cosine: f64,
-    /// How densely this direction is drawn, per unit of solid angle.
+    /// Density with which this direction is sampled, per unit of solid angle.
     pub density: f64,
 }
 
 impl Reference {
-    /// What reaches a surface from the point that these numbers in [0, 1) draw: which emitter, and where on it.
+    /// The light that reaches a surface from the emitter point selected by uniform numbers in [0, 1): one selects
+    /// the emitter, the others the point on it.
     pub(super) fn emitted(
         &self,
         s: &Surface,
@@ -41,7 +42,7 @@ impl Reference {
         let ray = Ray { t_max: REACH * distance, ..s.spawn(direction, (0.0, 0.0), rounding) };
         let intersection = self.first(&ray, Some(s.primitive), false, rounding)?;
         let hit = self.surface(&ray, &intersection, rounding);
-        // A ray from outside meets the near side of a sphere; points on the other are hidden by it.
+        // From outside, a ray hits the near side of a sphere, which hides points on the far side.
         let hidden = primitive >= self.scene.positions.len() && hit.inside != (normal.dot(direction) > 0.0);
         if intersection.primitive != primitive || hidden {
             return None;
@@ -51,14 +52,14 @@ impl Reference {
         Some(Emitted { radiance: m.emission, cosine, density })
     }
 
-    /// How densely the direction to a point on an emitter is drawn, per unit of solid angle: there the emitter is seen at
-    /// this cosine from so far away.
+    /// Density of next-event estimation per unit of solid angle, for a point on an emitter seen at this cosine
+    /// and distance.
     pub(super) fn density(&self, object: u32, cosine: f64, distance: f64) -> f64 {
         let strength = self.material_of(object).emission.as_dvec3().element_sum();
         strength / self.emitters.total * distance * distance / cosine.abs()
     }
 
-    /// A point of a primitive and the unit normal there, uniform over its area.
+    /// A point on a primitive, uniform over its area, and the unit normal there.
     fn point_on(&self, primitive: usize, [u, v]: [f64; 2]) -> (DVec3, DVec3) {
         let Some(corners) = self.scene.positions.get(primitive) else {
             let sphere = &self.scene.spheres[primitive - self.scene.positions.len()];

@@ -1,4 +1,5 @@
-//! A frame: its primary rays, `full`, `adaptive` and `checkerboard`. Every pixel is worked out by itself, with all that it depends on.
+//! A frame: primary rays and the methods `full`, `adaptive` and `checkerboard`. Every pixel is computed on its
+//! own, with everything that it depends on.
 
 use glam::DVec3;
 
@@ -7,19 +8,19 @@ use super::{
 };
 use crate::{Camera, Mip, Origin, Settings};
 
-/// A frame to be computed in f64.
+/// A frame that the reference renders in f64.
 pub struct ReferenceFrame<'a> {
     /// The scene.
     pub reference: &'a Reference,
     /// The camera.
     pub camera: Camera,
-    /// Width and height in pixels; where pixels have several samples these take their place.
+    /// Width and height in pixels; in samples if pixels have several.
     pub size: [u32; 2],
     /// The settings of the frame.
     pub settings: Settings,
 }
 
-/// A pixel of an adaptive frame with what decided about it.
+/// A pixel of an adaptive frame with the results of its checks.
 #[derive(Clone, Copy, Debug)]
 pub struct Pixel {
     /// The step of the method that produced the pixel.
@@ -36,13 +37,15 @@ pub struct Pixel {
 const SHARE: f64 = 0.85;
 
 impl ReferenceFrame<'_> {
-    /// The ray through a pixel's centre, and the length of its direction, in whose units depths are.
+    /// The ray through a pixel's centre, and the length of its direction before normalisation, the unit of
+    /// depths.
     #[must_use]
     pub fn ray(&self, pixel: [u32; 2]) -> (Ray, f64) {
         self.ray_at(pixel.map(|i| f64::from(i) + 0.5), 1.0)
     }
 
-    /// The ray through a place in the frame, in pixels from its upper left corner, for a square of that side around it.
+    /// The ray through a position in the frame, in pixels from the upper left corner, with a cone as wide as
+    /// `side`.
     pub(super) fn ray_at(&self, [x, y]: [f64; 2], side: f64) -> (Ray, f64) {
         let [width, height] = self.size.map(f64::from);
         let right = (2.0 * x - width) / height * self.camera.right.as_dvec3();
@@ -53,7 +56,7 @@ impl ReferenceFrame<'_> {
             false => (eye, forward + right + up),
         };
         let length = along.length();
-        // What a ray stands for matters to averages of textures alone.
+        // The cone's width only matters for texture averages.
         let side = match self.settings.mip {
             Mip::Off => 0.0,
             Mip::On => SHARE * 2.0 * side * self.camera.up.as_dvec3().length() / height,
@@ -69,7 +72,7 @@ impl ReferenceFrame<'_> {
         ray.origin + depth * length * ray.direction
     }
 
-    /// A traced pixel: every pixel of `full`.
+    /// Traces a pixel, as `full` does for every one.
     #[must_use]
     pub fn traced(&self, pixel: [u32; 2], rounding: &mut Rounding) -> Sample {
         let (ray, length) = self.ray(pixel);
@@ -83,8 +86,8 @@ impl ReferenceFrame<'_> {
         sample
     }
 
-    /// Linear radiance of a pixel of a checkerboard frame: the dark squares are traced, a light one is the average of its
-    /// traced neighbours.
+    /// Linear radiance of a pixel of a checkerboard frame: dark squares are traced, a light one is the average of
+    /// its traced neighbours.
     #[must_use]
     pub fn checkerboard(&self, [x, y]: [u32; 2], rounding: &mut Rounding) -> DVec3 {
         if (x + y).is_multiple_of(2) {
@@ -96,8 +99,8 @@ impl ReferenceFrame<'_> {
         colors.iter().sum::<DVec3>() / colors.len() as f64
     }
 
-    /// A pixel of an adaptive frame. `decided` says how pixels came to be, where that is not the reference's to decide:
-    /// so one step is compared with a tracer's given what the tracer did in the steps before.
+    /// A pixel of an adaptive frame. If `decided` is given, it states how pixels were obtained; a single step can
+    /// then be compared with a tracer's, given the results of its earlier steps.
     #[must_use]
     pub fn adaptive(
         &self,
@@ -130,7 +133,7 @@ impl ReferenceFrame<'_> {
         }
     }
 
-    /// The attributes of a pixel of a base row as they are stored: steps that refer to it come before postcorrection.
+    /// The stored attributes of a pixel in a base row; steps that refer to it run before postcorrection.
     fn reached(
         &self,
         pixel: [u32; 2],
@@ -144,8 +147,8 @@ impl ReferenceFrame<'_> {
         Reached { attributes, position: self.position(pixel, attributes.depth) }
     }
 
-    /// How far right and down of a pixel its second reference is: along the row in Step-II, across in Step-III, half as
-    /// far in each level of the hierarchy as in the one before; none for base pixels.
+    /// Offset from a pixel's first reference to the pixel, right and down: along the row in Step-II, along the
+    /// column in Step-III, halved at each level. `None` for base pixels.
     fn step(&self, [x, y]: [u32; 2]) -> Option<[u32; 2]> {
         let mut reach = self.settings.block / 2;
         while reach > 0 {
@@ -160,8 +163,8 @@ impl ReferenceFrame<'_> {
         None
     }
 
-    /// The pixels that a pixel is interpolated from: left and right, or above and below; none for base pixels and where
-    /// the second is beyond the border.
+    /// The two references of a pixel: left and right, or above and below. `None` for base pixels and if the
+    /// second one is outside the frame.
     fn references(&self, pixel: [u32; 2]) -> Option<[[u32; 2]; 2]> {
         let step = self.step(pixel)?;
         let second = [0, 1].map(|i| pixel[i] + step[i]);

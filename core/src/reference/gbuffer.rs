@@ -5,29 +5,30 @@ use glam::DVec3;
 use super::{Surface, lobes::Lobes};
 use crate::scene::octahedral_decode_exact;
 
-/// How a pixel's paths come to their first diffuse surface.
+/// How a pixel's paths reach their first diffuse surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
-    /// Some did not, or met light before they left it: the pixel is not filtered.
+    /// Some path reached none, or met emission before it left the first: the pixel is not filtered.
     None,
     /// The surface is seen directly.
     DirectlySeen,
-    /// The surface is seen by way of mirrors or glass.
+    /// The surface is seen in mirrors or through glass.
     Mirrored,
 }
 
 /// Attributes of a pixel's first diffuse surface.
 #[derive(Clone, Copy, Debug)]
 pub struct GBufferPixel {
-    /// Whether the surface is seen directly.
+    /// How the surface is seen.
     pub way: Way,
-    /// Its unit normal, of the first sample.
+    /// Unit normal of the surface, from the first sample.
     pub normal: DVec3,
-    /// How far it lies along the way from the eye, in lengths of the primary ray's direction, of the first sample.
+    /// Length of the path to the surface in units of the primary ray's unnormalised direction, from the first
+    /// sample.
     pub depth: f64,
-    /// Diffuse albedo times the transmittance of the mirrors and glass before it: the mean of all samples.
+    /// Diffuse albedo times the transmittance of the mirrors and glass before it, as a mean over all samples.
     pub albedo: DVec3,
-    /// The last path was stopped and had left every surface by the diffuse lobe.
+    /// Whether the last path was stopped and used only diffuse lobes.
     pub smoothed: bool,
 }
 
@@ -48,7 +49,7 @@ impl GBufferPixel {
         }
     }
 
-    /// With another sample of the pixel, which has had so many before.
+    /// Adds a sample of the pixel to the `before` earlier ones.
     #[must_use]
     pub fn followed(self, sample: &Self, before: u32) -> Self {
         let way = if sample.way == Way::None { Way::None } else { self.way };
@@ -57,16 +58,16 @@ impl GBufferPixel {
     }
 }
 
-/// A path on its way to its first diffuse surface.
+/// A path that may not have reached its first diffuse surface yet.
 pub(super) struct Search {
     gbuffer_pixel: GBufferPixel,
-    /// Of the primary ray's direction, before it was made a unit.
+    /// Length of the primary ray's direction before normalisation.
     length: f64,
     shone: bool,
 }
 
 impl Search {
-    /// The record of a path that starts at the eye; `length` is that of its direction.
+    /// Starts at the eye; `length` is the length of the primary ray's direction.
     pub fn new(length: f64) -> Self {
         let gbuffer_pixel = GBufferPixel {
             way: Way::None,
@@ -78,7 +79,7 @@ impl Search {
         Self { gbuffer_pixel, length, shone: false }
     }
 
-    /// A surface at that distance from the last one.
+    /// Advances to a surface at this distance from the last one.
     pub fn arrive(&mut self, distance: f64, emission: DVec3) {
         if self.gbuffer_pixel.way == Way::None {
             self.gbuffer_pixel.depth += distance / self.length;
@@ -86,7 +87,7 @@ impl Search {
         }
     }
 
-    /// Records a surface that counts as diffuse: most paths leave it by the diffuse lobe, or this one does.
+    /// Records a surface as the first diffuse one: most paths leave it by the diffuse lobe, or this one does.
     pub fn meet(&mut self, (s, lobes): (&Surface, &Lobes), chosen: bool, throughput: DVec3, level: u32) {
         if self.gbuffer_pixel.way == Way::None && (lobes.is_diffuse() || chosen) {
             self.gbuffer_pixel.way = if level == 1 { Way::DirectlySeen } else { Way::Mirrored };

@@ -1,19 +1,19 @@
-//! Rays against triangles (Moeller, Trumbore 1997) and spheres.
+//! Intersection of rays with triangles (Moeller & Trumbore 1997) and spheres.
 
 use glam::DVec3;
 
-/// A ray with a direction of unit length.
+/// A ray with its cone.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
     /// Origin in world space.
     pub origin: DVec3,
-    /// Direction in world space, not necessarily of unit length.
+    /// Direction in world space, of unit length.
     pub direction: DVec3,
-    /// Largest ray parameter that counts as a hit.
+    /// Largest ray parameter (distance) that counts as a hit.
     pub t_max: f64,
-    /// Width of what it stands for where it starts; negative behind a focus.
+    /// Width of the ray's cone at the origin; negative after a focus.
     pub width: f64,
-    /// What that grows by in a unit of length.
+    /// Growth of the cone's width per unit of length.
     pub growth: f64,
 }
 
@@ -22,13 +22,13 @@ pub struct Ray {
 pub struct Intersection {
     /// Ray parameter of the intersection.
     pub t: f64,
-    /// Triangles of the scene by index, then its spheres.
+    /// Index of the primitive: triangles first, then spheres.
     pub primitive: usize,
     /// OID of the primitive's object.
     pub object: u32,
-    /// Weight of the triangle's second corner.
+    /// Barycentric weight of the triangle's second corner.
     pub u: f64,
-    /// Weight of the triangle's third corner.
+    /// Barycentric weight of the triangle's third corner.
     pub v: f64,
 }
 
@@ -55,8 +55,8 @@ impl Primitive {
         }
     }
 
-    /// The first crossing in front of the ray. A ray that starts on the primitive itself (`left`) has left it, unless it
-    /// goes through a sphere: then it crosses the other side.
+    /// The first intersection in front of the ray. A ray that starts on the primitive (`left`) does not hit it
+    /// again, except that it may cross a sphere to the far side.
     pub fn intersection(&self, ray: &Ray, left: bool) -> Option<Intersection> {
         let (t, u, v) = match self.shape {
             Shape::Triangle { corner, e1, e2 } => {
@@ -68,7 +68,7 @@ impl Primitive {
                 let (b, u) = sphere_terms(ray, center, radius);
                 let root = (u >= 0.0 || left).then(|| u.max(0.0).sqrt())?;
                 let t = match left {
-                    // Outwards there is nothing more; inwards lies the other side.
+                    // A ray leaving outwards hits nothing more; one going inwards hits the far side.
                     true if b <= 0.0 => return None,
                     true => b + root,
                     false if b - root > 0.0 => b - root,
@@ -81,7 +81,7 @@ impl Primitive {
     }
 }
 
-/// Barycentric coordinates, distance, and twice the area as the ray sees it; `None` for a triangle seen edge-on.
+/// Barycentric coordinates, distance, and twice the projected area; `None` for a triangle seen edge-on.
 pub(super) fn moeller_trumbore(
     ray: &Ray,
     corner: DVec3,

@@ -1,6 +1,6 @@
-//! Where in its cell a sample lies: the net of `jitter_stratified.wgsl`, whose integers are the same everywhere.
+//! Positions of samples in their cells: the net of `jitter_stratified.wgsl` in the same integer arithmetic.
 
-/// Fractions of a cell from its upper left corner.
+/// Position in the cell as fractions from its upper left corner.
 pub(super) fn jitter(stratum: [u32; 2], seed: u32) -> [f64; 2] {
     let scramble = hash(stratum.map(|i| i / 4), seed).map(|word| word >> 30);
     let low = net(stratum.map(|i| i & 3));
@@ -8,7 +8,7 @@ pub(super) fn jitter(stratum: [u32; 2], seed: u32) -> [f64; 2] {
     [0, 1].map(|i| f64::from((low[i] ^ scramble[i]) << 22 | rest[i] >> 10) / 16_777_216.0)
 }
 
-/// The third and fourth binary digit of the point of the (0,2)-net whose first two are these.
+/// The third and fourth binary digits of the (0,2)-net's only point with these first two digits.
 fn net([x, y]: [u32; 2]) -> [u32; 2] {
     let fourth = (x ^ y) & 1;
     let third = ((x >> 1) ^ (y >> 1) ^ y) & 1;
@@ -36,7 +36,7 @@ mod tests {
         let places: Vec<_> = (0..64).flat_map(|y| (0..64).map(move |x| jitter([x, y], 5))).collect();
         for axis in 0..2 {
             let mean = places.iter().map(|place| place[axis]).sum::<f64>() / 4096.0;
-            // Of 4096 uniform numbers, three standard deviations.
+            // Three standard deviations of the mean of 4096 uniform numbers.
             assert!((mean - 0.5).abs() < 3.0 * (1.0 / 12.0_f64 / 4096.0).sqrt(), "{mean}");
             assert!(places.iter().all(|place| (0.0..1.0).contains(&place[axis])));
         }
@@ -44,7 +44,7 @@ mod tests {
         assert_ne!(jitter([1, 2], 0), jitter([2, 1], 0));
     }
 
-    /// One sample of a square's sixteen in each cell of 4x4, 16x1, 1x16, 8x2, 2x8.
+    /// One of a square's sixteen samples must lie in each cell of 4x4, 16x1, 1x16, 8x2 and 2x8 grids.
     #[test]
     fn each_square_of_cells_is_a_net() {
         for square in [[0, 0], [3, 7], [100, 41]] {

@@ -1,4 +1,4 @@
-//! The judgement of an f32 answer, with tolerances from the rounding of f32 instead of guesses:
+//! Judges f32 hits, with tolerances derived from the rounding of f32:
 //!
 //! ```text
 //! e        = ulps x 2^-23                    the roundings that are allowed for
@@ -16,17 +16,17 @@ use super::{
 /// How a hit computed in f32 compares with the f64 reference.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// The same object at the same distance.
+    /// The same object at the same distance within rounding.
     Same,
-    /// Another object at the same distance: two surfaces lie in one place.
+    /// Another object at the same distance: coincident surfaces.
     Tie,
-    /// Another answer that rounding explains: it exists, and nothing lies clearly in front of it.
+    /// Another hit that rounding explains: it exists, and nothing lies clearly in front of it.
     Explained,
     /// The hit is wrong; the text says how.
     Wrong(String),
 }
 
-/// A possible hit: how far off its distance may be, and whether f32 must see it.
+/// A possible hit, with the error of its distance and whether f32 must find it.
 struct Candidate {
     hit: Hit,
     tolerance: f64,
@@ -34,14 +34,14 @@ struct Candidate {
 }
 
 impl Tracer {
-    /// Judges the answer of an f32 tracer, with allowance for a handful of roundings.
+    /// Judges the hit of an f32 tracer, allowing for a few roundings.
     #[must_use]
     pub fn judge(&self, ray: &Ray, answer: Option<Hit>) -> Verdict {
         self.judge_within(ray, answer, TRAVERSAL_ULPS)
     }
 
-    /// Judges the answer of an f32 tracer that may see every corner this many units in the last place (of its distance)
-    /// away from where it is; at most 8.
+    /// Judges the hit of an f32 tracer whose corners may be displaced by `ulps` units in the last place of their
+    /// distance, at most 8.
     #[must_use]
     pub fn judge_within(&self, ray: &Ray, answer: Option<Hit>, ulps: f64) -> Verdict {
         let rounding = ulps * f64::from(f32::EPSILON);
@@ -52,7 +52,8 @@ impl Tracer {
             let told =
                 |c: &&Candidate| c.hit.object == answer.object && (c.hit.t - answer.t).abs() <= c.tolerance;
             let near = candidates.iter().find(told).map(|c| (answer.t, c.tolerance));
-            // A needle may be told to be where its box is not.
+            // Rounding may place a hit on a sliver outside its bounding box, so all primitives of the object are
+            // tested.
             let own = || self.primitives.iter().filter(|p| p.object == answer.object);
             let far = || own().flat_map(|p| p.candidates(ray, rounding)).find(|c| told(&c));
             near.or_else(|| far().map(|c| (answer.t, c.tolerance)))

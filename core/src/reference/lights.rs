@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::{Reference, material::Shading};
 use crate::scene::LightKind;
 
-/// Squared distances to a light are at least this.
+/// Least squared distance to a light.
 const LEAST_DISTANCE2: f64 = 1e-30;
 /// Upper bound of the irradiance of a light, as in the shaders.
 const MOST_IRRADIANCE: f64 = 1e30;
@@ -19,7 +19,7 @@ pub struct Arrival {
     pub direction: DVec3,
     /// Distance to the light; infinite for directional lights.
     pub distance: f64,
-    /// On a surface that faces the light, without anything between.
+    /// Irradiance of a surface that faces the unobstructed light.
     pub irradiance: DVec3,
 }
 
@@ -55,7 +55,7 @@ impl Reference {
         Arrival { direction, distance, irradiance }
     }
 
-    /// Radiance that a surface reflects towards the viewer from the lights that reach it.
+    /// Radiance that a surface reflects towards the viewer from the lights that are not shadowed.
     pub(super) fn lights_reflected(&self, s: &mut Shading<'_>, diffuse: DVec3) -> DVec3 {
         let shadow = s.shadow;
         let mut sum = DVec3::ZERO;

@@ -1,4 +1,4 @@
-//! The ways on from a surface that a path chooses among, and its choice.
+//! The lobes that a path may continue by, and the choice among them.
 
 use std::f64::consts::{PI, TAU};
 
@@ -10,7 +10,7 @@ use super::{Cause, Material, Reference, Rounding, Surface, scatter::BsdfSample};
 pub(super) struct Lobes {
     /// Albedo of the diffuse lobe.
     pub diffuse: DVec3,
-    /// The reflected ray, and the refracted one where there is one.
+    /// The reflected ray and the refracted ray, each if the surface has that lobe.
     pub specular: [Option<BsdfSample>; 2],
     /// The largest channel of each of the three lobes.
     largest: [f64; 3],
@@ -18,14 +18,14 @@ pub(super) struct Lobes {
 
 /// The lobe that a path was scattered by.
 pub(super) struct Chosen {
-    /// The share of the light over the probability of the choice.
+    /// The lobe's weight divided by the probability of choosing it.
     pub weight: DVec3,
-    /// The mirrored or refracted ray; `None` for a diffuse lobe.
+    /// The reflected or refracted ray; `None` for the diffuse lobe.
     pub bsdf_sample: Option<BsdfSample>,
 }
 
 impl Lobes {
-    /// The lobes of a surface for a ray of this direction.
+    /// The lobes of a surface for an incident ray of this direction.
     pub fn of(
         reference: &Reference,
         s: &Surface,
@@ -40,14 +40,14 @@ impl Lobes {
         Self { diffuse, specular, largest: [diffuse.max_element(), mirror, refraction] }
     }
 
-    /// The share of the light that is mirrored, where no other way leads on.
+    /// Reflectance of the mirror lobe if it is the only lobe; else `None`.
     pub fn only_mirror(&self) -> Option<DVec3> {
         let [diffuse, mirror, refraction] = self.largest;
         let only = mirror > 0.0 && diffuse == 0.0 && refraction == 0.0;
         self.specular[0].filter(|_| only).map(|bsdf_sample| bsdf_sample.share)
     }
 
-    /// Does the path go on by the diffuse lobe alone?
+    /// Whether the diffuse lobe is the only lobe.
     pub fn only_diffuse(&self) -> bool {
         let [diffuse, mirror, refraction] = self.largest;
         diffuse > 0.0 && mirror == 0.0 && refraction == 0.0
@@ -58,20 +58,20 @@ impl Lobes {
         self.largest[1] > 0.0
     }
 
-    /// The probability that the path goes on by the diffuse lobe; 0 where there is none.
+    /// Probability of continuing by the diffuse lobe; 0 if there is none.
     pub fn chance_of_diffuse(&self) -> f64 {
         let sum: f64 = self.largest.iter().sum();
         if sum > 0.0 { self.largest[0] / sum } else { 0.0 }
     }
 
-    /// Do at least as many paths go on by the diffuse lobe as by the others?
+    /// Whether the diffuse lobe is at least as probable as the others together.
     pub fn is_diffuse(&self) -> bool {
         let [diffuse, mirror, refraction] = self.largest;
         diffuse >= mirror + refraction
     }
 
-    /// The lobe that a number in [0, 1) chooses, each as often as its largest channel is of their sum; none where nothing
-    /// goes on.
+    /// Chooses a lobe by a number in [0, 1), with probabilities proportional to their largest channels; `None` if
+    /// all are zero.
     pub fn choose(&self, number: f64, rounding: &mut Rounding) -> Option<Chosen> {
         let [diffuse, mirror, refraction] = self.largest;
         let sum = diffuse + mirror + refraction;
@@ -92,7 +92,7 @@ impl Lobes {
     }
 }
 
-/// A direction about a unit normal, as dense as its cosine over pi, and that density.
+/// A cosine-weighted direction around a unit normal, and its density, cosine over pi.
 pub(super) fn cosine_weighted(n: DVec3, [u, v]: [f64; 2]) -> (DVec3, f64) {
     let (r, phi) = (u.sqrt(), TAU * v);
     let cosine = (1.0 - u).max(0.0).sqrt();
@@ -100,9 +100,9 @@ pub(super) fn cosine_weighted(n: DVec3, [u, v]: [f64; 2]) -> (DVec3, f64) {
     (r * phi.cos() * x + r * phi.sin() * y + cosine * n, cosine / PI)
 }
 
-/// Building an Orthonormal Basis, Revisited (Duff et al. 2017): the other two axes beside a unit normal.
+/// Two tangents to a unit normal (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
 fn tangents(n: DVec3) -> [DVec3; 2] {
-    // The zeros of both signs are one number here: f32 may arrive at the other.
+    // Treats both zeros alike, since f32 may compute either.
     let sign = if n.z >= 0.0 { 1.0 } else { -1.0 };
     let a = -1.0 / (sign + n.z);
     let b = n.x * n.y * a;
@@ -130,7 +130,7 @@ mod tests {
         let n = DVec3::new(2.0, -3.0, -6.0) / 7.0;
         let mut random = Random(11);
         let count = 20_000;
-        // The mean of cosine^k under this density is 2 / (k + 2); that of what is beside the normal is 0.
+        // The mean of cosine^k under this density is 2 / (k + 2); that of tangential components is 0.
         let (mut mean, mut square, mut beside) = (0.0, 0.0, DVec3::ZERO);
         for _ in 0..count {
             let (direction, density) = cosine_weighted(n, [random.unit(), random.unit()]);

@@ -1,13 +1,13 @@
-//! Materials in Whitted's terms; the formulas are in `core/MATERIALS.md`.
+//! Materials by Whitted's model; the formulas are in `core/MATERIALS.md`.
 
 use glam::{DVec2, DVec3, Vec4Swizzles};
 
 use super::{Cause, Reference, Rounding, texture::Encoding};
 use crate::scene::Weights;
 
-/// The least roughness whose image of a light has a width.
+/// Least roughness of the image of a light, which would otherwise have no width.
 const LEAST_ROUGHNESS: f64 = 0.2;
-/// The visibility term of the lobe divides by no less.
+/// Least cosine that the lobe's visibility term divides by.
 const LEAST_COSINE: f64 = 0.05;
 
 /// A material at a point of a surface.
@@ -20,13 +20,13 @@ pub struct Material {
     transmission: f64,
     /// Index of refraction relative to air.
     pub ior: f64,
-    /// A pane without thickness: transmitted rays go straight on.
+    /// A surface without thickness: transmitted rays are not refracted.
     pub thin: bool,
     pub(super) unlit: bool,
     weights: Option<Weights>,
 }
 
-/// A material with what its shading depends on.
+/// A material with the geometry that shading depends on.
 pub(super) struct Shading<'a> {
     pub material: Material,
     pub position: DVec3,
@@ -34,14 +34,14 @@ pub(super) struct Shading<'a> {
     /// Unit vector from the surface to the viewer.
     pub view: DVec3,
     pub inside: bool,
-    /// Bit i says that light i does not reach the point.
+    /// Bit i is set if light i does not reach the point.
     pub shadow: u32,
     pub rounding: &'a mut Rounding,
 }
 
 impl Reference {
-    /// The material of an object at these texture coordinates with this vertex colour, as a sample sees it that covers a
-    /// footprint.
+    /// The material of an object at these texture coordinates and with this vertex colour, with textures averaged
+    /// over a footprint.
     #[must_use]
     pub fn material(&self, object: u32, texcoord: DVec2, footprint: DVec3, color: DVec3) -> Material {
         let m = self.material_of(object);
@@ -76,12 +76,12 @@ impl Reference {
 }
 
 impl Material {
-    /// The share of the specular lobe that is traced as a mirror.
+    /// The fraction of the specular lobe that is traced as a mirror.
     fn gloss(&self) -> f64 {
         (1.0 - 2.0 * self.roughness).max(0.0)
     }
 
-    /// The share of the light that is scattered.
+    /// Albedo of the diffuse lobe.
     fn diffuse(&self, cosine: f64, inside: bool) -> DVec3 {
         match self.weights {
             Some(weights) => self.base * f64::from(weights.diffuse),
@@ -94,7 +94,8 @@ impl Material {
         }
     }
 
-    /// The share of light from everywhere that is scattered or reflected by rough metal: that of the ambient term.
+    /// Albedo for light from all directions, such as the ambient term: the diffuse lobe and the reflection of
+    /// rough metal.
     #[must_use]
     pub fn albedo(&self, cosine: f64, inside: bool) -> DVec3 {
         let rough_metal = match self.weights {
@@ -116,14 +117,14 @@ impl Material {
         let from_within = inside && self.transmission > 0.0 && !self.thin;
         let mut dielectric = fresnel_dielectric(cosine, self.ratio(from_within));
         if self.thin {
-            // Both faces of the pane, all orders.
+            // Both faces of the pane with all internal reflections.
             dielectric = 2.0 * dielectric / (1.0 + dielectric);
         }
         let metal = schlick(self.base, cosine);
         DVec3::splat(dielectric).lerp(metal, self.metallic)
     }
 
-    /// The share of the radiance along the reflected ray.
+    /// Weight of the reflected ray's radiance.
     #[must_use]
     pub fn mirror(&self, cosine: f64, inside: bool) -> DVec3 {
         match self.weights {
@@ -133,7 +134,7 @@ impl Material {
         }
     }
 
-    /// The share of the radiance along the refracted ray, where there is one.
+    /// Weight of the refracted ray's radiance, if there is one.
     #[must_use]
     pub fn refraction(&self, cosine: f64, inside: bool) -> DVec3 {
         match self.weights {
@@ -148,7 +149,8 @@ impl Material {
 }
 
 impl Shading<'_> {
-    /// Reflection of a light by the rough part of the surface: Blinn-Phong distribution, Neumann's visibility.
+    /// Microfacet lobe of the rough part of the surface for one light: Blinn-Phong distribution, Neumann's
+    /// visibility term.
     pub fn lobe(&mut self, light: DVec3) -> DVec3 {
         let m = self.material;
         if m.roughness >= 1.0 || m.weights.is_some() {
@@ -166,7 +168,7 @@ impl Shading<'_> {
     }
 }
 
-/// Schlick's reflectance from that at normal incidence.
+/// Schlick's approximation of reflectance from that at normal incidence.
 fn schlick(f0: DVec3, cosine: f64) -> DVec3 {
     f0 + (1.0 - f0) * (1.0 - cosine).powi(5)
 }
@@ -175,7 +177,7 @@ fn schlick(f0: DVec3, cosine: f64) -> DVec3 {
 /// side's. Beyond the critical angle it is 1.
 #[must_use]
 pub fn fresnel_dielectric(cosine: f64, ratio: f64) -> f64 {
-    // Snell: the cosine on the other side.
+    // Snell's law: squared cosine of the angle of refraction.
     let other2 = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
     if other2 <= 0.0 {
         return 1.0;

@@ -2,33 +2,33 @@
 //!
 //! | here | shaders |
 //! | --- | --- |
-//! | [`Tracer`] | `bvh.wgsl`, `triangle.wgsl`, `sphere_analytic.wgsl` |
-//! | [`Reference::first`], [`Reference::occluded`], [`Reference::shadow_bits`] | `hit_*.wgsl`, `shadow_rays.wgsl` |
+//! | [`Tracer`] | `bvh.wgsl`, `triangle*.wgsl`, `sphere_analytic.wgsl` |
+//! | [`Reference::first`], [`Reference::occluded`], [`Reference::shadow_bits`] | `any_hit_*.wgsl`, `shadow_rays.wgsl` |
 //! | [`Reference::surface`], [`Reference::texture`], [`Reference::material`], [`Reference::arrival`] | `surface.wgsl`, `ray_cone.wgsl`, `texture_*.wgsl`, `material.wgsl`, `lights_punctual.wgsl` |
-//! | [`Reference::sample`] | `sample.wgsl`, `bounce_*.wgsl` |
+//! | [`Reference::sample`] | `sample.wgsl`, `scatter_*.wgsl` |
 //! | [`ReferenceFrame::ray`], [`ReferenceFrame::traced`], [`ReferenceFrame::adaptive`], [`ReferenceFrame::checkerboard`] | `frame.wgsl`, the passes |
 //! | [`ReferenceFrame::failed`], [`ReferenceFrame::interpolated`], [`ReferenceFrame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes_channels.wgsl` |
 //! | [`ReferenceFrame::postcorrection`] | `postcorrect_seed.wgsl`, `postcorrect_probe_points.wgsl`, `postcorrect.wgsl`, `postcorrect_scan.wgsl` |
 //! | [`ReferenceFrame::ray_in`], [`ReferenceFrame::presampled`], [`ReferenceFrame::tested`], [`ReferenceFrame::supersampled`] | `jitter_*.wgsl`, `presample.wgsl`, `subpixels.wgsl`, `extra_samples.wgsl` |
 //! | [`ReferenceFrame::quincunx`] | `quincunx_*.wgsl` |
-//! | [`ReferenceFrame::path`], [`Rng::pair`] | `path.wgsl`, `lobes*.wgsl`, `emitters*.wgsl`, `numbers*.wgsl` |
-//! | [`PathSample::own`], [`PathSample::splat`] | `eyes_stereo.wgsl`, `intersection*.wgsl` |
+//! | [`ReferenceFrame::path`], [`Rng::pair`] | `path.wgsl`, `lobes*.wgsl`, `emitters*.wgsl`, `rng*.wgsl` |
+//! | [`PathSample::own`], [`PathSample::splat`] | `eyes_stereo.wgsl`, `stereo_*.wgsl` |
 //! | [`GBufferPixel::followed`], [`Denoiser::median`], [`Denoiser::atrous`] | `gbuffer_record.wgsl`, `median.wgsl`, `atrous_begin.wgsl`, `atrous.wgsl` |
 //! | [`ReferenceFrame::refreshes`], [`ReferenceFrame::reprojected`] | `refresh.wgsl`, `reproject_depth.wgsl`, `reproject_source.wgsl`, `reuse.wgsl` |
 //!
-//! Shared with what it judges: the [`Scene`] in main memory (with its normals in octahedral words, for that is what the
-//! scene holds), the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), the Rust functions that pack and
-//! unpack octahedral words, which the shaders do not use, the bytes of the mip levels, and the [`Emitters`] that points
-//! are drawn from. Nothing else is: no tree, no
-//! buffer, no formula. [`Reference::with_wide_tree`] shares the tree's builder: it is for pictures, not for judging them.
+//! The reference shares with the renderer that it tests: the [`Scene`] in main memory (with octahedral normals),
+//! the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), the Rust functions that encode and decode
+//! octahedral words, which the shaders do not use, the bytes of the mip levels, and the distribution of
+//! [`Emitters`]. It shares nothing else: no tree, no buffer, no formula. Only [`Reference::with_wide_tree`] uses
+//! the tree's builder: it is for images, not for tests.
 //!
-//! Spawned rays start exactly on the surface and cannot meet the primitive that they leave; the shaders start them a
-//! little off it. Lights and materials are the formulas of `core/MATERIALS.md` and of the glTF extensions.
+//! Spawned rays start exactly on the surface and cannot hit the primitive that they leave; the shaders start them
+//! at a small offset. Lights and materials follow the formulas of `core/MATERIALS.md` and of the glTF extensions.
 //!
-//! An f32 answer that differs is judged in one of two ways. [`Tracer::judge`] knows how far off f32 may be, from the
-//! geometry of one ray. For everything that follows from a hit, the reference is asked again under [`Rounding`]: numbers
-//! displaced by up to [`ULPS`] units in the last place (and the starts of spawned rays by [`SPAWN_ULPS`]), for one
-//! [`Cause`] after the other. An answer that is not among these is wrong.
+//! A differing f32 result is judged in one of two ways. [`Tracer::judge`] bounds the errors of f32 from the
+//! geometry of one ray. For everything that follows from a hit, the reference is evaluated again under
+//! [`Rounding`]: with numbers displaced by up to [`ULPS`] units in the last place (and origins of spawned rays by
+//! [`SPAWN_ULPS`]), for one [`Cause`] after the other. A result that is not among these is wrong.
 
 mod attributes;
 mod cone;
@@ -106,7 +106,7 @@ pub struct Reference {
 }
 
 impl Reference {
-    /// A scene that is [valid](Scene::validate).
+    /// Prepares a [valid](Scene::validate) scene.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let contents = Content::of_images(scene);
@@ -124,25 +124,25 @@ impl Reference {
         }
     }
 
-    /// The same with an adapter's own values of the bytes of sRGB: graphics interfaces grant it half a byte.
+    /// Uses an adapter's own decoding of sRGB bytes; graphics APIs tolerate an error of half a byte.
     #[must_use]
     pub fn with_srgb(self, srgb: [f64; 256]) -> Self {
         Self { srgb, ..self }
     }
 
-    /// The same, sooner, by a tree like that of the shaders: for pictures, not for judging them.
+    /// Traces faster with a tree like the shaders', for images instead of tests.
     #[must_use]
     pub fn with_wide_tree(self) -> Self {
         Self { tracer: self.tracer.with_wide_tree(), ..self }
     }
 
-    /// The traversal of the scene's geometry alone.
+    /// The traversal of the scene's geometry, without materials.
     #[must_use]
     pub fn tracer(&self) -> &Tracer {
         &self.tracer
     }
 
-    /// The scene's longest box side: the unit of Kim 2016's distance tolerance.
+    /// Longest side of the scene's bounding box, the unit of the distance tolerance (Kim 2016).
     #[must_use]
     pub fn longest_side(&self) -> f64 {
         (self.bounds.1 - self.bounds.0).max_element()

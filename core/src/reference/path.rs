@@ -1,9 +1,10 @@
-//! One sample of a path tracer (Kajiya 1986): a path from the eye that goes on by one lobe of each surface, with light
-//! found by the path itself, by rays to emitters, or by both (Veach, Guibas 1995).
+//! One sample of a path tracer (Kajiya 1986): a path from the eye that continues by one lobe at each surface.
+//! Emission is found by the path itself, by next-event estimation, or by both (multiple importance sampling,
+//! Veach & Guibas 1995).
 //!
-//! It converges to the rendering equation of the materials as `scene/material.rs` has them, up to what the depth limit
-//! leaves out, except that light which a bent shading normal would bring from below the face is lost, and that punctual
-//! lights have no image in rough surfaces.
+//! Converges to the rendering equation with the materials of `scene/material.rs`, up to the depth limit, with two
+//! exceptions: light that a bent shading normal would gather from below the face is lost, and punctual lights
+//! have no image in rough surfaces.
 
 use std::f64::consts::PI;
 
@@ -17,21 +18,21 @@ use super::{
 };
 use crate::{DirectLight, Foveation, LightSelection, Roulette};
 
-/// Vertices from which on paths end at random.
+/// Bounce level from which on Russian roulette may end a path.
 const ROULETTE_LEVEL: u32 = 3;
 
-/// The numbers of a path: the place in the pixel is pair 0, and a vertex has as many of its own as [`DIMENSIONS`].
+/// Random dimensions: pair 0 positions the sample in its pixel, then each vertex has [`DIMENSIONS`] pairs.
 const PLACE_IN_PIXEL: u32 = 0;
 const DIMENSIONS: u32 = 4;
-/// Which lobe; whether the path stops away from the gaze.
+/// Dimension of the choice of lobe, and of stopping away from the gaze.
 const LOBE: u32 = 0;
 /// Dimension of the diffuse direction.
 const DIRECTION: u32 = 1;
-/// Which emitter; whether roulette ends the path.
+/// Dimension of the choice of emitter, and of Russian roulette.
 const EMITTER: u32 = 2;
 /// Dimension of the point on the emitter.
 const POINT: u32 = 3;
-/// From one point on emitters to the next.
+/// Distance between the dimensions of successive light samples.
 const LIGHT_SAMPLE: u32 = 1024;
 
 /// The result of one path.
@@ -45,7 +46,7 @@ pub struct PathSample {
     pub diffuse_only: bool,
     /// Weight of the sample in its own pixel.
     pub own: f64,
-    /// The pixel of the other eye that it counts for too.
+    /// The sample's contribution to a pixel of the other eye, if any.
     pub splat: Option<Splat>,
     /// Attributes of the first diffuse surface.
     pub gbuffer_pixel: GBufferPixel,
@@ -56,18 +57,18 @@ struct Path<'a> {
     frame: &'a ReferenceFrame<'a>,
     pixel: [u32; 2],
     rng: Rng,
-    /// The probability of stopping at a vertex.
+    /// Probability of stopping at a vertex.
     stop: f64,
     ray: Ray,
     /// The primitive that the ray starts on; `None` at the eye.
     left: Option<usize>,
     /// Throughput: the weight of the radiance that arrives along the ray.
     throughput: DVec3,
-    /// Bounce level: 1 for the ray from the eye.
+    /// Bounce level: 1 for the primary ray.
     level: u32,
-    /// How densely the ray was drawn about a diffuse surface, per unit of solid angle.
+    /// Density with which the diffuse lobe sampled the ray, per unit of solid angle.
     density: Option<f64>,
-    /// The first hit, if that is a plane mirror.
+    /// The first hit if it is a planar mirror.
     mirror: Option<Mirror>,
     /// Weight of the sample in its own pixel, and its contribution to the other eye.
     stereo_splat: Option<(f64, Splat)>,
@@ -78,7 +79,7 @@ struct Path<'a> {
 }
 
 impl ReferenceFrame<'_> {
-    /// A sample of a pixel, counted from 0.
+    /// Traces the path of sample `sample` (counted from 0) of a pixel.
     #[must_use]
     pub fn path(&self, pixel: [u32; 2], sample: u32, rounding: &mut Rounding) -> PathSample {
         let rng = Rng::of(&self.settings, pixel, sample);
@@ -108,7 +109,7 @@ impl ReferenceFrame<'_> {
         PathSample { radiance, stopped, diffuse_only, gbuffer_pixel, own, splat }
     }
 
-    /// The probability of stopping in a pixel (Kim & Sung 2021, equation 7).
+    /// Probability of stopping at each bounce in a pixel (Kim & Sung 2021, equation 7).
     fn stop(&self, pixel: [u32; 2]) -> f64 {
         let (_, pixel) = Self::eye(pixel, self.eye_size());
         let size = self.eye_size().map(f64::from);
@@ -121,7 +122,7 @@ impl ReferenceFrame<'_> {
 }
 
 impl Path<'_> {
-    /// Follows the ray to the next surface and leaves it again; none where the path ends.
+    /// Traces the ray to the next surface and scatters it there; `None` if the path ends.
     fn step(&mut self, rounding: &mut Rounding) -> Option<()> {
         let reference = self.frame.reference;
         let Some(intersection) = reference.first(&self.ray, self.left, false, rounding) else {
@@ -159,8 +160,8 @@ impl Path<'_> {
         self.leave(&s, &lobes, chosen?, rounding)
     }
 
-    /// What the emission counts for that the path met at this distance from its last vertex: rays to emitters bring the
-    /// rest.
+    /// Weight of emission that the path hits at this distance from its last vertex; next-event estimation
+    /// contributes the rest.
     fn weight(&self, s: &Surface, distance: f64) -> f64 {
         let paths = &self.frame.settings.paths;
         match (self.density, paths.direct_light, paths.lights) {
@@ -175,7 +176,7 @@ impl Path<'_> {
         }
     }
 
-    /// Irradiance of a surface by the punctual lights that reach it.
+    /// Irradiance of a surface from the punctual lights that are not shadowed.
     fn punctual(&self, s: &Surface, rounding: &mut Rounding) -> DVec3 {
         if self.frame.settings.paths.lights == LightSelection::Emitters {
             return DVec3::ZERO;
@@ -191,7 +192,7 @@ impl Path<'_> {
             .sum()
     }
 
-    /// An estimate of the irradiance by emitters, less what the path will bring by meeting them itself.
+    /// Estimate of the irradiance from emitters, without the part that is left to paths that hit them.
     fn emitters(&self, s: &Surface, lobes: &Lobes, rounding: &mut Rounding) -> DVec3 {
         let reference = self.frame.reference;
         let paths = &self.frame.settings.paths;
@@ -218,7 +219,7 @@ impl Path<'_> {
         sum
     }
 
-    /// Stops the path by a number in [0, 1) and its pixel's distance from the gaze, behind the first bounces.
+    /// Stops the path, after the first bounces, by a number in [0, 1) and the pixel's distance from the gaze.
     fn foveate(&mut self, number: f64, rounding: &mut Rounding) -> Option<()> {
         let paths = &self.frame.settings.paths;
         if paths.foveation == Foveation::Off || self.level < paths.foveation_level() {
@@ -234,7 +235,7 @@ impl Path<'_> {
         Some(())
     }
 
-    /// Goes on by one of the surface's lobes, unless roulette ends the path.
+    /// Continues by the chosen lobe unless Russian roulette ends the path.
     fn leave(&mut self, s: &Surface, lobes: &Lobes, chosen: Chosen, rounding: &mut Rounding) -> Option<()> {
         self.throughput *= chosen.weight;
         if self.frame.settings.paths.roulette == Roulette::On && self.level >= ROULETTE_LEVEL {
@@ -265,7 +266,7 @@ impl Path<'_> {
         Some(())
     }
 
-    /// Two numbers in [0, 1) of this vertex.
+    /// A pair of random numbers in [0, 1) of this vertex.
     fn pair(&self, dimension: u32) -> [f64; 2] {
         self.rng.pair(DIMENSIONS * self.level + dimension)
     }

@@ -1,4 +1,4 @@
-//! Postcorrection (Kim 2016, section 4): from traced pixels into interpolated neighbours that differ from them.
+//! Postcorrection (Kim 2016, section 4): spreads from traced pixels to interpolated neighbours that differ.
 
 use std::collections::BTreeSet;
 
@@ -8,9 +8,9 @@ use super::{Attributes, Cause, ReferenceFrame, Rounding};
 use crate::{Origin, Postcorrect};
 
 impl ReferenceFrame<'_> {
-    /// The pixels that postcorrection traces, where `decided` says how pixels came to be before: the least set that holds
-    /// every interpolated pixel where a thing's probe point is seen, and every interpolated neighbour that differs from a
-    /// traced pixel or from one of the set.
+    /// The pixels that postcorrection traces, where `decided` states how pixels were obtained before: the least
+    /// set with every interpolated pixel that a probe point projects onto, and every interpolated neighbour that
+    /// differs from a traced pixel or from one of the set.
     #[must_use]
     pub fn postcorrection(&self, decided: &dyn Fn([u32; 2]) -> Origin) -> BTreeSet<[u32; 2]> {
         let [width, height] = self.size;
@@ -36,7 +36,8 @@ impl ReferenceFrame<'_> {
         found
     }
 
-    /// Whether postcorrection traces a pixel, where `decided` says how it and its neighbours came to be in the end.
+    /// Whether postcorrection traces a pixel, where `decided` states how it and its neighbours were finally
+    /// obtained.
     #[must_use]
     pub fn postcorrects(
         &self,
@@ -58,7 +59,7 @@ impl ReferenceFrame<'_> {
             .any(|next| self.differ(&self.traced(next, rounding).attributes, &told))
     }
 
-    /// The place in the image, in pixels from the upper left, where a point is seen; negative behind the camera.
+    /// Position in the image where a point is seen, in pixels from the upper left; negative behind the camera.
     pub(super) fn place(&self, point: DVec3, rounding: &mut Rounding) -> DVec2 {
         let camera = &self.camera;
         let [width, height] = self.size.map(f64::from);
@@ -92,7 +93,7 @@ impl ReferenceFrame<'_> {
     }
 }
 
-/// How a pixel had come to be before postcorrection.
+/// How a pixel was obtained before postcorrection.
 pub(super) fn before(origin: Origin) -> Origin {
     if origin == Origin::Postcorrected { Origin::Interpolated } else { origin }
 }

@@ -1,4 +1,4 @@
-//! The lecture's adaptive supersampling: its recursion, two levels deep, as its slides have it.
+//! The lecture's adaptive supersampling: the recursion of its slides, with two levels.
 
 use glam::DVec3;
 
@@ -7,7 +7,7 @@ use super::{
     contrast::{contrasts, exceeds},
 };
 
-/// Places in the frame, in eighths of a pixel.
+/// A position in the frame, in eighths of a pixel.
 type Point = [u32; 2];
 
 /// A pixel of a frame by quincunx sampling.
@@ -15,7 +15,7 @@ type Point = [u32; 2];
 pub struct Quincunx {
     /// Linear RGB radiance.
     pub color: DVec3,
-    /// Bit i: quarter i of the pixel is divided; bit 4 + 4 i + j: so is quarter j of that.
+    /// Divided quads: bit i for quarter i of the pixel, bit 4 + 4 i + j for quarter j of quarter i.
     pub divided: u32,
 }
 
@@ -27,7 +27,7 @@ struct Recursion<'a, 'r> {
 }
 
 impl ReferenceFrame<'_> {
-    /// A pixel of a quincunx frame. `decided` says which quads are divided, where that is not the reference's to decide.
+    /// A pixel of a quincunx frame. If `decided` is given, it states which quads are divided.
     #[must_use]
     pub fn quincunx(&self, pixel: [u32; 2], decided: Option<u32>, rounding: &mut Rounding) -> Quincunx {
         let mut recursion = Recursion { frame: self, decided, divided: 0 };
@@ -42,7 +42,7 @@ impl ReferenceFrame<'_> {
 }
 
 impl Recursion<'_, '_> {
-    /// The mean of a quad from its inner to its outer corner; `path` counts the quads of its level.
+    /// Mean radiance of a quad from its inner to its outer corner; `path` is the quad's index in its level.
     fn quad(&mut self, [inner, outer]: [Point; 2], level: u32, path: u32, rounding: &mut Rounding) -> DVec3 {
         let ends = [inner, outer].map(|point| self.at(point, rounding));
         let bit = 1 << (4 * level + path);
@@ -70,8 +70,8 @@ impl Recursion<'_, '_> {
     }
 }
 
-/// The level that a sample is traced for first: centres and corners of pixels, then those of their quarters, then those of
-/// these.
+/// The level that first traces a sample: 0 for centres and corners of pixels, then those of quarters, then those
+/// of quarters of quarters.
 fn level(point: Point) -> u32 {
     match point.map(|i| i % 4) {
         [0, 0] if point[0] % 8 == point[1] % 8 => 0,

@@ -1,4 +1,4 @@
-//! Extra samples for whole pixels, step by step: `refine.wgsl` and `stratum_test.wgsl` in f64.
+//! Refinement of whole pixels in several steps: `refine.wgsl` and `stratum_test.wgsl` in f64.
 
 use glam::DVec3;
 
@@ -11,20 +11,20 @@ use crate::{
     passes::{STRATUM_CONTRAST, refine::REFINE_ROUNDS},
 };
 
-/// The first four of the sixteen samples, as bits.
+/// Mask of the first four of the sixteen samples.
 const FIRST: u32 = 0b1111;
 
-/// The extra samples of a pixel and what asked for them.
+/// When a pixel is refined and with which samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Refinement {
-    /// The round in which the pixel is refined, from 0; `None` where it is not.
+    /// The round in which the pixel is refined, from 0; `None` if it is not.
     pub round: Option<u32>,
-    /// Which samples it gets besides its own, as [`crate::PixelRecord::strata`].
+    /// Mask of the extra samples, as in [`crate::PixelRecord::strata`].
     pub strata: u32,
 }
 
 impl ReferenceFrame<'_> {
-    /// Whether, when and where a pixel is refined, given when its neighbours are.
+    /// Whether, when and in which cells a pixel is refined, given the rounds of its neighbours.
     #[must_use]
     pub fn refinement(
         &self,
@@ -45,7 +45,7 @@ impl ReferenceFrame<'_> {
         let subpixels = self.subpixels_around(pixel, round_of, rounding);
         let differing = (4..16).filter(|i| self.stratum_differs(&subpixels, *i, rounding));
         let mut strata = differing.fold(0, |strata, i| strata | 1 << i);
-        // As many more in their order as make whole steps.
+        // Adds the next cells in sampling order until their number fills whole steps.
         for i in 4..16 {
             if u32::count_ones(strata) % 4 != 0 {
                 strata |= 1 << i;
@@ -54,7 +54,7 @@ impl ReferenceFrame<'_> {
         Refinement { round, strata: strata | FIRST }
     }
 
-    /// Linear radiance of a pixel that has these samples besides its own.
+    /// Linear radiance of a pixel with its own sample and these extra ones.
     #[must_use]
     pub fn refined(&self, pixel: [u32; 2], strata: u32, rounding: &mut Rounding) -> DVec3 {
         let sample = |i: u32| self.refining_sample(pixel, i, rounding);
@@ -69,7 +69,7 @@ impl ReferenceFrame<'_> {
         }
     }
 
-    /// Do the first samples of a neighbour show what no pixel around this one does?
+    /// Whether the first samples of a neighbour lie outside the range of colours in the pixels around this one.
     fn surprises(&self, pixel: [u32; 2], neighbour: [u32; 2], rounding: &mut Rounding) -> bool {
         let steps = (0..9).map(|i| [i % 3 - 1, i / 3 - 1]);
         let around: Vec<_> =
@@ -79,14 +79,14 @@ impl ReferenceFrame<'_> {
         (0..4).any(|i| {
             let found = shown(self.refining_sample(neighbour, i, rounding));
             let nearest = found.clamp(low, high);
-            // They are compared as radiances.
+            // The comparison expects radiances, the squares of display values.
             let pair = [found * found, nearest * nearest];
             exceeds(contrasts(pair.into_iter()).map(|c| rounding.contrast(c)), self.least_threshold())
         })
     }
 
-    /// The 4x4 quarters in and around a pixel, row by row from the upper left: of a refined pixel the samples, of others the
-    /// pixel's; beyond the frame, the nearest inside.
+    /// Colours of the 4x4 quarters in and around a pixel, row by row from the upper left: of a refined pixel its
+    /// samples, else the pixel's; beyond the frame, of the nearest inside.
     fn subpixels_around(
         &self,
         pixel: [u32; 2],
@@ -105,7 +105,8 @@ impl ReferenceFrame<'_> {
         })
     }
 
-    /// Does the quarter in which a sample lies differ from the three at the corner to which its cell is nearest?
+    /// Whether the sample's quarter differs from the three that meet it at the corner nearest to the sample's
+    /// cell.
     fn stratum_differs(&self, subpixels: &[DVec3; 16], sample: u32, rounding: &mut Rounding) -> bool {
         let stratum = stratum(sample).map(|place| place as usize);
         let own = stratum.map(|place| place / 2 + 1);
@@ -116,7 +117,7 @@ impl ReferenceFrame<'_> {
         exceeds(contrasts, f64::from(STRATUM_CONTRAST) * self.least_threshold())
     }
 
-    /// In Sobol's order; samples that lie side by side are off alike.
+    /// The sample's radiance, with rounding errors like those of its neighbouring samples.
     fn refining_sample(&self, pixel: [u32; 2], i: u32, rounding: &Rounding) -> DVec3 {
         let jitters = self.settings.jitter != Jitter::Off;
         let inside = stratum(i);
@@ -128,7 +129,7 @@ impl ReferenceFrame<'_> {
         self.settings.thresholds.values().into_iter().map(f64::from).fold(1.0, f64::min)
     }
 
-    /// The eight neighbours that lie inside the frame.
+    /// The up to eight neighbours inside the frame.
     fn around(&self, pixel: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
         let size = self.size;
         let steps = (0..9).filter(|i| *i != 4).map(|i| [i % 3 - 1, i / 3 - 1]);
@@ -139,18 +140,18 @@ impl ReferenceFrame<'_> {
     }
 }
 
-/// Where the i-th of sixteen samples lies.
+/// Cell of the i-th of sixteen samples, in Sobol' order.
 fn stratum(i: u32) -> [u32; 2] {
     let [a, b, c, d] = [0, 1, 2, 3].map(|bit| i >> bit & 1);
     [2 * a + b, 2 * (a ^ b ^ c ^ d) + (b ^ d)]
 }
 
-/// The quarter of a cell: 0 upper left, 1 upper right, 2 lower left, 3 lower right.
+/// Quarter of a cell: 0 upper left, 1 upper right, 2 lower left, 3 lower right.
 fn subpixel([x, y]: [u32; 2]) -> u32 {
     x / 2 + 2 * (y / 2)
 }
 
-/// Which of the first four samples lies in a quarter.
+/// Index of the sample in a quarter, among the first four.
 fn in_subpixel(subpixel: u32) -> u32 {
     [0, 3, 2, 1][subpixel as usize]
 }

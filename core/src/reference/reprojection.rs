@@ -1,31 +1,31 @@
-//! Reprojection (the lecture): which pixels show again what the frame before showed, and what they show.
+//! Reprojection (lecture): which pixels show points of the last frame again, and with which radiance.
 
 use glam::{DVec2, DVec3};
 
 use super::{ReferenceFrame, Rounding};
 
-/// Side of the tile whose pixels are ranked for renewal.
+/// Side of the tile whose pixels are ranked for tracing.
 const TILE: u32 = 16;
 
-/// A pixel is suspected between pixels that are nearer than this share of its depth.
+/// A pixel may be a gap if pixels on both sides are nearer than this fraction of its depth.
 const NEARER: f64 = 0.96875;
 
-/// A pixel is traced where its error may be larger, in roots of radiance.
+/// A pixel is traced if the estimate of its error is larger, in square roots of radiance.
 const ERROR: f64 = 0.0625;
 
-/// Points count as no closer to each other than this, in pixels.
+/// Least distance between points in the error estimate, in pixels.
 const LEAST_WAY: f64 = 0.25;
 
-/// A pixel of the previous frame, kept for reprojection.
+/// A pixel of the last frame, kept for reprojection.
 #[derive(Clone, Copy, Debug)]
 pub struct Kept {
-    /// The world-space point that it shows; `None` if that must not be reprojected.
+    /// The world-space point that it shows; `None` if it is not valid from other positions.
     pub point: Option<DVec3>,
     /// Linear RGB radiance.
     pub radiance: DVec3,
 }
 
-/// A kept surface point, projected into the present frame.
+/// A kept point, projected into the current view.
 #[derive(Clone, Copy, Debug)]
 struct Reprojected {
     at: DVec2,
@@ -34,15 +34,15 @@ struct Reprojected {
 }
 
 impl Reprojected {
-    /// Depth as far as it counts, to a part in 2^11; then how far from the centre of the pixel.
+    /// Sort key: depth to one part in 2^11, then distance from the pixel's centre.
     fn order(&self) -> (u32, f64) {
         ((self.depth as f32).to_bits() >> 12, (self.at.fract() - 0.5).length_squared())
     }
 }
 
 impl ReferenceFrame<'_> {
-    /// Whether a frame that renews `count` ranks from the `first` on traces this pixel: Bayer's recursion, whose quarters are
-    /// 0 2 / 3 1, finest first.
+    /// Whether a frame that traces `count` ranks from `first` on traces this pixel. Ranks follow Bayer's
+    /// recursion, with quarters 0 2 / 3 1, the finest first.
     #[must_use]
     pub fn refreshes([x, y]: [u32; 2], first: u32, count: u32) -> bool {
         let [mut side, mut rank] = [TILE / 2, 0];
@@ -54,7 +54,7 @@ impl ReferenceFrame<'_> {
         (rank + TILE * TILE - first) % (TILE * TILE) < count
     }
 
-    /// The pixels reprojected from the previous frame, row by row; `None` where a pixel must be traced.
+    /// Radiances of the pixels reprojected from the last frame, row by row; `None` if a pixel must be traced.
     #[must_use]
     pub fn reprojected(&self, before: &[Kept]) -> Vec<Option<DVec3>> {
         let nearest_points = self.nearest_points(before);
@@ -111,7 +111,7 @@ impl ReferenceFrame<'_> {
     }
 }
 
-/// Filter weight of a point at this distance from the centre of a pixel.
+/// Bilinear weight of a point by its offset from the pixel's centre.
 fn weight(aside: DVec2) -> f64 {
     (1.0 - aside.x.abs()).max(0.0) * (1.0 - aside.y.abs()).max(0.0)
 }

@@ -1,8 +1,8 @@
-//! The random numbers of paths: integers that are the same everywhere, 24 bits of which make a number.
+//! Random numbers of paths, in the shaders' integer arithmetic; 24 bits make a number in [0, 1).
 
 use crate::{Sampler, Settings};
 
-/// The golden ratio's share of 2^32: seeds that follow each other end up far apart.
+/// 2^32 over the golden ratio, which spreads consecutive seeds far apart.
 const SEED_STEP: u32 = 0x9e37_79b9;
 
 /// The random numbers of one sample of one pixel.
@@ -19,13 +19,13 @@ pub struct Rng {
 }
 
 impl Rng {
-    /// The numbers of this sample with the sampler and the seed of the settings.
+    /// The random numbers of a sample, with the sampler and the seed of the settings.
     #[must_use]
     pub fn of(settings: &Settings, pixel: [u32; 2], sample: u32) -> Self {
         Self { sampler: settings.paths.sampler, seed: settings.seed, pixel, sample }
     }
 
-    /// Two numbers in [0, 1). Pairs of different dimensions are independent.
+    /// A pair in [0, 1). Pairs of different dimensions are independent.
     #[must_use]
     pub fn pair(&self, dimension: u32) -> [f64; 2] {
         let [x, y] = self.pixel;
@@ -45,7 +45,7 @@ impl Rng {
     }
 }
 
-/// Hash Functions for GPU Rendering (Jarzynski, Olano 2020): four words from four.
+/// The hash pcg4d (Jarzynski & Olano 2020, "Hash Functions for GPU Rendering").
 fn pcg4d(v: [u32; 4]) -> [u32; 4] {
     let mixed = mix(v.map(|word| word.wrapping_mul(1_664_525).wrapping_add(1_013_904_223)));
     mix(mixed.map(|word| word ^ word >> 16))
@@ -59,18 +59,20 @@ fn mix([mut x, mut y, mut z, mut w]: [u32; 4]) -> [u32; 4] {
     [x, y, z, w]
 }
 
-/// Practical Hash-based Owen Scrambling (Burley 2020), section 4: every bit is turned or not by those above it.
+/// Owen scrambling (Burley 2020, "Practical Hash-based Owen Scrambling", section 4): flips each bit depending on
+/// the bits above it.
 fn owen(v: u32, key: u32) -> u32 {
     laine_karras(v.reverse_bits(), key).reverse_bits()
 }
 
-/// Stratified Sampling for Stochastic Transparency (Laine, Karras 2011): a bit changes with those below it alone.
+/// The hash of Laine & Karras 2011 ("Stratified Sampling for Stochastic Transparency"): a bit depends only on
+/// bits below it.
 fn laine_karras(x: u32, key: u32) -> u32 {
     let factors = [0x6c50_b47c, 0xb82f_1e52, 0xc7af_e638, 0x8d22_f6e6];
     factors.into_iter().fold(x.wrapping_add(key), |x, factor| x ^ x.wrapping_mul(factor))
 }
 
-/// The second dimension of Sobol's sequence; the first is the index with its bits reversed.
+/// The second Sobol' dimension; the first is the bit-reversed index.
 fn sobol(mut index: u32) -> u32 {
     let (mut direction, mut result) = (1_u32 << 31, 0);
     while index != 0 {
@@ -107,7 +109,8 @@ mod tests {
                 }
                 let expected = 4096.0 / 64.0;
                 let chi2: f64 = strata.iter().map(|n| (f64::from(*n) - expected).powi(2) / expected).sum();
-                // Of 63 degrees of freedom: mean 63, standard deviation sqrt(126); five of them.
+                // Chi-squared with 63 degrees of freedom: mean 63, standard deviation sqrt(126); allows five of
+                // them.
                 assert!(chi2 < 63.0 + 5.0 * 126_f64.sqrt(), "{sampler:?}: {chi2}");
             }
         }

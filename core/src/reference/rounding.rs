@@ -1,6 +1,6 @@
-//! Effects of rounding: an f32 tracer decides differently where a decision depends on its last digits. The reference can
-//! be asked the same question with numbers displaced at random by as much as f32 may be off. Where that never leads to
-//! the tracer's answer, rounding does not explain it.
+//! Effects of rounding. An f32 tracer decides differently where a decision depends on the last digits. The
+//! reference can be evaluated with numbers displaced at random by up to the error of f32; if that never gives the
+//! tracer's result, rounding does not explain it.
 
 use glam::{DVec2, DVec3};
 
@@ -8,33 +8,33 @@ use crate::random::Random;
 
 /// A unit in the last place of an f32 number between 1 and 2.
 const ULP: f64 = 1.0 / 8_388_608.0;
-/// So far may numbers be off: [`ULPS`] units in the last place of the largest number that they are computed from.
+/// Largest displacement of a number, in units in the last place of the largest number that it is computed from.
 pub const ULPS: f64 = 16.0;
-/// So far from their surface rays may start, in units in the last place of the coordinates there.
+/// Largest offset of a spawned ray from its surface, in units in the last place of the coordinates there.
 pub const SPAWN_ULPS: f64 = 64.0;
-/// A contrast is off as if it came from numbers so large: by 2^-13, as radiances are.
+/// Scale of contrasts' errors: they are displaced by up to 2^-13, like radiances.
 const CONTRAST_SCALE: f64 = 64.0;
-/// A decision that hangs on the last digits.
+/// The kinds of decisions that depend on the last digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cause {
-    /// Which surface a ray meets, and where: silhouettes, edges, grazing rays.
+    /// The surface that a ray hits, and where: silhouettes, edges, grazing rays.
     Silhouette,
     /// The visibility of a light from a point.
     ShadowEdge,
-    /// Which texels a texture coordinate lies between: texel edges and seams.
+    /// The texels around a texture coordinate: texel edges and seams.
     TexelEdge,
-    /// Whether a ray is followed, and whether reflection is total.
+    /// Whether a ray is traced, and whether reflection is total.
     Branch,
-    /// How bright the image of a light is: a high power of a cosine.
+    /// The brightness of a light's image, a high power of a cosine.
     Highlight,
-    /// Which step of its scale an attribute is stored as.
+    /// The quantisation step of a stored attribute.
     Storage,
-    /// More than one of them in one answer.
+    /// Several of these causes in one result.
     Several,
 }
 
 impl Cause {
-    /// Every cause, the one of several last.
+    /// All causes; [`Cause::Several`] is last.
     pub const ALL: [Self; 7] = [
         Self::Silhouette,
         Self::ShadowEdge,
@@ -46,7 +46,7 @@ impl Cause {
     ];
 }
 
-/// Displacements of one cause, drawn at random; or none.
+/// Random displacements for one cause, or none.
 #[derive(Clone)]
 pub struct Rounding {
     random: Random,
@@ -54,13 +54,13 @@ pub struct Rounding {
 }
 
 impl Rounding {
-    /// No displacement: the reference itself.
+    /// No displacements: the exact reference.
     #[must_use]
     pub fn none() -> Self {
         Self { random: Random(0), cause: None }
     }
 
-    /// Displacements of one cause ([`Cause::Several`]: of all of them).
+    /// Displacements for one cause, or for all with [`Cause::Several`].
     #[must_use]
     pub fn of(cause: Cause, seed: u64) -> Self {
         Self { random: Random(seed), cause: Some(cause) }
@@ -74,12 +74,12 @@ impl Rounding {
         2.0 * self.random.unit() - 1.0
     }
 
-    /// A number that was computed from numbers as large as `scale`.
+    /// Displaces a number that was computed from numbers as large as `scale`.
     pub(super) fn number(&mut self, cause: Cause, x: f64, scale: f64) -> f64 {
         if self.is(cause) { x + ULPS * ULP * scale * self.sign() } else { x }
     }
 
-    /// A contrast of two colours, which may be off as the radiances may that it is computed from; none where they are equal.
+    /// Displaces the contrast of two colours by the errors of the radiances; equal colours keep theirs.
     pub(super) fn contrast(&mut self, contrast: f64) -> f64 {
         if contrast > 0.0 { self.number(Cause::Branch, contrast, CONTRAST_SCALE) } else { contrast }
     }
@@ -103,7 +103,7 @@ impl Rounding {
         if self.is(cause) { self.vector(cause, d, 1.0).normalize_or_zero() } else { d }
     }
 
-    /// How far from a surface of this extent a ray starts: not at all, or up to [`SPAWN_ULPS`].
+    /// Offset of a ray's origin from a surface of this extent: zero, or up to [`SPAWN_ULPS`].
     pub(super) fn spawn(&mut self, cause: Cause, extent: f64) -> f64 {
         if self.is(cause) { SPAWN_ULPS * ULP * extent * self.random.unit() } else { 0.0 }
     }

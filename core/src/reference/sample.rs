@@ -1,4 +1,4 @@
-//! A traced sample: a primary ray with everything that follows from it (Whitted), as a plain recursion.
+//! Traces a sample: a primary ray and the rays that follow from it (Whitted 1980), as a plain recursion.
 
 use glam::DVec3;
 
@@ -8,17 +8,17 @@ use super::{
 };
 use crate::Settings;
 
-/// When the recursion ends. A sample follows every ray inside these limits, however many they are.
+/// Limits of the recursion. The reference has no limit on the number of rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Number of ray levels; 1 is primary rays alone.
     pub depth: u32,
-    /// Rays that would contribute less to the sample are not followed.
+    /// Rays with a smaller weight in the sample are not traced.
     pub min_weight: f64,
 }
 
 impl Limits {
-    /// The limits that the settings of a frame state.
+    /// The limits in the settings of a frame.
     #[must_use]
     pub fn of(settings: &Settings) -> Self {
         Self { depth: settings.depth, min_weight: f64::from(settings.min_weight) }
@@ -28,16 +28,17 @@ impl Limits {
 /// Radiance and attributes of one primary ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
-    /// Of the first hit, exact; [`Attributes::miss`] without one.
+    /// Unquantised attributes of the first hit; [`Attributes::miss`] if there is none.
     pub attributes: Attributes,
-    /// Of the hit one bounce further, by the ray that brings most of those that hit anything.
+    /// Attributes of the hit one bounce further, along the ray with the largest weight of those that hit
+    /// anything.
     pub secondary: Option<Attributes>,
     /// Linear radiance times the ray's weight.
     pub color: DVec3,
 }
 
 impl Reference {
-    /// The first thing on a ray that stops it: holes cut by alpha do not, transmissive surfaces stop no `shadow` ray.
+    /// The first hit that stops the ray: not holes cut by alpha, and for `shadow` rays not transmissive surfaces.
     #[must_use]
     pub fn first(
         &self,
@@ -46,7 +47,7 @@ impl Reference {
         shadow: bool,
         rounding: &mut Rounding,
     ) -> Option<Intersection> {
-        // Every number of the intersection is as large as the scene seen from the ray's start.
+        // Numbers in the intersection are as large as the scene's extent seen from the origin.
         let span = (self.bounds.0 - ray.origin).abs().max((self.bounds.1 - ray.origin).abs()).max_element();
         let cause = if shadow { Cause::ShadowEdge } else { Cause::Silhouette };
         let ray = Ray {

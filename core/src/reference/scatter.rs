@@ -1,22 +1,22 @@
-//! Mirror reflection and refraction: the rays that follow from a ray. What the depth limit or the weight cut leaves out
-//! is replaced by the environment's fallback radiance.
+//! Specular reflection and refraction: the rays that follow from a ray. Rays cut off by the depth limit or the
+//! least weight have the environment's fallback radiance.
 
 use glam::DVec3;
 
 use super::{Attributes, Cause, Limits, Material, Ray, Reference, Rounding, Surface};
 
-/// A ray on its way, with its place in the recursion.
+/// A ray of the recursion with its state.
 pub(super) struct PathState {
     pub ray: Ray,
     /// The primitive that the ray starts on, which it must not hit again; `None` for primary rays.
     pub left: Option<usize>,
-    /// The share of the sample's radiance that it brings.
+    /// Weight of the ray's radiance in the sample.
     pub weight: DVec3,
     /// Recursion level: 1 for the primary ray.
     pub level: u32,
 }
 
-/// A ray that leaves a surface by a mirror or by refraction.
+/// A reflected or refracted ray that leaves a surface.
 #[derive(Clone, Copy)]
 pub(super) struct BsdfSample {
     pub direction: DVec3,
@@ -27,7 +27,7 @@ pub(super) struct BsdfSample {
 }
 
 impl Reference {
-    /// The reflected ray, and the refracted one where reflection is not total.
+    /// The reflected ray and, unless reflection is total, the refracted one.
     pub(super) fn specular(
         &self,
         s: &Surface,
@@ -50,7 +50,8 @@ impl Reference {
         [Some(mirrored), through]
     }
 
-    /// Radiance of the mirrored and refracted rays, and the hit of the one with the greatest weight that hits anything.
+    /// Radiance of the reflected and refracted rays, and the hit of the one with the greatest weight that hits
+    /// anything.
     pub(super) fn scattered(
         &self,
         s: &Surface,
@@ -97,8 +98,8 @@ impl Reference {
     }
 }
 
-/// The direction of the refracted ray (straight on through a pane), by Snell's law, and how much there is in it of the
-/// direction of the ray that arrives and of the normal; `None` where reflection is total.
+/// Direction of the refracted ray by Snell's law (unchanged through a pane), and its components along the
+/// incident direction and along the normal; `None` for total reflection.
 fn refracted(s: &Surface, m: &Material, direction: DVec3, cosine: f64) -> Option<(DVec3, f64, f64)> {
     if m.thin {
         return Some((direction, 1.0, 0.0));

@@ -1,19 +1,20 @@
-//! A shadow ray for every light that stands before the surface (SHDBIT of Kim 2016, section 3.2).
+//! Shadow rays to every light in front of the surface (SHDBIT of Kim 2016, section 3.2).
 
 use super::{Cause, Ray, Reference, Rounding, Surface};
 
-/// Shadow rays end this part of the way before a light, so that a light which lies in a surface is not shadowed by it.
+/// Shadow rays end at this fraction of the distance to a light, so that a light that lies in a surface is not
+/// shadowed by it.
 const REACH: f64 = 0.99999;
 
 impl Reference {
-    /// Whether something that casts shadows lies on the ray, which starts on the primitive `left`, if on any.
+    /// Whether the ray, which starts on the primitive `left` if on any, hits a surface that casts shadows.
     #[must_use]
     pub fn occluded(&self, ray: &Ray, left: Option<usize>, rounding: &mut Rounding) -> bool {
         self.first(ray, left, true, rounding).is_some()
     }
 
-    /// Bit i is set where light i does not reach the surface, except where it stands behind the shading normal, for it
-    /// contributes nothing there.
+    /// Bit i is set if light i does not reach the surface. Lights behind the shading normal contribute nothing,
+    /// and their bits are 0.
     #[must_use]
     pub fn shadow_bits(&self, s: &Surface, rounding: &mut Rounding) -> u32 {
         let lights = 0..self.scene.lights.len();

@@ -1,15 +1,15 @@
-//! The seven similarity checks of Kim 2016, Table 1, and the interpolation of what passes them.
+//! The seven similarity checks (Kim 2016, Table 1), and interpolation between references that pass them.
 //!
-//! Deviations from the paper: tolerances are strict bounds. G4 takes the tangent planes of the faces, and counts a
-//! distance from them only where it exceeds what the stored normals and depths round to. Interpolation is in
-//! perspective: weights are inverse depths, which is exact on planes.
+//! Deviations from the paper: tolerances are strict bounds. G4 uses the tangent planes of the faces and counts a
+//! distance from them only if it exceeds the rounding errors of the stored normals and depths. Interpolation is
+//! perspective-correct: weights are inverse depths, which is exact on planes.
 
 use glam::{DVec2, DVec3};
 
 use super::{Attributes, ReferenceFrame, Rounding, attributes, material::Shading};
 use crate::{Check, scene::OCTAHEDRAL_ERROR};
 
-/// An attribute vector with the place that it stands for.
+/// A reference pixel: its stored attributes and its world-space position.
 #[derive(Clone, Copy, Debug)]
 pub struct Reached {
     /// Attributes of the first hit, quantised as they are stored.
@@ -19,7 +19,7 @@ pub struct Reached {
 }
 
 impl ReferenceFrame<'_> {
-    /// The checks that two reference pixels so far apart fail, as their [bits](Check::bit).
+    /// Mask of the checks ([`Check::bit`]) that two reference pixels `stride` samples apart fail.
     #[must_use]
     pub fn failed(&self, a: &Reached, b: &Reached, stride: u32) -> u32 {
         let tolerances = self.settings.tolerances.at(stride);
@@ -29,7 +29,7 @@ impl ReferenceFrame<'_> {
             return Check::Oid.bit();
         }
         let Some(object) = p.object else {
-            // Two misses differ in nothing.
+            // Two misses pass all checks.
             return if pos > 0.0 { 0 } else { Check::Pos.bit() };
         };
         let seam = self.reference.first_texture(object).is_some()
@@ -45,7 +45,7 @@ impl ReferenceFrame<'_> {
         checks.iter().filter(|(_, passed)| !passed).map(|(check, _)| check.bit()).sum()
     }
 
-    /// G4: each point lies on another side of the other's tangent plane, by more than rounding.
+    /// G4: whether each point lies on the other side of the other's tangent plane, by more than rounding.
     fn inflected(&self, a: &Reached, b: &Reached) -> bool {
         let step = b.position - a.position;
         let from_a = step.dot(a.attributes.face);
@@ -63,7 +63,7 @@ impl ReferenceFrame<'_> {
             return *a;
         }
         let perspective = !self.camera.orthographic;
-        // In the image inverse depths are linear, and so is everything on a plane that is divided by the depth.
+        // Inverse depth is linear in the image, as is any plane's attribute divided by depth.
         let weight = if perspective { a.depth.recip() / (a.depth.recip() + b.depth.recip()) } else { 0.5 };
         let depth =
             if perspective { 2.0 / (a.depth.recip() + b.depth.recip()) } else { 0.5 * (a.depth + b.depth) };
@@ -81,7 +81,7 @@ impl ReferenceFrame<'_> {
         }
     }
 
-    /// The colour that follows from an attribute vector.
+    /// Shades an attribute vector.
     #[must_use]
     pub fn shaded(&self, pixel: [u32; 2], a: &Attributes, rounding: &mut Rounding) -> DVec3 {
         let Some(object) = a.object else {
@@ -101,7 +101,7 @@ impl ReferenceFrame<'_> {
     }
 }
 
-/// TX: the coordinates lie at opposite borders of the texture.
+/// TX: whether the coordinates lie at opposite borders of the texture.
 fn at_seam(a: DVec2, b: DVec2, tolerance: f64) -> bool {
     let apart = |a: f64, b: f64| a.min(b) < tolerance && a.max(b) > 1.0 - tolerance;
     apart(a.x, b.x) || apart(a.y, b.y)

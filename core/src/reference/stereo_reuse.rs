@@ -1,32 +1,32 @@
-//! Stereo: reuse of one eye's path samples in the other eye's picture (Kim & Sung 2021, equations 1 to 6).
+//! Stereo reuse of one eye's path samples in the other eye's image (Kim & Sung 2021, equations 1 to 6).
 
 use glam::DVec3;
 
 use super::{Material, Ray, Reference, ReferenceFrame, Rounding, Surface, lobes::Lobes};
 use crate::{Method, StereoReuse};
 
-/// Points coincide that are no farther apart, of the distance from the eye.
+/// Points coincide up to this distance, relative to the distance from the eye.
 const NEAR: f64 = 1e-3;
 
-/// Faces are of one plane whose normals have this cosine.
+/// Faces with at least this cosine between their normals are coplanar.
 const CHANNEL: f64 = 0.999_999;
 
 /// The contribution of a sample to a pixel of the other eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Splat {
-    /// Column and row of the pixel in the other eye's picture.
+    /// Column and row of the pixel in the other eye's image.
     pub pixel: [u32; 2],
     /// Weight of the sample in that pixel, for each channel.
     pub share: DVec3,
 }
 
-/// The first surface of a path, if that is a plane mirror with no other lobe.
+/// The first surface of a path if it is a planar mirror without other lobes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mirror {
     object: u32,
     point: DVec3,
     face: DVec3,
-    /// Weight of the light that arrives, for each channel.
+    /// Reflectance of the mirror for each channel.
     share: DVec3,
 }
 
@@ -44,17 +44,17 @@ impl Mirror {
 }
 
 impl ReferenceFrame<'_> {
-    /// Width and height of what one eye sees.
+    /// Width and height of one eye's image.
     pub(super) fn eye_size(&self) -> [u32; 2] {
         self.settings.method.eye(self.size)
     }
 
-    /// Of the eye that sees a pixel: -1 on the left, 1 on the right; and the pixel in its own picture.
+    /// The side of the eye that sees a pixel (-1 left, 1 right), and the pixel's position in that eye's image.
     pub(super) fn eye([x, y]: [u32; 2], [width, _]: [u32; 2]) -> (f64, [u32; 2]) {
         if x < width { (-1.0, [x, y]) } else { (1.0, [x - width, y]) }
     }
 
-    /// How far the eyes are aside of the camera, and how far their pictures are shifted for that, along its vector to the right.
+    /// Offset of the eyes from the camera and shift of their images, as vectors along the camera's right axis.
     fn eyes(&self) -> [DVec3; 2] {
         let paths = &self.settings.paths;
         let (right, forward) = (self.camera.right.as_dvec3(), self.camera.forward.as_dvec3());
@@ -69,7 +69,8 @@ impl ReferenceFrame<'_> {
         self.camera.origin.as_dvec3() + side * self.eyes()[0]
     }
 
-    /// The ray of a path through a place in a pixel, and the length of its direction, in whose units depths are.
+    /// The primary ray of a path through a position in a pixel, and the length of its direction before
+    /// normalisation, the unit of depths.
     pub(super) fn eye_ray(&self, pixel: [u32; 2], place: [f64; 2]) -> (Ray, f64) {
         if self.settings.method != Method::Vr {
             return self.ray_at([0, 1].map(|i| f64::from(pixel[i]) + place[i]), 1.0);
@@ -86,7 +87,7 @@ impl ReferenceFrame<'_> {
         (Ray { origin, direction, growth, ..middle }, along.length())
     }
 
-    /// The pixel in which that eye sees a point.
+    /// The pixel in which the eye on this side sees a point.
     fn seen_by(&self, side: f64, point: DVec3) -> Option<[u32; 2]> {
         let camera = &self.camera;
         let [right, up, forward] = [camera.right, camera.up, camera.forward].map(|axis| axis.as_dvec3());
@@ -114,8 +115,8 @@ impl ReferenceFrame<'_> {
         Ray { origin, direction: way.normalize_or_zero(), growth, ..middle }
     }
 
-    /// The weight of a sample in its own pixel, and its contribution to the other eye, from the surface at this level of
-    /// its path; `mirror` is kept from one level to the next.
+    /// Weight of a sample in its own pixel and its contribution to the other eye, from the surface at this level
+    /// of its path; `mirror` is passed on from level to level.
     pub(super) fn stereo_splat(
         &self,
         (pixel, level): ([u32; 2], u32),
@@ -141,7 +142,7 @@ impl ReferenceFrame<'_> {
         self.weighted(side, s, mirror.as_ref(), rounding)
     }
 
-    /// Both eyes find the point, this one with a density of 1 to a pixel.
+    /// Weighted reuse: both eyes find the point, this one with density 1 per pixel.
     fn weighted(
         &self,
         side: f64,
@@ -162,7 +163,8 @@ impl ReferenceFrame<'_> {
         Some((own, Splat { pixel, share: share * there / (here + there) }))
     }
 
-    /// The weight of the surface along the other eye's ray, relative to this eye's; `None` where the ray does not reach it.
+    /// Weight of the surface along the other eye's ray relative to this eye's; `None` if the ray does not reach
+    /// it.
     fn sees(
         &self,
         ray: &Ray,
@@ -190,7 +192,7 @@ impl ReferenceFrame<'_> {
             .then(|| DVec3::select(mirror.share.cmpgt(DVec3::ZERO), share, DVec3::ZERO))
     }
 
-    /// Does the ray meet that point of a surface first?
+    /// Whether the ray's first hit is this point of a surface.
     fn meets(&self, ray: &Ray, left: Option<usize>, s: &Surface, rounding: &mut Rounding) -> bool {
         let distance = s.position.distance(ray.origin);
         self.reference.first(ray, left, false, rounding).is_some_and(|hit| {
@@ -199,7 +201,8 @@ impl ReferenceFrame<'_> {
         })
     }
 
-    /// The paper's way: wherever the other eye sees the point, and where a mirrored ray meets the plane of its picture.
+    /// Unweighted reuse as in the paper: wherever the other eye sees the point, and where a reflected ray meets
+    /// its image plane.
     fn copied(
         &self,
         other: f64,

@@ -19,7 +19,7 @@ pub struct Tested {
     pub differing: u32,
 }
 
-/// The attributes of a hit that are compared (Jin 2009, Table 1).
+/// Attributes of a hit that the subpixel test compares (Jin 2009, Table 1).
 #[derive(Clone, Copy, Debug)]
 struct Edges {
     object: Option<u32>,
@@ -28,15 +28,15 @@ struct Edges {
     textured: bool,
 }
 
-/// Of a pixel: its two hits and its colour.
+/// Compared attributes of a pixel's primary and secondary hit, and its colour.
 struct Compared {
     hits: [Edges; 2],
     color: DVec3,
 }
 
 impl ReferenceFrame<'_> {
-    /// The ray through a cell of a grid that is so many times as fine as that of the samples, and the length of its
-    /// direction.
+    /// The ray through a cell of a grid `fineness` times as fine as that of the samples, and the length of its
+    /// direction before normalisation.
     #[must_use]
     pub fn ray_in(&self, stratum: [u32; 2], fineness: u32, jitters: bool) -> (Ray, f64) {
         let inside = if jitters { jitter(stratum, self.settings.seed) } else { [0.5; 2] };
@@ -61,7 +61,7 @@ impl ReferenceFrame<'_> {
         self.sample_in(pixel, 1, self.settings.jitter == Jitter::On, rounding)
     }
 
-    /// Which subpixels get extra samples, and what differs from the neighbours.
+    /// The subpixel test: active quarters and differing attributes.
     #[must_use]
     pub fn tested(&self, pixel: [u32; 2], rounding: &mut Rounding) -> Tested {
         let own = self.compared(pixel, rounding);
@@ -82,7 +82,7 @@ impl ReferenceFrame<'_> {
         tested
     }
 
-    /// Linear radiance of a pixel, of which these quarters get extra samples.
+    /// Linear radiance of a pixel with extra samples in the active quarters.
     #[must_use]
     pub fn supersampled(&self, pixel: [u32; 2], active: u32, rounding: &mut Rounding) -> DVec3 {
         let own = self.presampled(pixel, rounding).color;
@@ -92,7 +92,7 @@ impl ReferenceFrame<'_> {
                 let strata = [[0, 0], [1, 0], [0, 1], [1, 1]]
                     .map(|[x, y]| [4 * pixel[0] + 2 * right + x, 4 * pixel[1] + 2 * down + y]);
                 let jitters = self.settings.jitter != Jitter::Off;
-                // Samples that lie side by side are off alike.
+                // Neighbouring samples have similar rounding errors.
                 let color = |c: &[u32; 2]| self.sample_in(*c, 4, jitters, &mut rounding.clone()).color;
                 return strata.iter().map(color).sum::<DVec3>() / 4.0;
             }
@@ -128,7 +128,7 @@ impl ReferenceFrame<'_> {
         }
     }
 
-    /// The attributes that differ, as bits in the order of Table 1.
+    /// Mask of the differing attributes, in the order of Table 1.
     fn differing(&self, own: &Compared, other: &Compared) -> u32 {
         let bits_of = |i: usize| {
             let (a, b) = (&own.hits[i], &other.hits[i]);

@@ -1,12 +1,12 @@
-//! The surface where a ray arrives, and the rays that leave it: exactly from the point of the hit, past the primitive
-//! that they leave, instead of from a little off it.
+//! The surface at a hit, and the rays that leave it. Spawned rays start exactly at the hit point and ignore the
+//! primitive that they leave, instead of starting at an offset.
 
 use glam::{DVec2, DVec3};
 
 use super::{Cause, Intersection, Ray, Reference, Rounding};
 use crate::scene::octahedral_decode_exact;
 
-/// A point of a surface with everything that shading needs.
+/// A surface point with everything that shading needs.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface {
     /// Position in world space.
@@ -19,24 +19,24 @@ pub struct Surface {
     pub normal: DVec3,
     /// Unit normal of the face on the viewer's side.
     pub face: DVec3,
-    /// The ray comes from behind the surface.
+    /// Whether the ray arrives from behind the surface.
     pub inside: bool,
-    /// As the corners have it, neither folded nor clamped.
+    /// Interpolated texture coordinates, neither wrapped nor clamped.
     pub texcoord: DVec2,
     /// Interpolated vertex colour, linear RGB.
     pub color: DVec3,
-    /// Width of what the ray stands for, and what that grows by in a unit of length.
+    /// Width of the ray's cone at the hit.
     pub width: f64,
     /// Growth of the cone's width per unit of distance.
     pub growth: f64,
-    /// Second moments (ss, tt, st) of what it covers in texture coordinates.
+    /// Footprint: second moments (ss, tt, st) in texture coordinates.
     pub footprint: DVec3,
-    /// The size of the numbers that describe the place: coordinates along the normal and the primitive's size.
+    /// Scale of the position's rounding errors: coordinates along the normal and the primitive's size.
     pub extent: f64,
 }
 
-/// Where a triangle's corners have one normal that is the face's up to 1 - cos of this angle, the face's counts: encoding
-/// is all that is between them.
+/// If the corners of a triangle have one normal within 1 - cos of this of the face's, the face's is used: the
+/// difference is due to the encoding.
 const FLAT_ERROR: f64 = 2.0e-7;
 
 impl Reference {
@@ -60,7 +60,7 @@ impl Reference {
                 let w = 1.0 - intersection.u - intersection.v;
                 let normal = (w * na + intersection.u * nb + intersection.v * nc).normalize_or_zero();
                 let face = (b - a).cross(c - a).normalize_or_zero();
-                // The normals say which side is out; the winding may disagree.
+                // The shading normals define the outside; the winding may contradict them.
                 let face = if face.dot(normal) < 0.0 { -face } else { face };
                 let [first, others @ ..] = self.scene.normals[intersection.primitive];
                 let flat = others == [first; 2] && normal.dot(face) > 1.0 - FLAT_ERROR;
@@ -90,7 +90,7 @@ impl Reference {
         }
     }
 
-    /// The texture coordinates at a crossing; (0, 0) where the scene has none.
+    /// Texture coordinates at an intersection; (0, 0) if the scene has none.
     pub(super) fn texcoord(&self, intersection: &Intersection, rounding: &mut Rounding) -> DVec2 {
         let Some(corners) = self.scene.texcoords.get(intersection.primitive) else { return DVec2::ZERO };
         let [a, b, c] = corners.map(|t| t.as_dvec2());

@@ -5,11 +5,11 @@ use glam::{DVec2, DVec3, DVec4};
 use super::Reference;
 use crate::scene::{Image8, Material, Texture, Wrap};
 
-/// The most that a footprint is longer than wide.
+/// Greatest ratio of a footprint's length to its width.
 const MOST_LENGTH: f64 = 5.0;
-/// The longest row of points and the longest column, in units of their distance.
+/// Greatest numbers of points along the longer and the shorter axis.
 const LONGEST: [f64; 2] = [9.0, 3.0];
-/// Above this part of a level the next one sets in.
+/// Fraction of a level above which the next one is blended in.
 const SETS_IN: f64 = 0.75;
 
 /// The encoding of an image's bytes.
@@ -22,11 +22,11 @@ pub enum Encoding {
 }
 
 impl Reference {
-    /// A texture's average over a footprint with these second moments (ss, tt, st) of its axes in texture coordinates,
-    /// linear RGBA; ones without a texture.
+    /// Average of a texture over a footprint with these second moments (ss, tt, st) of its axes in texture
+    /// coordinates, as linear RGBA; ones without a texture.
     ///
-    /// It is that of points of a mip level, along both axes and so far apart as its texels, or of two levels. How far they
-    /// reach is such that second moments are those of an average of the image itself.
+    /// It is taken over points of one mip level, or of two, along both axes at distances of the level's texels.
+    /// The number of points is such that second moments match those of an average over the image itself.
     #[must_use]
     pub fn texture(
         &self,
@@ -112,8 +112,7 @@ impl Reference {
         DVec4::new(color(r), color(g), color(b), f64::from(a) / 255.0)
     }
 
-    /// Texture coordinates inside [0, 1] that show the same place, as the first texture of the object wraps;
-    /// (0, 0) in a scene without textures.
+    /// Texture coordinates wrapped into [0, 1] by the object's first texture; (0, 0) in a scene without textures.
     pub(super) fn folded(&self, object: u32, texcoord: DVec2) -> DVec2 {
         if !self.features.textures {
             return DVec2::ZERO;
@@ -125,7 +124,8 @@ impl Reference {
         DVec2::new(folded(texcoord.x, wrap[0]), folded(texcoord.y, wrap[1]))
     }
 
-    /// The footprint around [`Reference::folded`] coordinates: it leans the other way where one of them runs backwards.
+    /// The footprint at [`Reference::folded`] coordinates: its correlation flips if exactly one coordinate is
+    /// mirrored.
     pub(super) fn folded_footprint(&self, object: u32, texcoord: DVec2, footprint: DVec3) -> DVec3 {
         let wrap =
             self.first_texture(object).map_or([Wrap::Repeat; 2], |t| self.scene.textures[t as usize].wrap);
@@ -134,7 +134,7 @@ impl Reference {
         DVec3::new(footprint.x, footprint.y, if turned { -footprint.z } else { footprint.z })
     }
 
-    /// The texture whose coordinates an object's pixels store.
+    /// The object's texture whose wrap modes apply to stored coordinates.
     pub(super) fn first_texture(&self, object: u32) -> Option<u32> {
         self.material_of(object).textures().next()
     }
@@ -144,8 +144,8 @@ impl Reference {
     }
 }
 
-/// The squared lengths of the axes of an ellipse, the longer one first, and its direction, from the second moments: the
-/// eigenvalues of their matrix.
+/// Squared lengths of an ellipse's axes, the longer one first, and the longer one's direction: eigenvalues and
+/// eigenvector of the second moments.
 fn axes(moments: DVec3) -> (f64, f64, DVec2) {
     let (mean, difference) = (0.5 * (moments.x + moments.y), 0.5 * (moments.x - moments.y));
     let angle = 0.5 * moments.z.atan2(difference);
@@ -153,7 +153,7 @@ fn axes(moments: DVec3) -> (f64, f64, DVec2) {
     (mean + spread, mean - spread, DVec2::from_angle(angle))
 }
 
-/// The linear value of each byte of sRGB.
+/// The linear values of all 256 sRGB bytes.
 pub(super) fn srgb_table() -> [f64; 256] {
     std::array::from_fn(|byte| {
         let c = byte as f64 / 255.0;
@@ -161,7 +161,7 @@ pub(super) fn srgb_table() -> [f64; 256] {
     })
 }
 
-/// The texel that index `i` of a row of `size` shows.
+/// Wraps a texel index `i` in a row of `size` texels.
 fn wrapped(i: f64, size: f64, wrap: Wrap) -> f64 {
     match wrap {
         Wrap::Repeat => i.rem_euclid(size),

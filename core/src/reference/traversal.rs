@@ -1,4 +1,4 @@
-//! Closest hits in f64 on the CPU, by a median-split tree of boxes or by testing every primitive.
+//! Nearest hits in f64 on the CPU, with a median-split tree of boxes or by testing every primitive.
 
 use std::ops::Range;
 
@@ -10,11 +10,11 @@ use super::{
 };
 use crate::Scene;
 
-/// A handful of roundings of f32, in units in the last place.
+/// Allowance for a few f32 roundings, relative.
 pub(super) const TRAVERSAL_ULPS: f64 = 8.0;
 const ROUNDING: f64 = TRAVERSAL_ULPS * f32::EPSILON as f64;
 
-/// The closest intersection of a ray with the scene.
+/// The nearest intersection of a ray with the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
     /// OID of the object.
@@ -34,7 +34,7 @@ enum Node {
     Leaf { bounds: Box3, items: Range<usize> },
 }
 
-/// The primitives of a scene with a tree to trace rays through.
+/// The primitives of a scene with a tree for traversal.
 pub struct Tracer {
     pub(super) primitives: Vec<Primitive>,
     nodes: Vec<Node>,
@@ -42,7 +42,7 @@ pub struct Tracer {
 }
 
 impl Tracer {
-    /// Everything in the scene but materials: holes cut by alpha are not seen.
+    /// Builds the tree over a scene's primitives, without materials: holes cut by alpha are not considered.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let triangles = scene.positions.iter().zip(&scene.triangle_objects).map(|(corners, &object)| {
@@ -64,25 +64,25 @@ impl Tracer {
         Self { primitives: boxed.into_iter().map(|(_, p)| p).collect(), nodes, wide: None }
     }
 
-    /// The same, sooner, by a tree like that of the shaders.
+    /// Traces faster with a tree like the shaders'.
     #[must_use]
     pub fn with_wide_tree(self) -> Self {
         Self { wide: Wide::new(&self.primitives), ..self }
     }
 
-    /// The closest hit, found by the tree.
+    /// The nearest hit, found with the tree.
     #[must_use]
     pub fn nearest(&self, ray: &Ray) -> Option<Hit> {
         self.first(ray, None, |_| true).map(|c| Hit { object: c.object, t: c.t })
     }
 
-    /// The closest hit, found by testing every primitive: what the tree is checked against.
+    /// The nearest hit, found by testing every primitive; verifies the tree.
     #[must_use]
     pub fn nearest_of_all(&self, ray: &Ray) -> Option<Hit> {
         self.intersections(ray, None).first().map(|c| Hit { object: c.object, t: c.t })
     }
 
-    /// The nearest crossing that counts, of a ray that starts on the primitive `left`, if on any.
+    /// The nearest accepted intersection of a ray that starts on the primitive `left`, if on any.
     #[must_use]
     pub fn first(
         &self,
@@ -101,7 +101,7 @@ impl Tracer {
         best
     }
 
-    /// Everything on a ray before its end, the nearest first, at most once a primitive; without the tree.
+    /// All intersections of a ray, nearest first, at most one per primitive, found without the tree.
     #[must_use]
     pub fn intersections(&self, ray: &Ray, left: Option<usize>) -> Vec<Intersection> {
         let all = self.primitives.iter().filter_map(|p| p.intersection(ray, left == Some(p.index)));
@@ -110,7 +110,7 @@ impl Tracer {
         before
     }
 
-    /// Shows everything whose box the ray meets before `reach`, which the viewer may shorten.
+    /// Visits all primitives whose box the ray hits before `reach`, which the visitor may shorten.
     pub(super) fn visit(&self, ray: &Ray, see: &mut dyn FnMut(&Primitive, &mut f64)) {
         if let Some(wide) = &self.wide {
             return wide.visit(ray, &self.primitives, see);
@@ -135,7 +135,7 @@ impl Tracer {
 /// Splits at the median centre along the longest side; children follow their parent.
 fn build(nodes: &mut Vec<Node>, items: &mut [(Box3, Primitive)], range: Range<usize>) {
     let Some(bounds) = items[range.clone()].iter().map(|(b, _)| *b).reduce(Box3::union) else { return };
-    // Rays that graze a box, and f32 rays that miss by a rounding, still look inside.
+    // Enlarged for grazing rays and for f32 rays that miss by a rounding error.
     let bounds = bounds.inflated();
     if range.len() <= 4 {
         nodes.push(Node::Leaf { bounds, items: range });
@@ -189,7 +189,7 @@ impl Box3 {
                 continue;
             }
             let (a, b) = (low * inverse[axis], high * inverse[axis]);
-            // The box of an f32 hit may be a rounding nearer or farther.
+            // An f32 hit may be nearer or farther by a rounding error.
             near = near.max(a.min(b) * (1.0 - ROUNDING));
             far = far.min(a.max(b) * (1.0 + ROUNDING));
         }

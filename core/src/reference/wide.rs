@@ -1,8 +1,7 @@
-//! Which primitives a ray may meet, from an eight-wide tree by the traversal of obvhs: the same answers as those of the
-//! plain tree, sooner.
+//! A faster traversal with the eight-wide tree and obvhs, which gives the same results as the plain tree.
 //!
-//! The walk is in f32. Rays start where they enter the scene, and boxes are larger by what rounding may be there, so that
-//! none is missed; the primitives themselves are crossed in f64.
+//! The traversal is in f32: rays start where they enter the scene, and boxes are enlarged by the bound of
+//! rounding errors, so that no primitive is missed. Primitives are intersected in f64.
 
 use glam::{DVec3, Vec3, Vec3A};
 use obvhs::{aabb::Aabb, cwbvh::CwBvh, ray};
@@ -10,11 +9,11 @@ use obvhs::{aabb::Aabb, cwbvh::CwBvh, ray};
 use super::intersection::{Primitive, Ray};
 use crate::acceleration::Bvh;
 
-/// Groups that wait on obvhs' stack at most.
+/// Size of obvhs' traversal stack in node groups.
 const STACK: u32 = 32;
 
-/// How much boxes grow on all sides, of the scene's largest extent: more than a walk's roundings of origins, directions,
-/// planes and distances, each half a unit in the last place of a number of that size.
+/// Enlargement of boxes on all sides relative to the scene's extent: more than the rounding errors of origins,
+/// directions, planes and distances in a traversal, each half a unit in the last place.
 const MARGIN: f64 = 32.0 * f32::EPSILON as f64;
 
 /// The extent of the scene in the tree's units, in which obvhs' least distance of 1e-4 is far below any rounding.
@@ -29,7 +28,7 @@ pub(super) struct Wide {
 }
 
 impl Wide {
-    /// None of nothing, and where a tree is too deep.
+    /// Builds the tree; `None` for a scene without extent or if the tree exceeds the stack.
     pub fn new(primitives: &[Primitive]) -> Option<Self> {
         let boxes = || primitives.iter().map(Primitive::bounds);
         let (low, high) = boxes().reduce(|(a, b), (low, high)| (a.min(low), b.max(high)))?;
@@ -39,7 +38,7 @@ impl Wide {
         }
         let margin = MARGIN * extent;
         let scale = EXTENT / extent;
-        // From the middle, where coordinates are no larger than the extent.
+        // Relative to the centre, so that coordinates do not exceed the extent.
         let middle = 0.5 * (low + high);
         let unit = |p: DVec3| Vec3A::from((scale * (p - middle)).as_vec3());
         let boxes: Vec<_> =
@@ -49,14 +48,14 @@ impl Wide {
         (stack <= STACK).then_some(Self { tree, low: low - margin, high: high + margin, scale })
     }
 
-    /// Shows everything whose box the ray meets before `reach`, which the viewer may shorten.
+    /// Visits all primitives whose box the ray hits before `reach`, which the visitor may shorten.
     pub fn visit(&self, ray: &Ray, primitives: &[Primitive], see: &mut dyn FnMut(&Primitive, &mut f64)) {
         let Some(entry) = self.entry(ray) else { return };
         let middle = 0.5 * (self.low + self.high);
         let origin = self.scale * (ray.origin + entry * ray.direction - middle);
         let mut reach = ray.t_max;
         let distance = |t: f64| ((self.scale * (t - entry)) as f32).next_up();
-        // obvhs takes -0 for two directions at once; the sum is 0.
+        // obvhs treats -0 inconsistently as a direction; adding 0 makes it +0.
         let direction = ray.direction.as_vec3() + Vec3::ZERO;
         let walk = ray::Ray::new(origin.as_vec3().into(), direction.into(), 0.0, distance(reach));
         self.tree.ray_traverse(walk, &mut ray::RayHit::none(), |_, place| {
@@ -65,7 +64,7 @@ impl Wide {
         });
     }
 
-    /// How far it is to the scene; none where the ray passes it by, or ends before.
+    /// Distance at which the ray enters the scene's box; `None` if it misses the box or ends before it.
     fn entry(&self, ray: &Ray) -> Option<f64> {
         let (mut near, mut far) = (0.0_f64, ray.t_max);
         for axis in 0..3 {
@@ -98,7 +97,7 @@ mod tests {
                 0 => random.inside(low, high),
                 _ => target + away * (high - low).length() * random.direction(),
             };
-            // Some along the axes, in which no quotient is finite.
+            // Includes rays along the axes, for which slab quotients are infinite.
             let direction = match index % 7 {
                 0 => DVec3::AXES[index / 7 % 3] * if index % 3 == 0 { 1.0 } else { -1.0 },
                 _ => (target - origin).normalize_or(DVec3::X),
