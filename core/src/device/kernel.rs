@@ -25,7 +25,7 @@ impl Kernels {
     /// Returns the kernel of these sources, compiled on first use.
     ///
     /// # Errors
-    /// Those of [`Kernel::new`].
+    /// The errors of [`Kernel::new`].
     pub fn get(&mut self, gpu: &Gpu, label: &str, sources: Vec<Source>) -> Result<Arc<Kernel>> {
         match self.0.entry(sources) {
             Entry::Occupied(known) => Ok(known.get().clone()),

@@ -1,8 +1,9 @@
-//! A frame: what it is planned as, the buffers that it needs, the commands that make it, and what is known of it afterwards.
+//! Frames: their plan, buffers, command buffers and results.
 //!
-//! [`plan`] puts the stages of a method in order, in parts of bounded work. [`targets`] holds the buffers and images of one
-//! frame size. [`recorder`] records the parts into command buffers. [`sequence`] says which pixels a frame of a sequence
-//! traces anew. [`renderer`] is what programs use: it owns all of these.
+//! [`plan`] orders the stages of a method and divides them into dispatches of bounded work. [`targets`] holds the
+//! buffers and images of one frame size. [`recorder`] records the dispatches into command buffers. [`sequence`]
+//! tracks which pixels a frame traces in methods that reuse earlier frames. [`inspection`] decodes the counting
+//! kernels' results, and [`show`] displays them. [`renderer`] is the public interface and owns all of these.
 
 pub(crate) mod counters;
 pub(crate) mod inspection;

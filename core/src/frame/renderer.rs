@@ -72,7 +72,7 @@ impl Renderer {
     /// Changes the size or the settings; compiled kernels are kept. After an error the renderer is unchanged.
     ///
     /// # Errors
-    /// As [`Renderer::new`].
+    /// The errors of [`Renderer::new`].
     pub fn change(&mut self, size: [u32; 2], settings: &Settings) -> Result<()> {
         settings.validate()?;
         let settings = resolved(settings, &self.scene, size);
@@ -147,7 +147,7 @@ impl Renderer {
     /// Renders a frame and waits for it. Uses the kernels without counters, so that its time can be measured.
     ///
     /// # Errors
-    /// As [`Renderer::frame`].
+    /// The errors of [`Renderer::frame`].
     pub fn render(&mut self, camera: &Camera) -> Result<FrameTime> {
         let gpu = self.gpu.clone();
         gpu.submit_all_and_wait(self.frame(camera)?)?;
@@ -158,7 +158,7 @@ impl Renderer {
     /// returns true. Then the result is `None`, and [`Renderer::display`] holds parts of two frames.
     ///
     /// # Errors
-    /// As [`Renderer::frame`].
+    /// The errors of [`Renderer::frame`].
     pub fn render_until(
         &mut self,
         camera: &Camera,

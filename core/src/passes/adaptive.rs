@@ -65,15 +65,16 @@ fn plan(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
 /// Kim 2016, Table 2, for base blocks of any size: each level halves the distance of the references.
 fn steps(plan: &mut Plan, spec: &FrameSpec, band: &Band) {
     let [width, _] = plan.grid;
-    // A ray through one sample of each block.
+    // Step-I: one traced sample per block.
     plan.push(tiles(&BASE, width.div_ceil(spec.settings.block), band.base(spec.settings.block)));
     let levels = std::iter::successors(Some(spec.settings.block), |stride| Some(stride / 2));
     for stride in levels.take_while(|stride| *stride >= 2) {
-        // The samples between them in their rows: interpolate or list, then trace the listed.
+        // Step-II: the samples between references of a row are interpolated or listed, then the listed ones are
+        // traced.
         let (rows, columns) = (band.base(stride), width.div_ceil(stride));
         plan.push(tiles(&SIMILARITY_A1, columns, rows));
         plan.traces([&COMPACT_A1, &TRACE_A1], columns, rows);
-        // The rows between: the same, from the samples above and below.
+        // Step-III: the same in the rows between, from the samples above and below.
         let (rows, columns) = (band.between(stride), width.div_ceil(stride / 2));
         plan.push(tiles(&SIMILARITY_A2, columns, rows));
         plan.traces([&COMPACT_A2, &TRACE_A2], columns, rows);

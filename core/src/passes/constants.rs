@@ -28,29 +28,29 @@ pub const REFINE_WORDS: u32 = 15;
 pub const STRATUM_CONTRAST: f32 = 2.0;
 
 /// Margin by which the traversal enlarges bounding boxes on all sides, relative to the distance, so that rounding
-/// never loses a hit inside the box. With `e = 2^-24` (half a unit in the last place), WGSL's error of 5 e for a
-/// quotient, and `D`, the largest distance along an axis from the ray's origin to a plane of the node, rounding
-/// errors are
+/// never loses a hit inside the box. Let `e = 2^-24` (half a unit in the last place), with WGSL's error of 5 e
+/// for a quotient, and let `D` be the largest distance along an axis from the ray's origin to a plane of the
+/// node. In units of `e D`, the errors are at most:
 ///
-/// | what | by at most |
-/// | --- | --- |
-/// | corners from the ray, across it: their difference to the origin and its share of the shear, the shear, its product, the difference | 1 + 1 + 5 + 1 + 2 = 10 e D |
-/// | a plane from the ray: `p - o`, its product, the quotient, `q 2^e / d`, the sum, the margin's own sum | 1 + 1 + 5 + 2 + 1 + 1 = 11 e D |
-/// | the distance of a hit within its box: corner, sum and reciprocal of the weights, products, sum, `1 / d` | 1 + 2 + 5 + 2 + 2 + 6 = 18 e D |
-/// | two hits at the same distance, of which the second must be looked at too | 8 e D |
+/// - corners across the ray: 1 + 1 + 5 + 1 + 2 = 10, from the difference to the origin and its share of the
+///   shear, the shear, its product and the difference;
+/// - planes along the ray: 1 + 1 + 5 + 2 + 1 + 1 = 11, from `p - o`, its product, the quotient, `q 2^e / d`, the
+///   sum and the margin's own sum;
+/// - the distance of a hit in the box: 1 + 2 + 5 + 2 + 2 + 6 = 18, from the corner, the sum and reciprocal of the
+///   weights, the products, the sum and `1 / d`;
+/// - two hits that count as equally far, both of which must be tested: 8.
 ///
-/// The sum is 47 e D, rounded up to 48.
+/// The sum is 47, rounded up to 48.
 pub const BVH_ROUNDING: f32 = 48.0 / 16_777_216.0;
-/// Distance of a new ray's origin from the triangle that it starts on: `OFFSET_COORDINATES |n| . |corners| +
-/// OFFSET_SIZE size`. It is large enough that the intersection test finds the same triangle, or a coplanar
-/// neighbour that is not much larger, behind the origin. With `e = 2^-24`:
+/// Distance of a new ray's origin from the triangle that it starts on, in the sum `OFFSET_COORDINATES |n| .
+/// |corners|` plus `OFFSET_SIZE size`. It is large enough that the intersection test finds the same triangle, or
+/// a coplanar neighbour that is not much larger, behind the origin. With `e = 2^-24`, errors along the normal are
+/// at most:
 ///
-/// | what moves along the normal | by at most |
-/// | --- | --- |
-/// | the point by its last sum, the origin by its own | 2 e coordinates |
-/// | the point by the sides, their products, their sum | 5 e size |
-/// | the corners in the next test across the ray, both axes ([`BVH_ROUNDING`]) | 1.42 x 10 e size |
-/// | the distance that it finds | 18 e size |
+/// - the hit point and the origin by their last sums: 2 e times the coordinates;
+/// - the hit point by the sides, their products and their sum: 5 e times the size;
+/// - the corners across the ray in the next test, along both axes ([`BVH_ROUNDING`]): 1.42 x 10 e times the size;
+/// - the distance that this test finds: 18 e times the size.
 ///
 /// The first bound is doubled, as normals of slivers are inaccurate; the others sum to 37.2 e, rounded up to 40
 /// e.

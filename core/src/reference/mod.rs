@@ -1,4 +1,4 @@
-//! The reference: every step of the shaders by the same name, in f64 on the CPU, without any optimisation.
+//! The reference implementation: every step of the shaders in f64 on the CPU, without any optimisation.
 //!
 //! | here | shaders |
 //! | --- | --- |

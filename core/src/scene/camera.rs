@@ -89,7 +89,7 @@ impl Camera {
     /// A camera at `eye` that looks at `target`, world Y up, with a vertical field of view in radians.
     ///
     /// # Errors
-    /// As [`Camera::perspective`]; also where `eye` is `target` or the view is vertical.
+    /// The errors of [`Camera::perspective`]; also if `eye` is `target` or the view is vertical.
     pub fn look_at(eye: Vec3, target: Vec3, vertical_fov: f32) -> crate::Result<Self> {
         let forward = (target - eye).normalize_or_zero();
         let right = forward.cross(Vec3::Y).normalize_or_zero();

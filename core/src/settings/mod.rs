@@ -130,13 +130,13 @@ choices! {
     pub enum Postcorrect {
         /// `On` if the scene has objects so thin that they may fall between samples, else `Off`.
         Auto = "auto": "Objects and shadows, where the scene holds things thinner than a block",
-        /// None.
+        /// No pixel is traced again.
         Off = "off": "Nothing",
-        /// Those with a different object.
+        /// Traces interpolated pixels with a different object.
         Objects = "objects": "Where the object differs",
-        /// Those with a different object or different shadow bits.
+        /// Traces interpolated pixels with a different object or different shadow bits.
         On = "on": "Where the object or the shadow differs",
-        /// Like `On`, by the paper's scans along rows and columns (Kim 2016, section 5).
+        /// The pixels of `On`, found by the paper's scans along rows and columns (Kim 2016, section 5).
         Scans = "scans": "As on, by scans along rows and columns",
     }
 }

@@ -270,7 +270,7 @@ impl Settings {
     /// Parses a value and sets the option of this name.
     ///
     /// # Errors
-    /// Those of [`find`] and [`OptionSpec::set`].
+    /// The errors of [`find`] and [`OptionSpec::set`].
     pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
         find(name)?.set(self, text)
     }
