@@ -55,7 +55,7 @@
 //! | `metal`, `dx12` | no | wgpu's other backends, on which nothing was tested |
 //! | `gltf` | yes | `Scene::from_gltf` |
 //! | `images` | yes | PNG and JPEG textures of files; `to_png`, `to_exr` and `Picture` |
-//! | `reference` | yes | the modules `reference` and `planes`: f64 frames, and path samples on CPU threads |
+//! | `reference` | yes | the modules `reference` and `cpu_tracer`: f64 frames, and path samples on CPU threads |
 //! | `stress` | yes | the modules `probe` and `stress`; needs `reference` |
 //! | `flip` | no | `metrics::flip`, NVIDIA's error metric, in C++ |
 //!
@@ -112,7 +112,7 @@ mod settings;
 #[cfg(feature = "stress")]
 pub mod stress;
 
-// Of their types is the interface of this crate.
+// Types of both crates are part of the interface of this one.
 pub use glam;
 pub use wgpu;
 

@@ -12,7 +12,7 @@ pub enum Show {
     Origin,
     /// Pixels that fail a similarity check, in red.
     Check(Check),
-    /// Number of quarters of each pixel that get extra samples (Jin 2009, Figure 1).
+    /// Number of subpixels of each pixel that get extra samples (Jin 2009, Figure 1).
     Active,
     /// Pixels with an attribute that differs from a neighbour's, in red; the index is one of [`THRESHOLD_NAMES`].
     Attribute(usize),
@@ -105,7 +105,7 @@ fn origin_color(origin: Origin) -> Option<(&'static str, &'static str, Rgb)> {
     }
 }
 
-/// Colours of pixels by the number of active quarters (Jin 2009, Figure 1).
+/// Colours of pixels by the number of active subpixels (Jin 2009, Figure 1).
 const ACTIVE: [(&str, Rgb); 5] = [
     ("black", [0, 0, 0]),
     ("red", [255, 0, 0]),

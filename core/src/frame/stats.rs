@@ -46,7 +46,7 @@ pub struct PixelRecord {
     pub failed: u32,
     /// Node visits plus primitive tests of the pixel's rays.
     pub cost: u32,
-    /// Bit i is set where quarter i gets extra samples or is divided (0 upper left, 1 upper right, 2 lower left,
+    /// Bit i is set where subpixel i gets extra samples or is divided (0 upper left, 1 upper right, 2 lower left,
     /// 3 lower right). For refined pixels ([`crate::Refine::On`]) the number of bits is the number of samples
     /// divided by four.
     pub active: u32,

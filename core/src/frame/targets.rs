@@ -11,7 +11,7 @@ use crate::{
 /// Largest side of a frame in samples: a list entry packs both coordinates into 16 bits each.
 const MAX_SIDE: u32 = 1 << 16;
 
-/// Largest side in pixels with extra samples: an entry packs a quarter and both coordinates into 14 bits each.
+/// Largest side in pixels with extra samples: an entry packs a subpixel and both coordinates into 14 bits each.
 const MAX_SUPERSAMPLED_SIDE: u32 = 1 << 14;
 
 /// Size in bytes of the arguments of an indirect dispatch.
@@ -87,7 +87,7 @@ impl Targets {
         let of_method = Recipe::of(settings.method).storage;
         let stored = of_method.radiances.max(u64::from(settings.sampling > 1));
         let sample_bytes = stored * if settings.reuses_stereo() { STEREO_SAMPLE_BYTES } else { SAMPLE_BYTES };
-        // Entries per sample in the list: the sample, or each of its quarters.
+        // Entries per sample in the list: the sample, or each of its subpixels.
         let listed = match (settings.refines(), settings.supersamples()) {
             // An entry for each step, and the state of the refined pixel.
             (true, _) => u64::from(REFINE_MOST / REFINE_STEP + REFINE_WORDS),

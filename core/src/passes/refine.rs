@@ -1,5 +1,5 @@
 //! Refinement of whole pixels: follows thin lines from the pixels whose centre hits them, then adds samples in
-//! cells that differ.
+//! strata that differ.
 
 use super::{REFINE_MOST, REFINE_STEP, FrameSpec, stage::*, wgsl};
 use crate::{
@@ -32,7 +32,7 @@ stages! {
         work: Work::Fixed, tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/adaptive/list_range_all.wgsl"), entry),
     }
-    /// Selects the cells of refined pixels that get a sample and lists the pixels that have any.
+    /// Selects the strata of refined pixels that get a sample and lists the pixels that have any.
     STRATUM_TEST = {
         name: "stratum_test", wgsl: "passes/refine/stratum_test.wgsl", paper: "ours, after Jin 2009, 4.2.2",
         work: Work::List, tracing: Tracing::No, clears: [],
@@ -49,7 +49,7 @@ stages! {
         work: Work::Fixed, tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/supersample/list_range_pending.wgsl"), entry),
     }
-    /// Traces four more samples in the selected cells of each listed pixel.
+    /// Traces four more samples in the selected strata of each listed pixel.
     STRATA = {
         name: "strata", wgsl: "passes/refine/strata.wgsl", paper: "ours",
         work: Work::List, tracing: Tracing::Listed, clears: [],
@@ -63,7 +63,7 @@ pub const REFINE_ROUNDS: u32 = 16;
 /// Rounds after the first list at most the frame's pixels divided by this.
 const REFINE_LATER: u32 = 8;
 
-/// Adds the rounds of refined pixels, then the steps of samples in their differing cells.
+/// Adds the rounds of refined pixels, then the steps of samples in their differing strata.
 pub fn plan(plan: &mut Plan, rows: Rows) {
     let pixels = plan.grid[0] * rows.count();
     let longest = REFINE_MOST / REFINE_STEP * pixels;

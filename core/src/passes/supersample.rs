@@ -1,4 +1,4 @@
-//! Selective supersampling (Jin 2009): traces every pixel's centre, then extra samples in the quarters that
+//! Selective supersampling (Jin 2009): traces every pixel's centre, then extra samples in the subpixels that
 //! differ.
 
 use super::{Recipe, recipe::Storage, FrameSpec, refine, stage::*, wgsl};
@@ -15,7 +15,7 @@ stages! {
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::Neighbours, clears: [],
         sources: |spec, entry| spec.tracing_sources([spec.tile_order(), entry]),
     }
-    /// Lists the quarters of pixels that differ from their neighbours.
+    /// Lists the subpixels that differ from their neighbours.
     SUBPIXEL_TEST = {
         name: "subpixel_test", wgsl: "passes/supersample/subpixel_test.wgsl", paper: "Jin 2009, 4.3.2",
         work: Work::Tiles(TRACED_TILE), tracing: Tracing::No, clears: [Clears::ListHeader],
@@ -24,13 +24,13 @@ stages! {
             spec.test_sources(list, entry)
         },
     }
-    /// Compacts the list of active quarters for indirect dispatch.
+    /// Compacts the list of active subpixels for indirect dispatch.
     COMPACT_ACTIVE = {
         name: "compact_active", wgsl: "passes/compact.wgsl", paper: "Jin 2009, 4.3.2",
         work: Work::Fixed, tracing: Tracing::No, clears: [],
         sources: |spec, entry| spec.compact_sources(wgsl!("wgsl/supersample/list_range_subpixels.wgsl"), entry),
     }
-    /// Traces four extra samples in each active quarter.
+    /// Traces four extra samples in each active subpixel.
     EXTRA_SAMPLES = {
         name: "extra_samples", wgsl: "passes/supersample/extra_samples.wgsl", paper: "Jin 2009, 4.3.3",
         work: Work::List, tracing: Tracing::Listed, clears: [],

@@ -24,7 +24,7 @@ pub struct Refinement {
 }
 
 impl ReferenceFrame<'_> {
-    /// Whether, when and in which cells a pixel is refined, given the rounds of its neighbours.
+    /// Whether, when and in which strata a pixel is refined, given the rounds of its neighbours.
     #[must_use]
     pub fn refinement(
         &self,
@@ -45,7 +45,7 @@ impl ReferenceFrame<'_> {
         let subpixels = self.subpixels_around(pixel, round_of, rounding);
         let differing = (4..16).filter(|i| self.stratum_differs(&subpixels, *i, rounding));
         let mut strata = differing.fold(0, |strata, i| strata | 1 << i);
-        // Adds the next cells in sampling order until their number fills whole steps.
+        // Adds the next strata in sampling order until their number fills whole steps.
         for i in 4..16 {
             if u32::count_ones(strata) % 4 != 0 {
                 strata |= 1 << i;
@@ -85,7 +85,7 @@ impl ReferenceFrame<'_> {
         })
     }
 
-    /// Colours of the 4x4 quarters in and around a pixel, row by row from the upper left: of a refined pixel its
+    /// Colours of the 4x4 subpixels in and around a pixel, row by row from the upper left: of a refined pixel its
     /// samples, else the pixel's; beyond the frame, of the nearest inside.
     fn subpixels_around(
         &self,
@@ -105,8 +105,8 @@ impl ReferenceFrame<'_> {
         })
     }
 
-    /// Whether the sample's quarter differs from the three that meet it at the corner nearest to the sample's
-    /// cell.
+    /// Whether the sample's subpixel differs from the three that meet it at the corner nearest to the sample's
+    /// stratum.
     fn stratum_differs(&self, subpixels: &[DVec3; 16], sample: u32, rounding: &mut Rounding) -> bool {
         let stratum = stratum(sample).map(|place| place as usize);
         let own = stratum.map(|place| place / 2 + 1);
@@ -146,12 +146,12 @@ fn stratum(i: u32) -> [u32; 2] {
     [2 * a + b, 2 * (a ^ b ^ c ^ d) + (b ^ d)]
 }
 
-/// Quarter of a cell: 0 upper left, 1 upper right, 2 lower left, 3 lower right.
+/// Subpixel of a stratum: 0 upper left, 1 upper right, 2 lower left, 3 lower right.
 fn subpixel([x, y]: [u32; 2]) -> u32 {
     x / 2 + 2 * (y / 2)
 }
 
-/// Index of the sample in a quarter, among the first four.
+/// Index of the sample in a subpixel, among the first four.
 fn in_subpixel(subpixel: u32) -> u32 {
     [0, 3, 2, 1][subpixel as usize]
 }

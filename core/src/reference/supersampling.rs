@@ -61,7 +61,7 @@ impl ReferenceFrame<'_> {
         self.sample_in(pixel, 1, self.settings.jitter == Jitter::On, rounding)
     }
 
-    /// The subpixel test: active quarters and differing attributes.
+    /// The subpixel test: active subpixels and differing attributes.
     #[must_use]
     pub fn tested(&self, pixel: [u32; 2], rounding: &mut Rounding) -> Tested {
         let own = self.compared(pixel, rounding);
@@ -82,7 +82,7 @@ impl ReferenceFrame<'_> {
         tested
     }
 
-    /// Linear radiance of a pixel with extra samples in the active quarters.
+    /// Linear radiance of a pixel with extra samples in the active subpixels.
     #[must_use]
     pub fn supersampled(&self, pixel: [u32; 2], active: u32, rounding: &mut Rounding) -> DVec3 {
         let own = self.presampled(pixel, rounding).color;

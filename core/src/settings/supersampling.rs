@@ -148,11 +148,11 @@ choices! {
     pub enum Refine {
         /// [`Refine::On`] with the adaptive method, [`Refine::Off`] with method `supersample`.
         Auto = "auto": "On after the adaptive method, off with method supersample",
-        /// One sample in each quarter first. Where these show colours that no pixel around a neighbour has, the
-        /// neighbour gets them as well. Then four to twelve more where quarters differ by twice the smallest
+        /// One sample in each subpixel first. Where these show colours that no pixel around a neighbour has, the
+        /// neighbour gets them as well. Then four to twelve more where subpixels differ by twice the smallest
         /// threshold.
         On = "on": "Whole pixels, step by step",
-        /// Four samples in each quarter that differs (Jin 2009, 4.1.4).
+        /// Four samples in each subpixel that differs (Jin 2009, 4.1.4).
         Off = "off": "Subpixels that differ (Jin 2009)",
     }
 }

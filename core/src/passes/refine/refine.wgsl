@@ -1,4 +1,4 @@
-// Traces four samples of each listed pixel, one in each quarter. Lists a neighbour if these show colours that no
+// Traces four samples of each listed pixel, one in each subpixel. Lists a neighbour if these show colours that no
 // pixel around it has: lines thinner than a pixel are followed from where a centre hits them (as Kim 2016,
 // section 4, spreads from pixel to pixel).
 
@@ -22,7 +22,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lo
     }
 }
 
-// Tests a quarter of a pixel's eight neighbours against its samples, which start at index `local`.
+// Tests a subpixel of a pixel's eight neighbours against its samples, which start at index `local`.
 fn refine_spread(pixel: vec2u, part: u32, local: u32) {
     var shown: array<vec3f, 4>;
     for (var i = 0u; i < REFINE_STEP; i += 1u) {

@@ -1,4 +1,4 @@
-// Lists the pixels to refine: those with a quarter that Jin's test (2009, 4.2.2) finds active.
+// Lists the pixels to refine: those with a subpixel that Jin's test (2009, 4.2.2) finds active.
 
 @compute @workgroup_size(64)
 fn main(

@@ -1,4 +1,4 @@
-// Traces four more samples of each listed pixel, in the cells that the test has selected.
+// Traces four more samples of each listed pixel, in the strata that the test has selected.
 
 @compute @workgroup_size(TRACE_GROUP)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {

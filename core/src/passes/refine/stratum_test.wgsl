@@ -1,5 +1,5 @@
-// Selects which of the other twelve cells of a refined pixel get a sample: Jin's test (2009, 4.2.2) with quarters
-// in place of pixels. A quarter of a refined pixel has the colour of its sample, one of another pixel that of the
+// Selects which of the other twelve strata of a refined pixel get a sample: Jin's test (2009, 4.2.2) with subpixels
+// in place of pixels. A subpixel of a refined pixel has the colour of its sample, one of another pixel that of the
 // pixel.
 
 @compute @workgroup_size(TRACE_GROUP)
@@ -33,9 +33,9 @@ fn stratum_subpixel(stratum: vec2u) -> u32 {
     return stratum.x / 2u + 2u * (stratum.y / 2u);
 }
 
-// Mask of the cells that lie between differing quarters; bit i is the cell of sample i.
+// Mask of the strata that lie between differing subpixels; bit i is the stratum of sample i.
 fn strata_differing(pixel: vec2u) -> u32 {
-    // The quarters of the pixel and those around it.
+    // The subpixels of the pixel and those around it.
     var shown: array<vec3f, 16>;
     for (var i = 0u; i < 16u; i += 1u) {
         shown[i] = stratum_neighbour(pixel, i);
@@ -56,7 +56,7 @@ fn strata_differing(pixel: vec2u) -> u32 {
     return differing;
 }
 
-// Colour of the i-th of the 4x4 quarters in and around a pixel, row by row from the upper left; beyond the frame,
+// Colour of the i-th of the 4x4 subpixels in and around a pixel, row by row from the upper left; beyond the frame,
 // of the nearest one inside.
 fn stratum_neighbour(pixel: vec2u, i: u32) -> vec3f {
     let at = clamp(2 * vec2i(pixel) + vec2i(i32(i % 4u), i32(i / 4u)) - 1, vec2i(0), 2 * vec2i(frame.size) - 1);
@@ -69,7 +69,7 @@ fn stratum_neighbour(pixel: vec2u, i: u32) -> vec3f {
     return contrast_shown(refine_load(owner, refine_in_subpixel(subpixel)));
 }
 
-// Adds the next cells in sampling order until their number fills whole steps.
+// Adds the next strata in sampling order until their number fills whole steps.
 fn strata_padded(differing: u32) -> u32 {
     var strata = differing;
     for (var i = REFINE_STEP; countOneBits(strata) % REFINE_STEP != 0u; i += 1u) {

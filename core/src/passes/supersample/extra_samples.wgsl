@@ -70,7 +70,7 @@ fn extra_sum(local: u32) -> vec3f {
     return sum;
 }
 
-// Index in the workgroup of the i-th of sixteen samples; they are stored quarter by quarter.
+// Index in the workgroup of the i-th of sixteen samples; they are stored subpixel by subpixel.
 fn extra_place(i: u32) -> u32 {
     let stratum = sample_order_stratum(i);
     return 4u * (stratum.x / 2u + 2u * (stratum.y / 2u)) + stratum.x % 2u + 2u * (stratum.y % 2u);

@@ -1,4 +1,4 @@
-// ActSubPixDetector (Jin 2009, 4.1.3, 4.2.2, 4.3.2): lists the quarters of pixels that get extra samples, in the
+// ActSubPixDetector (Jin 2009, 4.1.3, 4.2.2, 4.3.2): lists the subpixels that get extra samples, in the
 // order of a curve through the tile. Deviations: a thread tests all four subpixels, so that neighbours are read
 // once; and a tile reserves exactly the list entries that it needs.
 

@@ -7,7 +7,7 @@ struct PixelRecord {
     object: u32,
     depth: f32,
     normal: u32,
-    // Active quarters in bits 0 to 3, then the differing attributes (`subpixels.wgsl`); from bit 20 on, 1 + the
+    // Active subpixels in bits 0 to 3, then the differing attributes (`subpixels.wgsl`); from bit 20 on, 1 + the
     // round of a refined pixel.
     edges: u32,
     // Mask of a refined pixel's samples, in sampling order.

@@ -1,4 +1,4 @@
-// List entries of active subpixels, which get extra samples: x | y << 14 | quarter << 28, and a flag for the
+// List entries of active subpixels, which get extra samples: x | y << 14 | subpixel << 28, and a flag for the
 // first of its pixel, the master (Jin 2009, 4.3.2). The entries of a pixel are in one run of ACTIVE_RUN entries.
 
 const ACTIVE_MASTER: u32 = 0x40000000u;

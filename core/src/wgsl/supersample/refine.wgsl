@@ -1,4 +1,4 @@
-// The state of refined pixels: their first four samples, one in each quarter, the sum and flags.
+// The state of refined pixels: their first four samples, one in each subpixel, the sum and flags.
 
 // Index of the sum of a pixel's samples, after the first four.
 const REFINE_SUM: u32 = 4u;
@@ -21,7 +21,7 @@ fn refine_store(pixel: vec2u, index: u32, color: vec3f) {
     list.words[place + 2u] = words.z;
 }
 
-// Index of the sample in a quarter, among the first four; quarters count from the upper left.
+// Index of the sample in a subpixel, among the first four; subpixels count from the upper left.
 fn refine_in_subpixel(subpixel: u32) -> u32 {
     return (4u - subpixel) & 3u;
 }

@@ -1,4 +1,4 @@
-// The order of a pixel's sixteen samples (Sobol'): each four in succession have one in each quarter, column and
+// The order of a pixel's sixteen samples (Sobol'): each four in succession have one in each subpixel, column and
 // row of the pixel's 4x4 cells.
 
 fn sample_order_stratum(i: u32) -> vec2u {

@@ -1,10 +1,10 @@
-// The two-step test of a pixel's quarters (Jin 2009, 4.1.3, 4.2.2): the attributes that differ from three
+// The two-step test of a pixel's subpixels (Jin 2009, 4.1.3, 4.2.2): the attributes that differ from three
 // neighbours select the threshold, then the contrast of the four colours decides.
 
 struct Test {
     // Bit i is set where subpixel i, numbered as in active_subpixels.wgsl, is active.
     subpixels: u32,
-    // For any quarter: bit 0 if the contrast exceeds the colour threshold, bits 1 to 8 if attributes of Table 1
+    // For any subpixel: bit 0 if the contrast exceeds the colour threshold, bits 1 to 8 if attributes of Table 1
     // differ.
     differing: u32,
 }
@@ -43,7 +43,7 @@ fn subpixels_test(pixel: vec2u) -> Test {
     return test;
 }
 
-// Early test: if the colours around the pixel differ by less than this, no quarter is active, whatever the
+// Early test: if the colours around the pixel differ by less than this, no subpixel is active, whatever the
 // attributes.
 fn subpixels_may_differ(pixel: vec2u) -> bool {
     let range = contrast_range(pixel);

@@ -1,4 +1,4 @@
-// Inactive quarters of a pixel are interpolated bilinearly between the surrounding pixel centres (Jin 2009,
+// Inactive subpixels of a pixel are interpolated bilinearly between the surrounding pixel centres (Jin 2009,
 // section 6).
 
 // Change of the pixel's colour by bilinear interpolation in its inactive subpixels.
