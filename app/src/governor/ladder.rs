@@ -1,6 +1,6 @@
 //! The quality levels of the governor, from the best to the fastest.
 
-use glimpse::{Postcorrect, Settings, Tolerances};
+use glimpse::{Postcorrect, Settings};
 
 /// Quality of a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,13 +22,9 @@ impl Quality {
     /// The chosen settings with this quality applied.
     #[must_use]
     pub fn settings(&self, chosen: &Settings) -> Settings {
-        let t = &chosen.tolerances;
         if self.level.is_none() {
             return *chosen;
         }
-        // The tolerance is a lower bound of a cosine: its distance from 1 is scaled, down to -1. A bound below -1 is
-        // kept.
-        let norm = (1.0 - (1.0 - t.norm) * self.relax).clamp(t.norm.min(-1.0), t.norm);
         Settings {
             block: chosen.block.max(self.block),
             // Postcorrection repairs single frames, which are replaced immediately in motion. The frame at
@@ -37,13 +33,7 @@ impl Quality {
                 Postcorrect::Auto => Postcorrect::Off,
                 wished => wished,
             },
-            tolerances: Tolerances {
-                pos: (t.pos * self.relax).min(f32::MAX),
-                norm,
-                // The width of the border zone of a texture: narrower is looser.
-                tex: t.tex / self.relax,
-                gcol: (t.gcol * self.relax).min(f32::MAX),
-            },
+            tolerances: chosen.tolerances.relaxed(self.relax),
             ..*chosen
         }
     }

@@ -354,9 +354,10 @@ fn the_ladder_goes_down() {
 
 #[test]
 fn every_level_is_valid_and_looser_than_what_was_chosen() {
-    let strange = Tolerances { pos: f32::MAX, norm: -1.0, tex: 0.5, gcol: f32::MAX };
-    let strictest = Tolerances { pos: 0.0, norm: 2.0, tex: 0.5, gcol: 0.0 };
-    for tolerances in [Tolerances::default(), strange, strictest] {
+    let usual = Tolerances::default();
+    let strange = Tolerances { pos: f32::MAX, norm: -1.0, gcol: f32::MAX, ..usual };
+    let strictest = Tolerances { pos: 0.0, norm: 2.0, gcol: 0.0, ..usual };
+    for tolerances in [usual, strange, strictest] {
         let chosen = Settings { tolerances, ..Settings::default() };
         for (index, level) in LADDER.iter().enumerate() {
             let quality =

@@ -69,12 +69,7 @@ impl Show {
             Self::Attribute(_) if !settings.supersamples() => Some(
                 "Attributes are compared where there are extra samples: method supersample, or supersample.",
             ),
-            Self::Check(_) | Self::Depth | Self::Normal | Self::Oid if method == Method::Checkerboard => {
-                Some("A checkerboard averages every second pixel: no surface belongs to an average.")
-            }
-            Self::Check(_) | Self::Depth | Self::Normal | Self::Oid if method.has_history() => {
-                Some("Of pixels that are kept only the colour is known.")
-            }
+            Self::Check(_) | Self::Depth | Self::Normal | Self::Oid => method.lacks_surfaces(),
             _ => None,
         }
     }

@@ -58,7 +58,7 @@ choices! {
     pub enum Method {
         /// Full ray tracing: a ray through every sample. The reference for the other methods.
         Full = "full" or "fixed": "A ray through every sample",
-        /// Adaptive undersampling (Kim 2016, section 3): traces samples where one of seven similarity checks
+        /// Adaptive undersampling (Kim 2016, section 3): traces samples where a similarity check
         /// fails and interpolates elsewhere.
         Adaptive = "adaptive": "Rays where neighbours differ, interpolation elsewhere (Kim 2016)",
         /// A baseline: traces every second pixel in a checkerboard pattern and averages neighbours in the others.
@@ -90,7 +90,10 @@ impl Method {
     /// Whether frames reuse data of the frames before them.
     #[must_use]
     pub fn has_history(self) -> bool {
-        matches!(self, Self::Frameless | Self::Reproject) || self.is_path_traced()
+        match self {
+            Self::Frameless | Self::Reproject | Self::Path | Self::Vr => true,
+            Self::Full | Self::Adaptive | Self::Checkerboard | Self::Supersample | Self::Quincunx => false,
+        }
     }
 
     /// Whether frames accumulate one path sample per pixel each.
@@ -115,6 +118,20 @@ impl Method {
     #[must_use]
     pub fn usual_depth(self) -> u32 {
         if self.is_path_traced() { MAX_DEPTH } else { 3 }
+    }
+
+    /// Why the pixels of its frames have no surfaces, only colours; `None` if they have.
+    #[must_use]
+    pub fn lacks_surfaces(self) -> Option<&'static str> {
+        match self {
+            Self::Full | Self::Adaptive | Self::Supersample | Self::Quincunx => None,
+            Self::Checkerboard => {
+                Some("A checkerboard averages every second pixel: no surface belongs to an average.")
+            }
+            Self::Frameless | Self::Reproject | Self::Path | Self::Vr => {
+                Some("Of pixels that are kept only the colour is known.")
+            }
+        }
     }
 
     /// Whether the method supports only one sample per pixel.
@@ -191,6 +208,20 @@ impl Tolerances {
     pub fn at(&self, stride: u32) -> Self {
         let nearer = 2.0 / stride as f32;
         Self { norm: 1.0 - (1.0 - self.norm) * nearer.powi(2), gcol: self.gcol * nearer.powi(4), ..*self }
+    }
+
+    /// Looser by a factor above 1, which passes more pairs, or stricter by one below. What fails every pair still does.
+    #[must_use]
+    pub fn relaxed(&self, factor: f32) -> Self {
+        let Self { pos, norm, tex, gcol } = *self;
+        Self {
+            pos: (pos * factor).min(f32::MAX),
+            // A bound of a cosine: its distance from 1 is scaled, down to -1. No cosine is above 1.
+            norm: if norm > 1.0 { norm } else { (1.0 - (1.0 - norm) * factor).max(norm.min(-1.0)) },
+            // The width of the border zone of a texture: narrower is looser.
+            tex: (tex / factor).min(0.5),
+            gcol: (gcol * factor).min(f32::MAX),
+        }
     }
 }
 
@@ -375,6 +406,27 @@ mod tests {
             assert!((further.norm - norm).abs() < 1e-6, "{stride}: {further:?}");
             assert!((further.gcol - gcol).abs() < 1e-6, "{stride}: {further:?}");
         }
+    }
+
+    #[test]
+    fn relaxed_tolerances_pass_more() {
+        let t = Tolerances::default();
+        assert_eq!(t.relaxed(1.0), t);
+        for (factor, expected) in [
+            (2.0, Tolerances { pos: 0.06, norm: 0.8, tex: 0.15, gcol: 0.3 }),
+            (0.5, Tolerances { pos: 0.015, norm: 0.95, tex: 0.5, gcol: 0.075 }),
+            (1e9, Tolerances { pos: 3e7, norm: -1.0, tex: 3e-10, gcol: 1.5e8 }),
+        ] {
+            let found = t.relaxed(factor);
+            let (Tolerances { pos, norm, tex, gcol }, e) = (found, expected);
+            for (a, b) in [(pos, e.pos), (norm, e.norm), (tex, e.tex), (gcol, e.gcol)] {
+                assert!((a - b).abs() <= 1e-6 * b.abs().max(0.1), "{factor}: {found:?}");
+            }
+        }
+        let loosest = Tolerances { pos: f32::MAX, norm: -1.0, tex: 0.0, gcol: f32::MAX };
+        let strictest = Tolerances { pos: 0.0, norm: 2.0, tex: 0.5, gcol: 0.0 };
+        assert_eq!(loosest.relaxed(2.0), loosest);
+        assert_eq!(strictest.relaxed(2.0), Tolerances { tex: 0.25, ..strictest });
     }
 
     /// Tolerances that trace every pixel do so at any stride: no distance is below 0, no cosine above 1.

@@ -1,6 +1,6 @@
 //! The ladder: the settings whose error is plotted against their cost, and the plot.
 
-use glimpse::{MAX_SAMPLING, Method, Postcorrect, Preset, Settings, Tolerances};
+use glimpse::{MAX_SAMPLING, Method, Postcorrect, Preset, Settings};
 
 use crate::job::{Job, Reference};
 use crate::plot::{Mark, draw};
@@ -75,7 +75,7 @@ pub fn rungs(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
     rungs.extend(fixed(base).map(|(name, family, settings)| rung(name, family, settings)));
     for factor in FACTORS {
         let name = if factor == 1.0 { "adaptive".to_owned() } else { format!("tolerance x{factor}") };
-        let tolerances = scaled(base.tolerances, factor);
+        let tolerances = base.tolerances.relaxed(factor);
         rungs.push(rung(name, Family::TOLERANCES, Settings { tolerances, ..adaptive }));
     }
     for block in [4, 8] {
@@ -103,17 +103,6 @@ pub fn rungs(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
         rung.keeps_picture = ["full 0.5x", "fixed 1", "adaptive", "block 4"].contains(&rung.name.as_str());
     }
     rungs
-}
-
-/// Multiplies tolerances by a factor. Above 1 more pairs of pixels count as similar: larger distances,
-/// smaller cosine, narrower border zone of the texture.
-fn scaled(t: Tolerances, factor: f32) -> Tolerances {
-    Tolerances {
-        pos: t.pos * factor,
-        norm: (1.0 - (1.0 - t.norm) * factor).max(-1.0),
-        tex: (t.tex / factor).min(0.5),
-        gcol: t.gcol * factor,
-    }
 }
 
 /// Horizontal axis of the plots of PSNR.
@@ -207,16 +196,6 @@ mod tests {
     #[test]
     fn the_smallest_frame_has_a_pixel_at_every_scale() {
         assert!(rungs(&Settings::default(), [1, 1]).iter().all(|r| r.rendered == [1, 1]));
-    }
-
-    #[test]
-    fn a_looser_tolerance_passes_more() {
-        let t = Tolerances { pos: 0.03, norm: 0.9, tex: 0.3, gcol: 0.15 };
-        let (loose, strict) = (scaled(t, 2.0), scaled(t, 0.5));
-        assert_eq!((loose.pos, loose.tex, loose.gcol), (0.06, 0.15, 0.3));
-        assert!((loose.norm - 0.8).abs() < 1e-6 && (strict.norm - 0.95).abs() < 1e-6);
-        assert_eq!((strict.pos, strict.tex, strict.gcol), (0.015, 0.5, 0.075));
-        assert_eq!(scaled(t, 1e9).norm, -1.0);
     }
 
     #[test]
