@@ -96,7 +96,8 @@ fn every_option_of_render_arrives() {
          --preset textures --tau-col 0.25 --tau-ste 1 --focus 3-5 --refine on --unsampled bilinear --jitter on --filter tent --quincunx-threshold 0.3 --seed 9 --refresh-fraction 0.5",
     );
     let settings = options.frame.settings(options.method).unwrap();
-    let tolerances = Tolerances { pos: 0.1, norm: -0.5, tex: 0.2, gcol: 0.3 };
+    let mut tolerances = Tolerances::default();
+    (tolerances.pos, tolerances.norm, tolerances.tex, tolerances.gcol) = (0.1, -0.5, 0.2, 0.3);
     assert_eq!(
         settings,
         Settings {

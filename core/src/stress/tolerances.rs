@@ -1,6 +1,7 @@
 //! The tolerances of the similarity checks at their extremes and beyond.
 
 use super::{Bench, Case, Outcome};
+use crate::options::{Group, Kind, Numbers, OPTIONS, OptionSpec};
 use crate::{Error, Method, Renderer, Result, Settings, scene::builtin};
 
 pub const CASE: Case = Case {
@@ -11,63 +12,47 @@ pub const CASE: Case = Case {
     run,
 };
 
-/// Valid and invalid values of one option.
+/// An option that takes a number, with values that it accepts and others that it refuses.
 struct Requests {
     option: &'static str,
-    set: fn(&mut Settings, f32),
-    accepted: &'static [f32],
-    refused: &'static [f32],
+    field: fn(&mut Settings) -> &mut f32,
+    accepted: Vec<f32>,
+    refused: Vec<f32>,
 }
+
+/// What is tried of each, on whichever side of its ends it lies.
+const NUMBERS: [f32; 8] = [0.0, -0.0, f32::MIN_POSITIVE, 1.0e-45, -f32::MIN_POSITIVE, -1.0e-3, 1.0, -1.0];
 
 const NOT_NUMBERS: [f32; 3] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
 
-const REQUESTS: [Requests; 5] = [
-    Requests {
-        option: "t-pos",
-        set: |s, x| s.tolerances.pos = x,
-        accepted: &[0.0, -0.0, f32::MIN_POSITIVE, 1.0e-45, 1.0, f32::MAX],
-        refused: &[-f32::MIN_POSITIVE, -1.0],
-    },
-    Requests {
-        option: "t-norm",
-        set: |s, x| s.tolerances.norm = x,
-        accepted: &[-1.0, 0.0, 1.0, 2.0],
-        refused: &[-1.1, 2.1],
-    },
-    Requests {
-        option: "t-tex",
-        set: |s, x| s.tolerances.tex = x,
-        accepted: &[0.0, 1.0e-45, 0.5],
-        refused: &[-0.1, 0.51],
-    },
-    Requests {
-        option: "t-gcol",
-        set: |s, x| s.tolerances.gcol = x,
-        accepted: &[0.0, 1.0e-45, 1.0, f32::MAX],
-        refused: &[-1.0e-3],
-    },
-    Requests {
-        option: "min-weight",
-        set: |s, x| s.min_weight = x,
-        accepted: &[0.0, 1.0e-45, 1.0],
-        refused: &[-1.0e-3, 1.1],
-    },
-];
+/// The adaptive method's numbers and the least weight.
+fn requests() -> Vec<Requests> {
+    let of = |option: &'static OptionSpec| {
+        let Kind::Number { field, allowed, .. } = option.kind else { return None };
+        let Numbers { low, high, .. } = allowed;
+        let ends = [low, high, low.next_down(), high.next_up(), low - 0.1, 1.1 * high];
+        let finite = NUMBERS.into_iter().chain(ends).filter(|number| number.is_finite());
+        let (accepted, refused) = finite.partition(|number| (low..=high).contains(number));
+        Some(Requests { option: option.name, field, accepted, refused })
+    };
+    OPTIONS.iter().filter(|o| o.group == Group::Adaptive || o.name == "min-weight").filter_map(of).collect()
+}
 
 fn run(bench: &Bench<'_>) -> Result<Outcome> {
     let mut outcome = Outcome::default();
     let scene = builtin("room").ok_or_else(|| Error::scene("builtin:room", "expected to be there"))?;
     let camera = *scene.camera(None)?;
     let scene = bench.upload(scene)?;
-    let frames: usize = REQUESTS.iter().map(|w| w.accepted.len()).sum();
+    let requests = requests();
+    let frames: usize = requests.iter().map(|w| w.accepted.len()).sum();
     let width = ((bench.rays as f64 / frames as f64 * 4.0 / 3.0).sqrt() as u32 + 4).clamp(16, 2_048);
     let size = [width, width * 3 / 4];
     let frame = |settings: &Settings| Renderer::new(bench.gpu, &scene, size, settings)?.linear_image(&camera);
     let full = frame(&Settings { method: Method::Full, ..Settings::default() })?;
-    for Requests { option, set, accepted, refused } in &REQUESTS {
+    for Requests { option, field, accepted, refused } in &requests {
         let wish = |value: f32| {
             let mut settings = Settings::default();
-            set(&mut settings, value);
+            *field(&mut settings) = value;
             settings
         };
         for value in refused.iter().chain(&NOT_NUMBERS) {
@@ -75,7 +60,7 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
             let named = error.as_ref().is_some_and(|e| e.contains(option));
             outcome.check(named, || format!("{option} {value} gives {error:?}"));
         }
-        for value in *accepted {
+        for value in accepted {
             let settings = wish(*value);
             let image = frame(&settings)?;
             for (x, y, pixel) in image.enumerate_pixels() {

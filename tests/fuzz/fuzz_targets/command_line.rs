@@ -9,6 +9,7 @@ mod args;
 
 use args::{Arguments, Command, FrameOptions, MAX_SIDE, Size};
 use clap::Parser;
+use glimpse::options::{OPTIONS, Value};
 use glimpse::{Error, MAX_DEPTH, Method};
 use libfuzzer_sys::fuzz_target;
 
@@ -36,9 +37,10 @@ fn judge(options: &FrameOptions, method: Method) {
     match options.settings(method) {
         Ok(settings) => {
             settings.validate().expect("checked settings are valid");
-            let t = settings.tolerances;
-            for number in [t.pos, t.norm, t.tex, t.gcol, settings.min_weight, settings.refresh_fraction] {
-                assert!(number.is_finite(), "{settings:?}");
+            for option in OPTIONS {
+                if let Value::Number(number) = option.get(&settings) {
+                    assert!(number.is_finite(), "{}: {settings:?}", option.name);
+                }
             }
             assert!((1..=MAX_DEPTH).contains(&settings.depth));
         }
