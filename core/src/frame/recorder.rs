@@ -301,10 +301,11 @@ fn in_strides(parts: &[Part], constants: &FrameUniform, tolerances: &Tolerances)
     let mut bytes = Vec::with_capacity(parts.len() * FRAME_STRIDE as usize);
     for part in parts {
         let Rows { stride, row, end, turn } = part.rows;
-        let Tolerances { norm, gcol, .. } = tolerances.at(stride.max(2));
+        // The position is one that no stride changes, here in units of the scene.
+        let Tolerances { pos: _, norm, tex, gcol } = tolerances.at(stride.max(2));
         let of_part = FrameUniform {
             part: FramePart { first: part.first, stride, row, end, turn, walk: part.walk, step: part.step },
-            tolerances: FrameTolerances { norm, gcol, ..constants.tolerances },
+            tolerances: FrameTolerances { norm, tex, gcol, ..constants.tolerances },
             ..*constants
         };
         bytes.extend_from_slice(bytemuck::bytes_of(&of_part));

@@ -1,4 +1,4 @@
-//! The seven similarity checks (Kim 2016, Table 1), and interpolation between references that pass them.
+//! The similarity checks (Kim 2016, Table 1), and interpolation between references that pass them.
 //!
 //! Deviations from the paper: tolerances are strict bounds. G4 uses the tangent planes of the faces and counts a
 //! distance from them only if it exceeds the rounding errors of the stored normals and depths. Interpolation is
@@ -34,7 +34,8 @@ impl ReferenceFrame<'_> {
         };
         let seam = self.reference.first_texture(object).is_some()
             && at_seam(p.texcoord, q.texcoord, f64::from(tolerances.tex));
-        let checks = [
+        // All but the first, which is decided.
+        let checks: [(Check, bool); Check::ALL.len() - 1] = [
             (Check::Pos, (b.position - a.position).length() < pos),
             (Check::Norm, p.normal.dot(q.normal) > f64::from(tolerances.norm)),
             (Check::Convex, !self.inflected(a, b)),

@@ -1,4 +1,4 @@
-// The seven similarity checks of Kim 2016, Table 1, on the attribute vectors of two reference pixels.
+// The similarity checks of Kim 2016, Table 1, on the attribute vectors of two reference pixels.
 //
 // Deviations: tolerances are strict bounds, so that a tolerance of 0 traces everything. G4 fails only if both
 // distances from the other's tangent plane exceed the rounding errors of the stored normals and depths; as

@@ -93,6 +93,8 @@ fn other_tolerances_are_seen() {
         |tolerances| -> Frames<'_> { frames.against(&reference, Settings { tolerances, ..pair.settings }) };
     let right = Tolerances::default();
     assert_eq!(decisions(right).decisions().wrong.len(), 0);
+    // Each of them, and no other.
+    let Tolerances { pos: _, norm: _, tex: _, gcol: _ } = right;
     for (what, tolerances) in [
         ("pos", Tolerances { pos: 1.5 * right.pos, ..right }),
         ("norm", Tolerances { norm: 0.97, ..right }),
