@@ -71,8 +71,12 @@ fn grid_of(size: [u32; 2], sampling: u32) -> [u32; 2] {
 fn plans() -> impl Iterator<Item = (Shape, Plan)> {
     let whole = |s: &Shape| Shape { band: u32::MAX, ..*s }.with(Settings { sampling: 1, ..s.settings });
     shapes().flat_map(move |s| {
-        let of_one_sample = [Method::Checkerboard, Method::Frameless, Method::Reproject]
-            .map(|method| (whole(&s), whole(&s).plan(method)));
+        // Those with bands and passes of their own stand below.
+        let apart = [Method::Supersample, Method::Quincunx, Method::Path, Method::Vr];
+        let of_one_sample = Method::ALL
+            .into_iter()
+            .filter(move |method| method.takes_one_sample() && !apart.contains(method))
+            .map(move |method| (whole(&s), whole(&s).plan(method)));
         let supersampled = [false, true].map(|refines| {
             let refine = if refines { Refine::On } else { Refine::Off };
             let shape = Shape { band: s.band.min(1024), ..s };
