@@ -15,7 +15,7 @@ pub fn passes(ui: &mut Ui, hud_state: &HudState) {
     nothing(ui, hud_state.passes.is_empty(), "The adapter measures no passes, or no frame was made yet.");
 }
 
-/// Shows rays and samples of the last counted frame.
+/// Shows rays, samples and traversal work of the last counted frame.
 pub fn rays(ui: &mut Ui, hud_state: &HudState) {
     let Some(counts) = hud_state.counts else {
         return nothing(ui, true, "Frames are counted when the camera rests.");
@@ -29,6 +29,9 @@ pub fn rays(ui: &mut Ui, hud_state: &HudState) {
     style::reading(ui, "all rays", &amounts::count(counts.rays.total));
     for (origin, count) in counts.samples.labelled() {
         style::reading(ui, &format!("{origin} samples"), &amounts::count(count));
+    }
+    for (work, count) in counts.cost.labelled() {
+        style::reading(ui, work, &amounts::count(count));
     }
 }
 
