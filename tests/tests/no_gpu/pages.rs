@@ -7,7 +7,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use glimpse::Tracing;
+use glimpse::{Check, Method, Tracing};
 use glimpse_tests::workspace;
 
 /// Largest number of lines of the README.
@@ -142,4 +142,19 @@ fn the_architecture_names_passes_that_exist() {
     assert!(passes.len() > 15, "found only {passes:?}");
     let unknown: Vec<_> = passes.iter().filter(|name| Tracing::of_pass(name).is_none()).collect();
     assert!(unknown.is_empty(), "no such passes: {unknown:?}");
+}
+
+/// Whoever adds a method or a check says in the page of the architecture what it is.
+#[test]
+fn the_architecture_describes_every_method_and_check() {
+    let page = fs::read_to_string(workspace().join("core/ARCHITECTURE.md")).expect("a page");
+    let (_, section) = page.split_once("\n## Passes by method\n").expect("a section");
+    let (section, _) = section.split_once("\n## ").expect("its end");
+    let methods = Method::ALL.into_iter().map(Method::name);
+    let missing: Vec<_> = methods.filter(|name| !section.contains(&format!("`{name}`"))).collect();
+    assert!(missing.is_empty(), "methods without a description: {missing:?}");
+    for check in Check::ALL {
+        let row = format!("| {} | `{}` |", check.letters(), check.name());
+        assert!(page.contains(&row), "no row of the check {}", check.name());
+    }
 }
