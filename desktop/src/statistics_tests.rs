@@ -27,16 +27,15 @@ pub fn example() -> Statistics {
         },
         rays: Rays::default(),
         samples: Samples {
-            extra: 0,
             total: 32,
             base: 8,
             traced_a1: 1,
             traced_a2: 2,
-            postcorrected: 0,
             interpolated: 21,
+            ..Samples::default()
         },
         rt_ratio: 0.34,
-        cost: Cost { node_visits: 5, primitive_tests: 6, traced_share: Some(0.5) },
+        cost: Cost { traced_share: Some(0.5), ..work(5, 6) },
         failed_checks: FailedChecks { oid: 3, ..FailedChecks::default() },
         memory_bytes: Memory::default(),
         mrays_per_s: 7.0,
@@ -173,9 +172,12 @@ fn overhead_is_the_time_of_passes_that_trace_nothing() {
     assert_eq!(serde_json::to_value(median("refine")).unwrap()["tracing"], "listed");
 }
 
+fn work(node_visits: u64, primitive_tests: u64) -> Cost {
+    Cost { node_visits, primitive_tests, ..Cost::default() }
+}
+
 #[test]
 fn the_traced_share_is_of_the_full_frames_work() {
-    let work = |node_visits, primitive_tests| Cost { node_visits, primitive_tests, traced_share: None };
     assert_eq!(traced_share(&work(30, 20), &work(60, 40)), Some(0.5));
     assert_eq!(traced_share(&work(60, 40), &work(60, 40)), Some(1.0));
     assert_eq!(traced_share(&work(0, 0), &work(0, 0)), None);

@@ -99,17 +99,16 @@ mod tests {
             interpolated_light: operations(1e7),
         };
         let counts = Counts {
-            rays: Rays { primary: 3, shadow: 4, reflection: 1, refraction: 0, diffuse: 0, total: 8 },
+            rays: Rays { primary: 3, shadow: 4, reflection: 1, total: 8, ..Rays::default() },
             samples: Samples {
-                extra: 0,
                 total: 9,
                 base: 2,
                 traced_a1: 1,
-                traced_a2: 0,
                 postcorrected: 1,
                 interpolated: 5,
+                ..Samples::default()
             },
-            cost: Cost { node_visits: 16, primitive_tests: 8, traced_share: None },
+            cost: Cost { node_visits: 16, primitive_tests: 8, ..Cost::default() },
             ..Counts::default()
         };
         let pixels = vec![

@@ -76,9 +76,8 @@ fn hud_state() -> HudState {
                 primary: 160_000,
                 shadow: 300_000,
                 reflection: 20_000,
-                refraction: 0,
-                diffuse: 0,
                 total: 480_000,
+                ..Rays::default()
             },
             samples: Samples { total: 518_400, base: 129_600, interpolated: 358_400, ..Samples::default() },
             ..Counts::default()

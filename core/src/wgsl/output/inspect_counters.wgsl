@@ -23,15 +23,10 @@ struct Inspection {
 var<storage, read_write> inspection: Inspection;
 
 var<private> inspect_rays: array<u32, RAY_COUNT>;
-var<private> inspect_nodes: u32;
-var<private> inspect_primitives: u32;
+var<private> inspect_costs: array<u32, COST_COUNT>;
 
-fn inspect_node() {
-    inspect_nodes += 1u;
-}
-
-fn inspect_primitive() {
-    inspect_primitives += 1u;
+fn inspect_step(kind: u32) {
+    inspect_costs[kind] += 1u;
 }
 
 fn inspect_ray(kind: u32) {
@@ -74,11 +69,11 @@ fn inspect_cost() -> u32 {
         inspect_count(COUNTER_RAYS + kind, inspect_rays[kind]);
         inspect_rays[kind] = 0u;
     }
-    inspect_count(COUNTER_COST + COST_NODE_VISITS, inspect_nodes);
-    inspect_count(COUNTER_COST + COST_PRIMITIVE_TESTS, inspect_primitives);
-    let cost = inspect_nodes + inspect_primitives;
-    inspect_nodes = 0u;
-    inspect_primitives = 0u;
+    let cost = inspect_costs[COST_NODE_VISITS] + inspect_costs[COST_PRIMITIVE_TESTS];
+    for (var kind = 0u; kind < COST_COUNT; kind += 1u) {
+        inspect_count(COUNTER_COST + kind, inspect_costs[kind]);
+        inspect_costs[kind] = 0u;
+    }
     return cost;
 }
 

@@ -1,7 +1,6 @@
 // Counters for timed frames: functions without effect.
 
-fn inspect_node() {}
-fn inspect_primitive() {}
+fn inspect_step(kind: u32) {}
 fn inspect_ray(kind: u32) {}
 fn inspect_pixel(pixel: vec2u, origin: u32, attributes: Attributes) {}
 fn inspect_claimed() {}

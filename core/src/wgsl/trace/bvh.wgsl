@@ -120,7 +120,7 @@ fn bvh_traverse(ray: Ray, any: bool) -> Hit {
         }
         let slot = (child - 24u) ^ (slabs.octant & 0xffu);
         let before = countOneBits(group.y & 0xffu & ~(0xffffffffu << slot));
-        inspect_node();
+        inspect_step(COST_NODE_VISITS);
         let visit = bvh_visit(group.x + before, slabs, reach);
         group = visit.group;
         var leaves = visit.leaves.y;
@@ -128,7 +128,7 @@ fn bvh_traverse(ray: Ray, any: bool) -> Hit {
             let bit = firstTrailingBit(leaves);
             leaves &= leaves - 1u;
             let primitive = visit.leaves.x + bit;
-            inspect_primitive();
+            inspect_step(COST_PRIMITIVE_TESTS);
             var found: TriangleHit;
             if sphere_is(primitive) {
                 let t = sphere_hit(ray, primitive);
