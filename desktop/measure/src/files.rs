@@ -11,7 +11,7 @@ use tempfile::NamedTempFile;
 /// The longest file that is read, in bytes: a `.glb` states its length in 32 bits.
 const MAX_BYTES: u64 = u32::MAX as u64;
 
-/// Checks before long work that [`write`] can succeed for each output. Fails if a path cannot be written, if
+/// Checks before long work that [`write()`] can succeed for each output. Fails if a path cannot be written, if
 /// two outputs are the same file, or if an output is `input`.
 pub fn check<'p>(outputs: impl IntoIterator<Item = &'p Path>, input: &Path) -> anyhow::Result<()> {
     let mut taken = vec![resolved(input)];
