@@ -93,7 +93,8 @@ fn keys_and_sliders_choose() {
          key b
          expect block = 4
          key m
-         expect method = full
+         expect method = checkerboard
+         set method full
          key v
          expect show = origin
          settle
