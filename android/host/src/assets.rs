@@ -16,7 +16,7 @@ pub fn open(folder: Option<PathBuf>) {
     *lock(&FOLDER) = folder;
 }
 
-/// An open asset.
+/// An open asset file: its bytes and the position of the next read.
 pub struct AAsset {
     bytes: Vec<u8>,
     position: usize,

@@ -16,7 +16,7 @@ pub mod action {
     pub const DOWN: i32 = 0;
     /// The last pointer is lifted, or a key is released.
     pub const UP: i32 = 1;
-    /// Pointers move.
+    /// At least one of the touching pointers has moved.
     pub const MOVE: i32 = 2;
     /// The system takes over the gesture.
     pub const CANCEL: i32 = 3;
@@ -72,7 +72,7 @@ enum What {
     },
 }
 
-/// An input event.
+/// A touch or key event as the NDK hands it to the activity, with its times.
 #[derive(Debug)]
 pub struct AInputEvent {
     what: What,

@@ -20,7 +20,7 @@ type OnCreate = unsafe extern "C" fn(*mut ANativeActivity, *const c_void, usize)
 /// Time limit of a callback, after which the run is ended.
 const HANG: Duration = Duration::from_secs(60);
 
-/// The app's library.
+/// The loaded library of the app, by the entry point that creates its activity.
 #[derive(Clone, Copy)]
 pub struct Library {
     on_create: OnCreate,
@@ -164,7 +164,7 @@ impl Activity {
         self.tell("onPause", |callbacks| callbacks.onPause);
     }
 
-    /// Calls `onStop`.
+    /// Tells the activity that it is no longer visible: calls `onStop`.
     pub fn stop(&mut self) {
         self.tell("onStop", |callbacks| callbacks.onStop);
     }
