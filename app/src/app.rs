@@ -107,7 +107,7 @@ impl App {
     /// Advances the app to the time `now`: handles messages of the worker and input, moves the camera,
     /// requests the next frame, and returns what to show. `now` is measured from an arbitrary fixed moment
     /// and never decreases.
-    pub fn update(&mut self, input: egui::RawInput, now: Duration) -> Update {
+    pub fn update(&mut self, mut input: egui::RawInput, now: Duration) -> Update {
         let passed = self.clock.advance(now);
         self.poll_worker();
         // A view at rest requests no frames, so the worker would not notice a lost device: the app checks it
@@ -115,6 +115,7 @@ impl App {
         if let Some(reason) = self.device.lost().map(str::to_owned) {
             self.lost(&reason);
         }
+        input.events = self.view.input.next(input.events);
         self.view.touch |= input.events.iter().any(|event| matches!(event, egui::Event::Touch { .. }));
         if let Some(file) = input.dropped_files.first() {
             self.open(&file.path().to_string_lossy());
@@ -225,6 +226,7 @@ impl App {
     pub fn trim(&mut self) {
         self.choices.split = None;
         self.pacing.trim();
+        self.device.trim();
     }
 
     /// Saves the current frame under that name; with `None` the shell chooses a name.
@@ -252,7 +254,8 @@ impl App {
     /// rest is shown or has failed.
     #[must_use]
     pub fn rests(&self) -> bool {
-        let idle = !self.delivery.is_waiting() && !self.is_moving() && !self.view.animated;
+        let idle = !self.delivery.is_waiting() && !self.view.input.is_waiting();
+        let idle = idle && !self.is_moving() && !self.view.animated;
         let complete = || self.delivery.is_complete(self.still_job().as_ref());
         idle && self.device.is_attached() && (!self.device.has_scene() || complete())
     }
@@ -267,7 +270,9 @@ impl App {
 
     /// Whether the picture changes without input, so that updates must follow each other without a pause.
     fn is_live(&self) -> bool {
-        self.is_moving() || self.pacing.is_moving() && !self.delivery.is_frame_requested()
+        self.is_moving()
+            || self.view.input.is_waiting()
+            || self.pacing.is_moving() && !self.delivery.is_frame_requested()
     }
 
     pub(crate) fn is_moving(&self) -> bool {

@@ -14,6 +14,7 @@ mod gestures;
 mod governor;
 mod hud;
 mod hud_state;
+mod input_queue;
 mod lenses;
 mod loading;
 mod mailbox;

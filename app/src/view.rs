@@ -5,14 +5,19 @@ use std::time::Duration;
 use egui::{Context, Rect, Sense, Ui};
 use glimpse::{Foveation, Method};
 
-use crate::{App, CameraControl, Hud, Motion, RenderedFrame, Request, UserRequest, lenses::Bent};
+use crate::{
+    App, CameraControl, Hud, Motion, RenderedFrame, Request, UserRequest, input_queue::InputQueue,
+    lenses::Bent,
+};
 
 /// Number of steps to which the gaze is rounded across a picture, as each change of it restarts accumulation.
 const GAZE_STEPS: f32 = 32.0;
 
 /// State of the view, as the shell and the last update left it.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct View {
+    /// Input that has not reached the overlay and the camera yet.
+    pub input: InputQueue,
     /// Pixels of a frame at rest, if they are not the window's.
     pub frame_size: Option<[u32; 2]>,
     /// Pixels of the screen that the picture covers.

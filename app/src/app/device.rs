@@ -105,6 +105,11 @@ impl DeviceState {
         if self.has_scene() { self.worker() } else { None }
     }
 
+    /// Drops what the device keeps for later.
+    pub fn trim(&self) {
+        self.attached.iter().for_each(|attached| attached.gpu.trim());
+    }
+
     /// The device with its painter.
     pub fn painter(&mut self) -> Option<(&Gpu, &mut Painter)> {
         self.attached.as_mut().map(|attached| (&*attached.gpu, &mut attached.painter))

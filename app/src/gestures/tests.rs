@@ -6,6 +6,7 @@ use egui::{
 };
 
 use super::*;
+use crate::input_queue::InputQueue;
 
 /// A simulated user of a view `height` points high and twice as wide, at 60 frames per second.
 struct Hand {
@@ -59,6 +60,18 @@ impl Hand {
             let view = ui.interact(place, egui::Id::unique("view"), Sense::click_and_drag());
             motions = gestures.read(&view, view.rect, navigation, FRAME);
         });
+        motions
+    }
+
+    /// All updates that follow from events that arrive together.
+    fn frames(&mut self, events: Vec<Event>) -> Vec<Motion> {
+        let mut queue = InputQueue::default();
+        let mut motions = Vec::new();
+        let mut events = Some(events);
+        while events.is_some() || queue.is_waiting() {
+            let next = queue.next(events.take().unwrap_or_default());
+            motions.extend(self.frame(next));
+        }
         motions
     }
 
@@ -147,6 +160,34 @@ fn a_drag_means_the_same_on_every_screen() {
             assert_eq!((other, dollied), (Vec2::ZERO, 0.0));
         }
     }
+}
+
+#[test]
+fn a_gesture_between_two_updates_is_the_same_motion() {
+    let press = |hand: &Hand, pressed, x| hand.button(PointerButton::Primary, pressed, x, 0.0);
+    let mut slow = Hand::new(400.0, 1.0, Navigation::Orbit);
+    let expected = slow.drag(PointerButton::Primary, 0.3, 0.0);
+    let mut hand = Hand::new(400.0, 1.0, Navigation::Orbit);
+    let events = vec![
+        hand.moved(0.0, 0.0),
+        press(&hand, true, 0.0),
+        hand.moved(0.1, 0.0),
+        hand.moved(0.3, 0.0),
+        press(&hand, false, 0.3),
+    ];
+    assert_eq!(hand.frame(events.clone()), [], "egui alone loses it");
+    let motions = hand.frames(events);
+    near(sum(&motions).0, sum(&expected).0, 1e-4);
+
+    let mut hand = Hand::new(400.0, 1.0, Navigation::Orbit);
+    let pair = |hand: &Hand, phase, apart: f32| {
+        [hand.touch(0, phase, -apart, 0.0), hand.touch(1, phase, apart, 0.0)]
+    };
+    let events =
+        [(TouchPhase::Start, 0.1), (TouchPhase::Move, 0.2), (TouchPhase::Move, 0.3), (TouchPhase::End, 0.3)]
+            .map(|(phase, apart)| pair(&hand, phase, apart));
+    let (_, _, dolly) = sum(&hand.frames(events.concat()));
+    assert!((dolly - 3_f32.ln()).abs() < 1e-3, "{dolly}");
 }
 
 #[test]

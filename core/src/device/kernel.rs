@@ -3,7 +3,7 @@
 use std::{
     borrow::Cow,
     collections::{HashMap, hash_map::Entry},
-    sync::Arc,
+    sync::{Arc, Mutex, PoisonError},
 };
 
 use super::{
@@ -12,17 +12,20 @@ use super::{
 };
 use crate::{Error, Result};
 
-/// A cache of kernels by their sources: each is compiled once and bound again when buffers change.
+/// Kernels that a device keeps after the last renderer that uses them: several scenes by several methods.
+pub(super) const KEPT: usize = 192;
+
+/// The kernels of a renderer by their sources: each is compiled once and bound again when buffers change.
 #[derive(Default)]
 pub struct Kernels(HashMap<Vec<Source>, Arc<Kernel>>);
 
 impl Kernels {
-    /// Number of compiled kernels.
+    /// Number of kernels that were asked for.
     pub fn count(&self) -> usize {
         self.0.len()
     }
 
-    /// Returns the kernel of these sources, compiled on first use.
+    /// Returns the kernel of these sources, compiled when the device is first asked for it.
     ///
     /// # Errors
     /// The errors of [`Kernel::new`].
@@ -30,11 +33,58 @@ impl Kernels {
         match self.0.entry(sources) {
             Entry::Occupied(known) => Ok(known.get().clone()),
             Entry::Vacant(new) => {
-                let kernel = Arc::new(Kernel::new(gpu, label, new.key())?);
+                let kernel = gpu.kernels.get(gpu, label, new.key())?;
                 Ok(new.insert(kernel).clone())
             }
         }
     }
+}
+
+/// The kernels of a device by their sources. Those that were asked for least recently are dropped.
+#[derive(Default)]
+pub(super) struct KernelCache(Mutex<HashMap<Vec<Source>, Cached>>);
+
+struct Cached {
+    kernel: Arc<Kernel>,
+    /// Larger than that of every entry that was asked for earlier.
+    used: usize,
+}
+
+impl KernelCache {
+    /// Returns the kernel of these sources. Two threads that ask for one at the same time may both compile it.
+    fn get(&self, gpu: &Gpu, label: &str, sources: &[Source]) -> Result<Arc<Kernel>> {
+        if let Some(kernel) = self.known(sources) {
+            return Ok(kernel);
+        }
+        let kernel = Arc::new(Kernel::new(gpu, label, sources)?);
+        let mut cached = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if cached.len() >= KEPT {
+            let oldest =
+                cached.iter().min_by_key(|(_, entry)| entry.used).map(|(sources, _)| sources.clone());
+            oldest.and_then(|sources| cached.remove(&sources));
+        }
+        let used = next_use(&cached);
+        cached.insert(sources.to_vec(), Cached { kernel: kernel.clone(), used });
+        Ok(kernel)
+    }
+
+    fn known(&self, sources: &[Source]) -> Option<Arc<Kernel>> {
+        let mut cached = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let used = next_use(&cached);
+        let entry = cached.get_mut(sources)?;
+        entry.used = used;
+        Some(entry.kernel.clone())
+    }
+
+    /// Drops the kernels that no renderer uses.
+    pub fn trim(&self) {
+        let mut cached = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        cached.retain(|_, entry| Arc::strong_count(&entry.kernel) > 1);
+    }
+}
+
+fn next_use(cached: &HashMap<Vec<Source>, Cached>) -> usize {
+    cached.values().map(|entry| entry.used + 1).max().unwrap_or_default()
 }
 
 /// A compute pipeline with entry point `main`.

@@ -23,6 +23,7 @@ use std::{
 };
 
 use health::Health;
+use kernel::KernelCache;
 
 pub use kernel::{Bound, Kernel, Kernels};
 pub(crate) use scene_storage::{STORAGE_TEXTURE_WIDTH, SceneStorage};
@@ -81,6 +82,8 @@ pub struct Gpu {
     submit_lock: Arc<Mutex<()>>,
     /// The driver's cache of pipelines compiled in earlier runs.
     compiled: Option<wgpu::PipelineCache>,
+    /// Kernels that renderers of this device have compiled.
+    kernels: Arc<KernelCache>,
     /// The kind of device that kernels and scene data are made for.
     pub(crate) tier: Tier,
 }
@@ -201,6 +204,7 @@ impl Gpu {
             timeout: TIMEOUT,
             submit_lock: Arc::default(),
             compiled: None,
+            kernels: Arc::default(),
         })
     }
 
@@ -214,6 +218,11 @@ impl Gpu {
     #[must_use]
     pub fn with_timeout(self, timeout: Duration) -> Self {
         Self { timeout, ..self }
+    }
+
+    /// Drops compiled kernels that no renderer uses, for a system that is short of memory.
+    pub fn trim(&self) {
+        self.kernels.trim();
     }
 
     /// Destroys the device, as if a driver had reset it: everything created from it then returns [`Error::Lost`].

@@ -6,7 +6,7 @@ use std::sync::{
 };
 
 use super::{
-    Gpu, Kernel,
+    Gpu, Kernel, Kernels,
     shader::{ShaderError, Source},
 };
 use crate::{Error, Result};
@@ -193,4 +193,40 @@ fn a_kernel_larger_than_the_device_is_named() {
         matches!(&error, Error::Shader(ShaderError::Refused { kernel, .. }) if kernel == "wide"),
         "{error}"
     );
+}
+
+#[test]
+fn renderers_of_a_device_share_kernels_until_it_is_short_of_memory() {
+    let gpu = device();
+    let kernel = |gpu: &Gpu, text: &'static str| {
+        Kernels::default().get(gpu, "a kernel", vec![source(text)]).expect("compiles")
+    };
+    let [empty, other] = ["fn main() {}", "fn main() { workgroupBarrier(); }"]
+        .map(|text| -> &'static str { format!("@compute @workgroup_size(1) {text}").leak() });
+    let (first, second) = (kernel(&gpu, empty), kernel(&gpu.clone(), empty));
+    assert!(Arc::ptr_eq(&first, &second), "compiled once");
+    assert!(!Arc::ptr_eq(&first, &kernel(&gpu, other)));
+    assert!(!Arc::ptr_eq(&first, &kernel(&device(), empty)), "another device's");
+
+    let unused = Arc::downgrade(&kernel(&gpu, other));
+    gpu.trim();
+    assert!(unused.upgrade().is_none(), "no renderer uses it");
+    assert!(Arc::ptr_eq(&first, &kernel(&gpu, empty)), "a renderer uses it");
+}
+
+#[test]
+fn a_device_keeps_the_kernels_that_were_asked_for_last() {
+    let gpu = device();
+    let kernel = |number: usize| {
+        let text = format!("@compute @workgroup_size(1) fn main() {{ var x = {number}; x += 1; }}");
+        let source = Source { file: "test.wgsl", text: text.into() };
+        Arc::downgrade(&Kernels::default().get(&gpu, "a kernel", vec![source]).expect("compiles"))
+    };
+    let (first, second) = (kernel(0), kernel(1));
+    for number in 2..=super::kernel::KEPT {
+        kernel(0);
+        kernel(number);
+    }
+    assert!(first.upgrade().is_some());
+    assert!(second.upgrade().is_none(), "one too many");
 }
