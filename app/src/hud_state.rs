@@ -20,6 +20,8 @@ pub struct HudState {
     pub camera: usize,
     /// One line for each element that the importer left out or replaced.
     pub warnings: Vec<String>,
+    /// One line for each feature of the file that is not shown.
+    pub not_shown: Vec<String>,
     /// Features that the scene needs.
     pub features: Vec<&'static str>,
     /// Features that are left out of its kernels.

@@ -18,6 +18,8 @@ pub struct SceneFacts {
     pub bounds: (Vec3, Vec3),
     /// One line for each element that the importer left out or replaced.
     pub warnings: Vec<String>,
+    /// One line for each feature of the file that is not shown.
+    pub not_shown: Vec<String>,
     /// All optional features, each with whether the scene needs it.
     pub features: Vec<(&'static str, bool)>,
 }
@@ -44,6 +46,7 @@ pub(crate) fn load(
         cameras: scene.cameras.clone(),
         bounds: scene.bounds().unwrap_or_default(),
         warnings: std::mem::take(&mut scene.warnings),
+        not_shown: scene.not_shown.iter().map(ToString::to_string).collect(),
         features,
     };
     event_sender.send(WorkerEvent::Loading(format!("building {name}"), [2, 3]));

@@ -59,6 +59,7 @@ impl App {
         hud_state.primitives = facts.primitives;
         hud_state.cameras = facts.cameras.iter().map(|(name, _)| name.clone()).collect();
         hud_state.warnings.clone_from(&facts.warnings);
+        hud_state.not_shown.clone_from(&facts.not_shown);
         let named = |needed: bool| {
             let names = facts.features.iter().filter(move |(_, has)| *has == needed);
             names.map(|(name, _)| *name).collect()

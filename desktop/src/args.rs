@@ -128,6 +128,9 @@ pub struct CompareOptions {
 pub struct InfoOptions {
     /// A .glb or .gltf file, or builtin:NAME
     pub scene: String,
+    /// Fail where anything of the file is left out, replaced or not shown as the format has it
+    #[arg(long)]
+    pub strict: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

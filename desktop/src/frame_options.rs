@@ -21,6 +21,9 @@ pub struct FrameOptions {
     pub camera: Option<String>,
     #[command(flatten)]
     pub look_at: LookAtOptions,
+    /// Fail where anything of the file is left out, replaced or not shown as the format has it
+    #[arg(long)]
+    pub strict: bool,
     #[command(flatten)]
     pub typed: TypedOptions<ExceptMethod>,
 }
@@ -28,7 +31,7 @@ pub struct FrameOptions {
 impl Default for FrameOptions {
     fn default() -> Self {
         let (camera, look_at, typed) = (None, LookAtOptions::default(), TypedOptions::default());
-        Self { size: Size([2560, 1440]), camera, look_at, typed }
+        Self { size: Size([2560, 1440]), camera, look_at, strict: false, typed }
     }
 }
 

@@ -1,6 +1,6 @@
 //! `glimpse info`: the contents of a scene and what specialization leaves out of its kernels.
 
-use glimpse::scene::{Light, LightKind, Material};
+use glimpse::scene::{Light, LightKind, Material, NotShown};
 use glimpse::{Linked, Scene, Specialize};
 use glimpse_measure::statistics::SceneStatistics;
 use serde::Serialize;
@@ -22,6 +22,7 @@ struct Info {
     images: ImageSummary,
     saved: Saved,
     warnings: Vec<String>,
+    not_shown: Vec<NotShown>,
 }
 
 /// Savings of specialization for a frame of method adaptive.
@@ -84,6 +85,9 @@ struct ImageSummary {
 /// Runs `glimpse info`.
 pub fn run(options: &InfoOptions) -> anyhow::Result<()> {
     let scene = scene_file::load(&options.scene)?;
+    if options.strict {
+        scene_file::check_whole(&options.scene, &scene)?;
+    }
     let info = Info::of(&options.scene, scene)?;
     output::print(&if options.json { output::json(&info)? } else { info.text() })
 }
@@ -122,6 +126,7 @@ impl Info {
             },
             scene: SceneStatistics::of(name, &scene, Specialize::Auto),
             warnings: scene.warnings,
+            not_shown: scene.not_shown,
         })
     }
 
@@ -152,6 +157,9 @@ impl Info {
             &row("images", &format!("{}, {}", counted(self.images.total, "image"), bytes(self.images.bytes)));
         for warning in &self.warnings {
             text += &row("warning", warning);
+        }
+        for not_shown in &self.not_shown {
+            text += &row("not shown", &not_shown.to_string());
         }
         text
     }
@@ -244,6 +252,11 @@ mod tests {
             }],
             cameras: vec![("front".into(), glimpse::Camera::framing([0.0; 3].into(), [1.0; 3].into()))],
             warnings: vec!["mesh 7: lines are left out".into()],
+            not_shown: vec![NotShown {
+                feature: "node.skin".into(),
+                count: 2,
+                places: vec!["node 3".into()],
+            }],
             ..Scene::default()
         }
     }
@@ -261,6 +274,7 @@ mod tests {
             "light     directional along (0, -1, 0), intensity (1, 0.5, 0.25)",
             "materials 2: 0 textured, 1 reflect, 0 refract, 0 emit, 1 unlit, 0 with holes",
             "warning   mesh 7: lines are left out",
+            "not shown node.skin, 2 times: node 3, ...",
         ] {
             assert!(text.contains(expected), "no `{expected}` in\n{text}");
         }
@@ -274,6 +288,8 @@ mod tests {
         assert_eq!(json["light_list"][0]["kind"], "directional");
         assert!(json["left_out"].as_array().unwrap().contains(&"textures".into()));
         assert_eq!(json["saved"]["attribute_bytes"], 28);
+        let expected = serde_json::json!([{ "feature": "node.skin", "count": 2, "where": ["node 3"] }]);
+        assert_eq!(json["not_shown"], expected);
         assert!(Info::of("", Scene::default()).unwrap().text().contains("bounds    empty"));
     }
 }

@@ -21,7 +21,6 @@ mod summary;
 mod view;
 
 use std::cell::RefCell;
-use std::io::Write;
 use std::panic::{PanicHookInfo, UnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
@@ -63,8 +62,7 @@ fn run(arguments: Arguments) -> anyhow::Result<()> {
 }
 
 fn complain(line: &str) {
-    // If stderr is closed, the message is lost.
-    let _ = writeln!(std::io::stderr(), "glimpse: error: {line}");
+    output::remark(&format!("error: {line}"));
 }
 
 thread_local! {

@@ -2,6 +2,7 @@
 //! device's load affect them alike.
 
 use anyhow::Context;
+use glimpse::scene::NotShown;
 use glimpse::{
     Camera, DisplayImage, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Renderer, Scene,
     Settings, Specialize, metrics, reference::Reference,
@@ -36,6 +37,8 @@ pub struct Workbench<'g> {
     pub reference: Option<Reference>,
     /// Warnings of the import.
     pub warnings: Vec<String>,
+    /// Features of the file that the frames do not show.
+    pub not_shown: Vec<NotShown>,
     /// Time to load the scene, in milliseconds.
     pub load_ms: f64,
     /// Time to build the acceleration structure and upload the scene, in milliseconds.
@@ -59,7 +62,10 @@ impl<'g> Workbench<'g> {
         let methods = methods.with_context(|| name.to_owned())?;
         let specialize = requests.first().map_or(Specialize::Auto, |request| request.settings.specialize);
         let statistics = SceneStatistics::of(name, &scene, specialize);
-        let warnings = scene.warnings.clone();
+        if options.strict {
+            scene_file::check_whole(name, &scene)?;
+        }
+        let (warnings, not_shown) = (scene.warnings.clone(), scene.not_shown.clone());
         let cpu_threads: Vec<_> = requests.iter().map(|request| request.settings.paths.cpu_threads).collect();
         let reference = cpu_threads
             .iter()
@@ -77,6 +83,7 @@ impl<'g> Workbench<'g> {
             cpu_threads,
             reference,
             warnings,
+            not_shown,
             load_ms,
             build_ms,
         })

@@ -69,6 +69,9 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
     let mut text = summary::frame(&statistics, &warnings);
     text += &legend;
     text += &summary::row("wrote", &options.output.path.display().to_string());
+    for not_shown in &workbench.not_shown {
+        output::remark(&format!("not shown: {not_shown}"));
+    }
     output::print(&text)
 }
 

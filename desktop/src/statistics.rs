@@ -1,6 +1,7 @@
 //! The statistics JSON: settings, times, counters and errors of a frame.
 
 use glimpse::metrics::ErrorReport;
+use glimpse::scene::NotShown;
 use glimpse::{Cost, FailedChecks, FrameTime, Memory, Missing, Rays, Samples, Settings, Tracing};
 use glimpse_measure::statistics::{AdapterStatistics, SceneStatistics, Spread};
 use serde::Serialize;
@@ -18,6 +19,10 @@ pub struct Statistics {
     pub adapter: AdapterStatistics,
     /// Contents of the scene.
     pub scene: SceneStatistics,
+    /// What the import left out or replaced: one sentence each.
+    pub warnings: Vec<String>,
+    /// Features of the file that the picture does not show as the format has it.
+    pub not_shown: Vec<NotShown>,
     /// Values of all options.
     pub settings: SettingsUsed,
     /// Width and height of the picture in pixels.
@@ -137,6 +142,8 @@ impl Statistics {
             glimpse: env!("CARGO_PKG_VERSION"),
             adapter: AdapterStatistics::of(&workbench.gpu.facts().info),
             scene: workbench.statistics.clone().linked(workbench.scene.features(), run.settings.specialize),
+            warnings: workbench.warnings.clone(),
+            not_shown: workbench.not_shown.clone(),
             settings: SettingsUsed { settings: run.settings, camera: workbench.camera_name.clone() },
             size: run.picture.dimensions().into(),
             frames: run.frames.len(),

@@ -11,6 +11,8 @@ pub fn example() -> Statistics {
         glimpse: "0",
         adapter: AdapterStatistics { name: "Card".into(), backend: "vulkan".into(), driver: "D 1".into() },
         scene: SceneStatistics::of("a.glb", &Scene::default(), Specialize::Auto),
+        warnings: vec!["mesh 7: lines are left out".into()],
+        not_shown: vec![NotShown { feature: "node.skin".into(), count: 1, places: vec!["node 3".into()] }],
         settings: SettingsUsed { settings: Settings::default(), camera: "0 (front)".into() },
         size: [8, 4],
         frames: 1,

@@ -87,6 +87,7 @@ mod tests {
             cameras: Vec::new(),
             bounds: (Vec3::ZERO, Vec3::ONE),
             warnings: Vec::new(),
+            not_shown: Vec::new(),
             features: Vec::new(),
         }
     }

@@ -68,8 +68,12 @@ pub fn scene(ui: &mut Ui, hud_state: &HudState) {
         let text = if names.is_empty() { "nothing".to_owned() } else { names.join(", ") };
         ui.label(RichText::new(text).small());
     }
+    let warn = |ui: &mut Ui, line: &str| ui.label(RichText::new(line).small().color(style::WARNING));
     for warning in &hud_state.warnings {
-        ui.label(RichText::new(warning.as_str()).small().color(style::WARNING));
+        warn(ui, warning);
+    }
+    for not_shown in &hud_state.not_shown {
+        warn(ui, &format!("not shown: {not_shown}"));
     }
 }
 

@@ -12,6 +12,7 @@ mod features;
 mod gltf;
 pub(crate) mod look_at;
 mod material;
+mod not_shown;
 mod octahedral;
 mod thinness;
 mod validate;
@@ -24,6 +25,7 @@ pub use builtin::{BUILTIN_NAMES, builtin};
 pub use emitters::Emitters;
 pub use features::Features;
 pub use material::{Material, Weights};
+pub use not_shown::NotShown;
 pub use octahedral::{
     MAX_ERROR as OCTAHEDRAL_ERROR, decode as octahedral_decode, decode_exact as octahedral_decode_exact,
     encode as octahedral_encode,
@@ -83,6 +85,8 @@ pub struct Scene {
     pub environment: Environment,
     /// Parts of the file that the import left out: one sentence each that names the element.
     pub warnings: Vec<String>,
+    /// Features of the file that the scene does not show as the file's specification has it.
+    pub not_shown: Vec<NotShown>,
 }
 
 /// One mesh primitive of one node, or one sphere.

@@ -15,6 +15,12 @@ pub fn print(text: &str) -> anyhow::Result<()> {
     }
 }
 
+/// Prints a line to stderr.
+pub fn remark(line: &str) {
+    // If stderr is closed, the line is lost.
+    let _ = writeln!(std::io::stderr(), "glimpse: {line}");
+}
+
 /// Serialises a value as indented JSON that ends in a newline, the form of every JSON output of this program.
 pub fn json(value: &impl Serialize) -> anyhow::Result<String> {
     Ok(serde_json::to_string_pretty(value).context("JSON")? + "\n")

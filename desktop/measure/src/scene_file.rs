@@ -42,6 +42,16 @@ pub fn load_seen(name: &str, seen: &mut dyn FnMut(&[u8])) -> anyhow::Result<Scen
     Scene::from_gltf(&bytes, &mut resolve).with_context(|| name.to_owned())
 }
 
+/// Fails where the import of a scene left something out, replaced it or cannot show it.
+pub fn check_whole(name: &str, scene: &Scene) -> anyhow::Result<()> {
+    let not_shown = scene.not_shown.iter().map(|not_shown| format!("not shown: {not_shown}"));
+    let told: Vec<_> = scene.warnings.iter().cloned().chain(not_shown).collect();
+    if told.is_empty() {
+        return Ok(());
+    }
+    anyhow::bail!("{name}: --strict: {}", told.join("; "))
+}
+
 fn check_builtin(name: &str) -> anyhow::Result<()> {
     if BUILTIN_NAMES.contains(&name) {
         return Ok(());

@@ -63,6 +63,7 @@ fn hud_state() -> HudState {
         warnings: vec![
             "material `glass` of mesh 3: the extension KHR_materials_volume is left out".to_owned(),
         ],
+        not_shown: vec!["KHR_materials_sheen, once: material 3 `cloth`".to_owned()],
         features: vec!["textures", "reflection"],
         left_out: vec!["refraction"],
         adapter: "llvmpipe (LLVM 15.0.7, 256 bits), Mesa 25.0.7".to_owned(),

@@ -7,6 +7,7 @@ use std::cmp::Ordering;
 use gltf::json;
 use json::accessor::{ComponentType, Type};
 use json::validation::Checked;
+use serde_json::Value;
 
 use super::container;
 use crate::{Error, Result};
@@ -44,14 +45,16 @@ struct Sparse<'b> {
 
 /// The document and the buffers that accessors are read from.
 pub(super) struct Source<'b> {
+    /// What is read of the document's JSON, extensions without a type included.
+    pub document: &'b Value,
     pub root: &'b json::Root,
     pub buffers: &'b [&'b [u8]],
     sparse_opened: Cell<u64>,
 }
 
 impl<'b> Source<'b> {
-    pub fn new(root: &'b json::Root, buffers: &'b [&'b [u8]]) -> Self {
-        Self { root, buffers, sparse_opened: Cell::new(0) }
+    pub fn new(document: &'b Value, root: &'b json::Root, buffers: &'b [&'b [u8]]) -> Self {
+        Self { document, root, buffers, sparse_opened: Cell::new(0) }
     }
 
     /// Opens and checks an accessor. `what` names its use in error messages; `shapes` are the allowed types.

@@ -125,19 +125,10 @@ fn factors(json: &json::Material, what: &str, warnings: &mut Vec<String>) -> Res
         index_of_refraction(extensions.and_then(|e| e.ior.as_ref()).map_or(1.5, |e| e.ior.0), &numbers)?;
     let alpha_cutoff = alpha_cutoff(json, &mut numbers)?;
     let transmission = match extensions.and_then(|e| e.transmission.as_ref()) {
-        Some(t) => {
-            if t.transmission_texture.is_some() {
-                let text = "its transmission texture is ignored, the factor counts alone";
-                numbers.warnings.push(format!("{what}: {text}"));
-            }
-            numbers.share("transmissionFactor", t.transmission_factor.0)?
-        }
+        Some(t) => numbers.share("transmissionFactor", t.transmission_factor.0)?,
         None => 0.0,
     };
     let volume = extensions.and_then(|e| e.volume.as_ref());
-    if volume.is_some_and(|v| v.attenuation_distance.0.is_finite() && v.attenuation_color.0 != [1.0; 3]) {
-        numbers.warnings.push(format!("{what}: the attenuation inside its volume is ignored"));
-    }
     let solid = volume.is_some_and(|v| v.thickness_factor.0 > 0.0);
     Ok(Material {
         name: json.name.as_deref().map_or_else(|| what.to_owned(), |name| clipped(name, MAX_NAME)),
@@ -186,11 +177,7 @@ fn alpha_cutoff(json: &json::Material, numbers: &mut Numbers<'_>) -> Result<Opti
             let cutoff = json.alpha_cutoff.map_or(0.5, |c| c.0);
             numbers.within("alphaCutoff", cutoff, 0.0..=f32::MAX).map(Some)
         }
-        Checked::Valid(AlphaMode::Blend) => {
-            let what = numbers.what;
-            numbers.warnings.push(format!("{what}: alpha mode BLEND is read as MASK with a cutoff of 0.5"));
-            Ok(Some(0.5))
-        }
+        Checked::Valid(AlphaMode::Blend) => Ok(Some(0.5)),
         Checked::Invalid => {
             Err(Error::scene(numbers.what, "alphaMode: expected OPAQUE, MASK or BLEND, found another"))
         }

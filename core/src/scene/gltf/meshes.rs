@@ -30,8 +30,7 @@ pub(super) struct Mesh<'b> {
 }
 
 impl<'b> Mesh<'b> {
-    /// Opens a primitive with the texture coordinates that its material reads. `None`, with a warning, if it has
-    /// no triangles.
+    /// Opens a primitive with the texture coordinates that its material reads. `None` if it has no triangles.
     pub fn open(
         source: &Source<'b>,
         primitive: &Primitive,
@@ -41,10 +40,7 @@ impl<'b> Mesh<'b> {
     ) -> Result<Option<Self>> {
         let mode = match primitive.mode {
             Checked::Valid(mode @ (Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan)) => mode,
-            Checked::Valid(_) => {
-                warnings.push(format!("{what}: points and lines are left out"));
-                return Ok(None);
-            }
+            Checked::Valid(_) => return Ok(None),
             Checked::Invalid => {
                 return Err(Error::scene(what, "mode: expected 0 to 6, found another"));
             }

@@ -1,9 +1,7 @@
 //! Reads glTF 2.0 files into a [`Scene`].
 //!
-//! Ignored, as the shading model has no use for them: normal and occlusion textures, `doubleSided` (every surface
-//! has two sides here), skins, morph targets and animations (nodes and meshes keep their stored pose),
-//! attenuation inside volumes, and a camera's aspect ratio and depth range (the frame has its own, rays do not
-//! end). Lengths are in the file's unit, angles in radians, colours in linear RGB.
+//! `support` lists what of the specification is shown; the rest of a file is not read, and told where that changes
+//! the picture. Lengths are in the file's unit, angles in radians, colours in linear RGB.
 //!
 //! # Untrusted files
 //!
@@ -26,12 +24,14 @@
 
 mod accessors;
 mod container;
+mod document;
 mod images;
 mod instances;
 mod materials;
 mod meshes;
 mod nodes;
 mod normalized;
+mod support;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -45,19 +45,8 @@ use crate::scene::camera::Camera;
 use crate::{Error, Result};
 use accessors::Source;
 use container::{External, Resolve};
+use document::Document;
 use normalized::flushed3;
-
-/// Extensions that a file may require.
-const SUPPORTED: [&str; 8] = [
-    "KHR_lights_punctual",
-    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",
-    "KHR_materials_transmission",
-    "KHR_materials_unlit",
-    "KHR_materials_volume",
-    "KHR_mesh_quantization",
-    "KHR_texture_transform",
-];
 
 pub(super) fn read(bytes: &[u8], resolve: &mut Resolve<'_>) -> Result<Scene> {
     import(bytes, resolve).map_err(text::error)
@@ -65,27 +54,20 @@ pub(super) fn read(bytes: &[u8], resolve: &mut Resolve<'_>) -> Result<Scene> {
 
 fn import(bytes: &[u8], resolve: &mut Resolve<'_>) -> Result<Scene> {
     let chunks = container::chunks(bytes)?;
-    let root = parse(chunks.json)?;
+    let Document { value, root, not_shown, warnings } = Document::read(chunks.json)?;
     let mut external = External::new(resolve);
     let fetched = container::fetched(&root, &mut external)?;
     let buffers = container::buffers(&root, chunks.binary, &fetched)?;
-    let source = Source::new(&root, &buffers);
-    let mut scene = Scene::default();
+    let source = Source::new(&value, &root, &buffers);
+    let mut scene = Scene { not_shown, warnings, ..Scene::default() };
 
-    let shown = match root.scene {
-        Some(index) => Some(root.scenes.get(index.value()).ok_or_else(|| {
-            Error::scene(
-                format!("scene {}", index.value()),
-                format!("no such scene; the file has {}", root.scenes.len()),
-            )
-        })?),
-        None => root.scenes.first(),
-    };
-    if let Some(shown) = shown {
-        scene.environment = environment(shown)?;
+    let shown = shown(&root)?;
+    if let Some(index) = shown {
+        scene.environment = environment(&source, index)?;
     }
     let orphans = orphans(&root);
-    let placed = nodes::placed(&root, shown.map_or(&orphans, |s| &s.nodes))?;
+    let roots = shown.and_then(|index| root.scenes.get(index)).map_or(&orphans, |scene| &scene.nodes);
+    let placed = nodes::placed(&root, roots)?;
     for node in &placed {
         nodes::equip(&root, node, &mut scene)?;
     }
@@ -129,23 +111,13 @@ fn light_from_the_camera(scene: &mut Scene) {
 /// with ceilings, and the extension defines no size.
 const FIXTURE: f32 = 0.01;
 
-fn parse(text: &[u8]) -> Result<json::Root> {
-    let root: json::Root = json::deserialize::from_slice(text).map_err(|e| {
-        Error::scene("file", format!("expected glTF 2.0 (a .glb header or JSON), found other data: {e}"))
-    })?;
-    if root.asset.version.split('.').next() != Some("2") {
-        return Err(Error::scene(
-            "asset.version",
-            format!("expected version 2.0 of glTF, found `{}`", root.asset.version),
-        ));
+/// Index of the scene that is shown; `None` if the file has no scenes.
+fn shown(root: &json::Root) -> Result<Option<usize>> {
+    let index = root.scene.map_or(0, |index| index.value());
+    if index < root.scenes.len() || root.scene.is_none() {
+        return Ok((!root.scenes.is_empty()).then_some(index));
     }
-    match root.extensions_required.iter().find(|e| !SUPPORTED.contains(&e.as_str())) {
-        Some(unknown) => Err(Error::scene(
-            format!("required extension {unknown}"),
-            format!("not supported; those that are: {}", SUPPORTED.join(", ")),
-        )),
-        None => Ok(root),
-    }
+    Err(Error::scene(format!("scene {index}"), format!("no such scene; the file has {}", root.scenes.len())))
 }
 
 /// Nodes without a parent, which a file without scenes shows.
@@ -160,9 +132,10 @@ fn orphans(root: &json::Root) -> Vec<json::Index<json::Node>> {
 }
 
 /// Reads `extras.background` and `extras.ambient` of the scene: radiance in linear RGB.
-fn environment(shown: &json::Scene) -> Result<Environment> {
-    let Some(extras) = &shown.extras else { return Ok(Environment::default()) };
-    let extras: serde_json::Value = serde_json::from_str(extras.get()).unwrap_or_default();
+fn environment(source: &Source<'_>, scene: usize) -> Result<Environment> {
+    let Some(extras) = source.document.pointer(&format!("/scenes/{scene}/extras")) else {
+        return Ok(Environment::default());
+    };
     let color = |name: &str| match extras.get(name) {
         None => Ok(None),
         Some(value) => serde_json::from_value::<[f32; 3]>(value.clone())

@@ -1,0 +1,198 @@
+//! The extensions of Khronos' registry, drafts included, and a few of vendors that change nothing that is shown.
+
+use serde_json::{Map, Value};
+
+use super::table::{ACCESSORS, BUFFER_VIEWS, BUFFERS, IMAGE_BASED_LIGHTS, IMAGES, LIGHTS, TEXTURE_INFO};
+use super::{
+    Extension, Object, Site, ignored, ignored_extension, needed_extension, not_shown, object, shown,
+};
+use super::{not_shown_extension, present, shown_extension};
+
+pub(super) static EXTENSIONS: [Extension; 56] = [
+    // What animates, sounds, reacts, falls or informs changes nothing of the pose that the file rests in.
+    ignored_extension("AGI_articulations"),
+    ignored_extension("AGI_stk_metadata"),
+    ignored_extension("EXT_instance_features"),
+    not_shown_extension("EXT_lights_ies", present),
+    not_shown_extension("EXT_lights_image_based", present).object(&IMAGE_BASED_LIGHT_OF_SCENE),
+    ignored_extension("EXT_mesh_features"),
+    not_shown_extension("EXT_mesh_gpu_instancing", present).object(&INSTANCING),
+    ignored_extension("EXT_mesh_manifold"),
+    needed_extension("EXT_meshopt_compression", is_compressed).object(&MESHOPT),
+    ignored_extension("EXT_structural_metadata"),
+    not_shown_extension("EXT_texture_avif", replaces_no_source).object(&TEXTURE_SOURCE),
+    not_shown_extension("EXT_texture_procedurals_mx_1_39", present),
+    not_shown_extension("EXT_texture_webp", replaces_no_source).object(&TEXTURE_SOURCE),
+    ignored_extension("FB_geometry_metadata"),
+    ignored_extension("GODOT_single_root"),
+    needed_extension("KHR_accessor_float64", present),
+    not_shown_extension("KHR_animation_pointer", present),
+    ignored_extension("KHR_audio_emitter"),
+    ignored_extension("KHR_audio_graph"),
+    ignored_extension("KHR_collision_shapes"),
+    needed_extension("KHR_draco_mesh_compression", has_no_other_positions).object(&DRACO),
+    not_shown_extension("KHR_gaussian_splatting", present),
+    ignored_extension("KHR_implicit_shapes"),
+    ignored_extension("KHR_interactivity"),
+    shown_extension("KHR_lights_punctual").object(&LIGHT_OF_NODE),
+    not_shown_extension("KHR_materials_anisotropy", |e, _| number(e, "anisotropyStrength", 0.0) != 0.0),
+    not_shown_extension("KHR_materials_clearcoat", |e, _| number(e, "clearcoatFactor", 0.0) != 0.0),
+    not_shown_extension("KHR_materials_diffuse_transmission", |e, _| {
+        number(e, "diffuseTransmissionFactor", 0.0) != 0.0
+    }),
+    not_shown_extension("KHR_materials_dispersion", |e, _| number(e, "dispersion", 0.0) != 0.0),
+    shown_extension("KHR_materials_emissive_strength").object(&EMISSIVE_STRENGTH),
+    shown_extension("KHR_materials_ior").object(&IOR),
+    not_shown_extension("KHR_materials_iridescence", |e, _| number(e, "iridescenceFactor", 0.0) != 0.0),
+    not_shown_extension("KHR_materials_pbrSpecularGlossiness", present),
+    not_shown_extension("KHR_materials_sheen", |e, _| differs(e, "sheenColorFactor", 0.0)),
+    not_shown_extension("KHR_materials_specular", has_specular),
+    not_shown_extension("KHR_materials_subsurface", present),
+    shown_extension("KHR_materials_transmission").object(&TRANSMISSION),
+    shown_extension("KHR_materials_unlit"),
+    ignored_extension("KHR_materials_variants"),
+    shown_extension("KHR_materials_volume").object(&VOLUME),
+    not_shown_extension("KHR_materials_volume_scatter", |e, _| differs(e, "multiscatterColor", 0.0)),
+    shown_extension("KHR_mesh_quantization"),
+    needed_extension("KHR_meshopt_compression", is_compressed).object(&MESHOPT),
+    ignored_extension("KHR_node_hoverability"),
+    ignored_extension("KHR_node_selectability"),
+    shown_extension("KHR_node_visibility").object(&VISIBILITY),
+    ignored_extension("KHR_physics_rigid_bodies"),
+    ignored_extension("KHR_techniques_webgl"),
+    not_shown_extension("KHR_texture_basisu", replaces_no_source).object(&TEXTURE_SOURCE),
+    not_shown_extension("KHR_texture_procedurals", present),
+    shown_extension("KHR_texture_transform").object(&TEXTURE_TRANSFORM),
+    not_shown_extension("KHR_texture_video", present),
+    ignored_extension("KHR_xmp"),
+    ignored_extension("KHR_xmp_json_ld"),
+    ignored_extension("MSFT_lod"),
+    not_shown_extension("MSFT_texture_dds", replaces_no_source),
+];
+
+static DRACO: Object =
+    object("KHR_draco_mesh_compression", &[shown("attributes"), shown("bufferView").index(&BUFFER_VIEWS)]);
+static EMISSIVE_STRENGTH: Object = object("KHR_materials_emissive_strength", &[shown("emissiveStrength")]);
+static IMAGE_BASED_LIGHT_OF_SCENE: Object =
+    object("EXT_lights_image_based", &[shown("light").index(&IMAGE_BASED_LIGHTS)]);
+pub(super) static IMAGE_BASED_LIGHT: Object = object(
+    "EXT_lights_image_based.light",
+    &[
+        shown("intensity"),
+        shown("irradianceCoefficients"),
+        shown("rotation"),
+        shown("specularImageSize"),
+        shown("specularImages").indices(&IMAGES),
+    ],
+);
+static INSTANCING: Object =
+    object("EXT_mesh_gpu_instancing", &[shown("attributes").object(&INSTANCING_ATTRIBUTES)]);
+static INSTANCING_ATTRIBUTES: Object = object(
+    "EXT_mesh_gpu_instancing.attributes",
+    &[
+        shown("ROTATION").index(&ACCESSORS),
+        shown("SCALE").index(&ACCESSORS),
+        shown("TRANSLATION").index(&ACCESSORS),
+    ],
+);
+static IOR: Object = object("KHR_materials_ior", &[shown("ior")]);
+static LIGHT_OF_NODE: Object = object("KHR_lights_punctual", &[shown("light").index(&LIGHTS)]);
+pub(super) static LIGHT: Object = object(
+    "KHR_lights_punctual.light",
+    &[
+        shown("color"),
+        shown("intensity"),
+        ignored("name"),
+        shown("range"),
+        shown("spot").object(&SPOT),
+        shown("type"),
+    ],
+);
+static MESHOPT: Object = object(
+    "EXT_meshopt_compression",
+    &[
+        shown("buffer").index(&BUFFERS),
+        shown("byteLength"),
+        shown("byteOffset"),
+        shown("byteStride"),
+        shown("count"),
+        shown("fallback"),
+        shown("filter"),
+        shown("mode"),
+    ],
+);
+static SPOT: Object =
+    object("KHR_lights_punctual.light.spot", &[shown("innerConeAngle"), shown("outerConeAngle")]);
+static TEXTURE_SOURCE: Object = object("texture", &[shown("source").index(&IMAGES)]);
+static TEXTURE_TRANSFORM: Object =
+    object("KHR_texture_transform", &[shown("offset"), shown("rotation"), shown("scale"), shown("texCoord")]);
+static TRANSMISSION: Object = object(
+    "KHR_materials_transmission",
+    &[
+        shown("transmissionFactor"),
+        not_shown("transmissionTexture", |texture, site| {
+            !texture.is_null() && factor(site.owner, "transmissionFactor", 0.0) != 0.0
+        })
+        .object(&TEXTURE_INFO),
+    ],
+);
+static VISIBILITY: Object = object("KHR_node_visibility", &[shown("visible")]);
+// A thickness is for renderers that do not trace rays through the body.
+static VOLUME: Object = object(
+    "KHR_materials_volume",
+    &[
+        not_shown("attenuationColor", |color, site| {
+            color.as_array().is_some_and(|color| color.iter().any(|c| c.as_f64() != Some(1.0)))
+                && site.owner.contains_key("attenuationDistance")
+                && factor(site.owner, "thicknessFactor", 0.0) > 0.0
+        }),
+        ignored("attenuationDistance"),
+        shown("thicknessFactor"),
+        ignored("thicknessTexture"),
+    ],
+);
+
+/// A number of an extension; `default` where there is none.
+fn number(extension: &Value, name: &str, default: f64) -> f64 {
+    extension.get(name).and_then(Value::as_f64).unwrap_or(default)
+}
+
+fn factor(extension: &Map<String, Value>, name: &str, default: f64) -> f64 {
+    extension.get(name).and_then(Value::as_f64).unwrap_or(default)
+}
+
+/// Whether the list of numbers is there with another number than `default`.
+fn differs(extension: &Value, name: &str, default: f64) -> bool {
+    let numbers = extension.get(name).and_then(Value::as_array);
+    numbers.is_some_and(|numbers| numbers.iter().any(|n| n.as_f64() != Some(default)))
+}
+
+fn has_specular(specular: &Value, _: &Site<'_>) -> bool {
+    let has_texture =
+        ["specularTexture", "specularColorTexture"].iter().any(|name| specular.get(name).is_some());
+    has_texture
+        || number(specular, "specularFactor", 1.0) != 1.0
+        || differs(specular, "specularColorFactor", 1.0)
+}
+
+/// Whether the texture that has this source has no other.
+fn replaces_no_source(_: &Value, texture: &Site<'_>) -> bool {
+    !texture.owner.contains_key("source")
+}
+
+/// Whether the primitive has no positions but the compressed ones.
+fn has_no_other_positions(_: &Value, primitive: &Site<'_>) -> bool {
+    let attributes = primitive.owner.get("attributes");
+    let position = attributes.and_then(|a| primitive.element("/accessors", a.get("POSITION")?));
+    position.is_none_or(|accessor| accessor.get("bufferView").is_none() && accessor.get("sparse").is_none())
+}
+
+/// Whether the buffer view's own buffer is a placeholder without data.
+fn is_compressed(_: &Value, view: &Site<'_>) -> bool {
+    let buffer = view.owner.get("buffer").and_then(|index| view.element("/buffers", index));
+    buffer.is_some_and(|buffer| {
+        let extensions = buffer.get("extensions").and_then(Value::as_object);
+        let fallback = |e: &Value| e.get("fallback") == Some(&Value::Bool(true));
+        buffer.get("uri").is_none() && extensions.is_some_and(|e| e.values().any(fallback))
+    })
+}

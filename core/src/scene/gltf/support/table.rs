@@ -1,0 +1,322 @@
+//! What is supported: the properties of glTF 2.0's JSON schema and the extensions of Khronos' registry, one line each.
+//!
+//! A property that is not [`shown`] is not read: the rest of the import never sees it.
+
+use serde_json::Value;
+
+use super::extensions::{IMAGE_BASED_LIGHT, LIGHT};
+use super::{List, Object, Site, ignored, not_shown, object, present, shown};
+
+/// The lists of the document's root whose elements other elements refer to by their index.
+pub(super) static LISTS: [&List; 15] = [
+    &ACCESSORS,
+    &ANIMATIONS,
+    &BUFFERS,
+    &BUFFER_VIEWS,
+    &CAMERAS,
+    &IMAGES,
+    &LIGHTS,
+    &MATERIALS,
+    &MESHES,
+    &NODES,
+    &SAMPLERS,
+    &SCENES,
+    &SKINS,
+    &TEXTURES,
+    &IMAGE_BASED_LIGHTS,
+];
+
+pub(super) static ACCESSORS: List =
+    List::new("/accessors", &ACCESSOR, r#"{"componentType":5126,"type":"SCALAR","count":0}"#);
+static ANIMATIONS: List = List::new("/animations", &ANIMATION, r#"{"channels":[],"samplers":[]}"#);
+pub(super) static BUFFERS: List = List::new("/buffers", &BUFFER, r#"{"byteLength":0}"#);
+pub(super) static BUFFER_VIEWS: List =
+    List::new("/bufferViews", &BUFFER_VIEW, r#"{"buffer":0,"byteLength":0}"#);
+static CAMERAS: List = List::new("/cameras", &CAMERA, r#"{"type":"perspective"}"#);
+pub(super) static IMAGES: List = List::new("/images", &IMAGE, "{}");
+pub(super) static IMAGE_BASED_LIGHTS: List =
+    List::new("/extensions/EXT_lights_image_based/lights", &IMAGE_BASED_LIGHT, "{}");
+pub(super) static LIGHTS: List =
+    List::new("/extensions/KHR_lights_punctual/lights", &LIGHT, r#"{"type":"point"}"#);
+static MATERIALS: List = List::new("/materials", &MATERIAL, "{}");
+static MESHES: List = List::new("/meshes", &MESH, r#"{"primitives":[]}"#);
+pub(super) static NODES: List = List::new("/nodes", &NODE, "{}");
+static SAMPLERS: List = List::new("/samplers", &SAMPLER, "{}");
+pub(super) static SCENES: List = List::new("/scenes", &SCENE, r#"{"nodes":[]}"#);
+static SKINS: List = List::new("/skins", &SKIN, r#"{"joints":[]}"#);
+static TEXTURES: List = List::new("/textures", &TEXTURE, "{}");
+
+/// The objects of the core specification.
+#[cfg(test)]
+pub(super) static OBJECTS: [&Object; 29] = [
+    &ROOT,
+    &ACCESSOR,
+    &SPARSE,
+    &SPARSE_INDICES,
+    &SPARSE_VALUES,
+    &ANIMATION,
+    &ANIMATION_CHANNEL,
+    &ANIMATION_TARGET,
+    &ANIMATION_SAMPLER,
+    &ASSET,
+    &BUFFER,
+    &BUFFER_VIEW,
+    &CAMERA,
+    &ORTHOGRAPHIC,
+    &PERSPECTIVE,
+    &IMAGE,
+    &MATERIAL,
+    &PBR_METALLIC_ROUGHNESS,
+    &NORMAL_TEXTURE_INFO,
+    &OCCLUSION_TEXTURE_INFO,
+    &TEXTURE_INFO,
+    &MESH,
+    &PRIMITIVE,
+    &ATTRIBUTES,
+    &NODE,
+    &SAMPLER,
+    &SCENE,
+    &SKIN,
+    &TEXTURE,
+];
+
+pub(super) static ROOT: Object = object(
+    "glTF",
+    &[
+        shown("accessors").list(),
+        not_shown("animations", moves).elements(&ANIMATIONS),
+        shown("asset").object(&ASSET),
+        shown("bufferViews").list(),
+        shown("buffers").list(),
+        shown("cameras").list(),
+        shown("extensionsRequired"),
+        shown("extensionsUsed"),
+        shown("images").list(),
+        shown("materials").list(),
+        shown("meshes").list(),
+        shown("nodes").list(),
+        shown("samplers").list(),
+        shown("scene"),
+        shown("scenes").list(),
+        shown("skins").list(),
+        shown("textures").list(),
+    ],
+);
+
+static ACCESSOR: Object = object(
+    "accessor",
+    &[
+        shown("bufferView").index(&BUFFER_VIEWS),
+        shown("byteOffset"),
+        shown("componentType"),
+        shown("count"),
+        ignored("max"),
+        ignored("min"),
+        ignored("name"),
+        shown("normalized"),
+        shown("sparse").object(&SPARSE),
+        shown("type"),
+    ],
+);
+static SPARSE: Object = object(
+    "accessor.sparse",
+    &[shown("count"), shown("indices").object(&SPARSE_INDICES), shown("values").object(&SPARSE_VALUES)],
+);
+static SPARSE_INDICES: Object = object(
+    "accessor.sparse.indices",
+    &[shown("bufferView").index(&BUFFER_VIEWS), shown("byteOffset"), shown("componentType")],
+);
+static SPARSE_VALUES: Object =
+    object("accessor.sparse.values", &[shown("bufferView").index(&BUFFER_VIEWS), shown("byteOffset")]);
+
+static ANIMATION: Object = object(
+    "animation",
+    &[
+        shown("channels").objects(&ANIMATION_CHANNEL),
+        ignored("name"),
+        shown("samplers").objects(&ANIMATION_SAMPLER),
+    ],
+);
+static ANIMATION_CHANNEL: Object =
+    object("animation.channel", &[shown("sampler"), shown("target").object(&ANIMATION_TARGET)]);
+static ANIMATION_TARGET: Object = object("animation.channel.target", &[shown("node"), shown("path")]);
+static ANIMATION_SAMPLER: Object = object(
+    "animation.sampler",
+    &[shown("input").index(&ACCESSORS), shown("interpolation"), shown("output").index(&ACCESSORS)],
+);
+
+static ASSET: Object =
+    object("asset", &[ignored("copyright"), ignored("generator"), shown("minVersion"), shown("version")]);
+
+static BUFFER: Object = object("buffer", &[shown("byteLength"), ignored("name"), shown("uri")]);
+// Targets are for the buffers of rasterisers.
+static BUFFER_VIEW: Object = object(
+    "bufferView",
+    &[
+        shown("buffer").index(&BUFFERS),
+        shown("byteLength"),
+        shown("byteOffset"),
+        shown("byteStride"),
+        ignored("name"),
+        ignored("target"),
+    ],
+);
+
+// The frame has its own aspect ratio, and rays have no depth range.
+static CAMERA: Object = object(
+    "camera",
+    &[
+        shown("name"),
+        shown("orthographic").object(&ORTHOGRAPHIC),
+        shown("perspective").object(&PERSPECTIVE),
+        shown("type"),
+    ],
+);
+static ORTHOGRAPHIC: Object = object(
+    "camera.orthographic",
+    &[
+        ignored("xmag").demanded("1"),
+        shown("ymag"),
+        ignored("zfar").demanded("1"),
+        ignored("znear").demanded("1"),
+    ],
+);
+static PERSPECTIVE: Object = object(
+    "camera.perspective",
+    &[ignored("aspectRatio"), shown("yfov"), ignored("zfar"), ignored("znear").demanded("1")],
+);
+
+// Pictures say themselves of what type they are.
+static IMAGE: Object = object(
+    "image",
+    &[shown("bufferView").index(&BUFFER_VIEWS), ignored("mimeType"), ignored("name"), shown("uri")],
+);
+
+static MATERIAL: Object = object(
+    "material",
+    &[
+        shown("alphaCutoff"),
+        shown("alphaMode").but(|mode, _| mode == "BLEND"),
+        not_shown("doubleSided", |double_sided, _| double_sided != true),
+        shown("emissiveFactor"),
+        shown("emissiveTexture").object(&TEXTURE_INFO),
+        shown("name"),
+        not_shown("normalTexture", present).object(&NORMAL_TEXTURE_INFO),
+        not_shown("occlusionTexture", present).object(&OCCLUSION_TEXTURE_INFO),
+        shown("pbrMetallicRoughness").object(&PBR_METALLIC_ROUGHNESS),
+    ],
+);
+static PBR_METALLIC_ROUGHNESS: Object = object(
+    "material.pbrMetallicRoughness",
+    &[
+        shown("baseColorFactor"),
+        shown("baseColorTexture").object(&TEXTURE_INFO),
+        shown("metallicFactor"),
+        shown("metallicRoughnessTexture").object(&TEXTURE_INFO),
+        shown("roughnessFactor"),
+    ],
+);
+static NORMAL_TEXTURE_INFO: Object = object(
+    "material.normalTextureInfo",
+    &[shown("index").index(&TEXTURES), shown("scale"), shown("texCoord")],
+);
+static OCCLUSION_TEXTURE_INFO: Object = object(
+    "material.occlusionTextureInfo",
+    &[shown("index").index(&TEXTURES), shown("strength"), shown("texCoord")],
+);
+pub(super) static TEXTURE_INFO: Object =
+    object("textureInfo", &[shown("index").index(&TEXTURES), shown("texCoord")]);
+
+static MESH: Object =
+    object("mesh", &[shown("name"), shown("primitives").objects(&PRIMITIVE), not_shown("weights", deforms)]);
+static PRIMITIVE: Object = object(
+    "mesh.primitive",
+    &[
+        shown("attributes").object(&ATTRIBUTES),
+        shown("indices").index(&ACCESSORS),
+        shown("material").index(&MATERIALS),
+        shown("mode").but(|mode, _| mode.as_u64().is_some_and(|mode| mode <= LINE_STRIP)),
+        // Weights say whether they matter.
+        ignored("targets").objects(&ATTRIBUTES),
+    ],
+);
+/// The attributes of a primitive; `n` stands for any number.
+static ATTRIBUTES: Object = object(
+    "mesh.primitive.attributes",
+    &[
+        shown("COLOR_0").index(&ACCESSORS).but(has_holes),
+        ignored("COLOR_n"),
+        ignored("JOINTS_n"),
+        shown("NORMAL").index(&ACCESSORS),
+        shown("POSITION").index(&ACCESSORS),
+        ignored("TANGENT"),
+        shown("TEXCOORD_n").index(&ACCESSORS),
+        ignored("WEIGHTS_n"),
+    ],
+);
+
+static NODE: Object = object(
+    "node",
+    &[
+        shown("camera").index(&CAMERAS),
+        shown("children").indices(&NODES),
+        shown("matrix"),
+        shown("mesh").index(&MESHES),
+        shown("name"),
+        shown("rotation"),
+        shown("scale"),
+        not_shown("skin", |skin, site| !skin.is_null() && site.owner.contains_key("mesh")).index(&SKINS),
+        shown("translation"),
+        not_shown("weights", deforms),
+    ],
+);
+
+// Textures are averaged over the footprint of a ray's cone, whatever the filter says.
+static SAMPLER: Object = object(
+    "sampler",
+    &[shown("magFilter"), ignored("minFilter"), ignored("name"), shown("wrapS"), shown("wrapT")],
+);
+
+static SCENE: Object =
+    object("scene", &[ignored("name"), shown("nodes").indices(&NODES).demanded("[]"), shown("extras")]);
+
+// The skeleton's root is for editors.
+static SKIN: Object = object(
+    "skin",
+    &[
+        shown("inverseBindMatrices").index(&ACCESSORS),
+        shown("joints").indices(&NODES),
+        ignored("name"),
+        ignored("skeleton"),
+    ],
+);
+
+static TEXTURE: Object =
+    object("texture", &[ignored("name"), shown("sampler").index(&SAMPLERS), shown("source").index(&IMAGES)]);
+
+/// The last mode of primitives that are points or lines.
+const LINE_STRIP: u64 = 3;
+
+/// Whether weights of morph targets change the shape.
+fn deforms(weights: &Value, _: &Site<'_>) -> bool {
+    weights.as_array().is_some_and(|weights| weights.iter().any(|weight| weight.as_f64() != Some(0.0)))
+}
+
+/// Whether a channel of the animation has something to move.
+fn moves(animation: &Value, _: &Site<'_>) -> bool {
+    let channels = animation.get("channels").and_then(Value::as_array);
+    let moves = |channel: &Value| {
+        let target = channel.get("target");
+        target.is_some_and(|target| target.get("node").is_some() || target.get("extensions").is_some())
+    };
+    channels.is_some_and(|channels| channels.iter().any(moves))
+}
+
+/// Whether vertex colours have an alpha that the primitive's material looks at.
+fn has_holes(colors: &Value, site: &Site<'_>) -> bool {
+    let accessor = site.element("/accessors", colors);
+    let material = site.parent.and_then(|primitive| site.element("/materials", primitive.get("material")?));
+    let mode = material.and_then(|material| material.get("alphaMode"));
+    mode.is_some_and(|mode| mode != "OPAQUE")
+        && accessor.is_some_and(|a| a.get("type") == Some(&"VEC4".into()))
+}
