@@ -1,10 +1,11 @@
 //! A builder of small test scenes.
 
-use glam::{Vec2, Vec3, vec3};
+use glam::{Vec2, Vec2Swizzles as _, Vec3, vec3};
 use glimpse::{
     Camera, Scene,
     scene::{
         Environment, Image8, Light, LightKind, Material, Object, Sphere, Texture, Wrap, octahedral_encode,
+        tangent_encode,
     },
 };
 
@@ -35,7 +36,8 @@ impl Builder {
         self.textured_quad(object, [corner, u, v], [Vec2::ZERO, Vec2::ONE]);
     }
 
-    /// Adds a [`Builder::quad`] with the texture coordinates of the two ends of its diagonal.
+    /// Adds a [`Builder::quad`] with the texture coordinates of the two ends of its diagonal; those of the second
+    /// set are the same, swapped.
     pub fn textured_quad(&mut self, object: u32, [corner, u, v]: [Vec3; 3], [low, high]: [Vec2; 2]) {
         let corners = [corner, corner + u, corner + u + v, corner + v];
         let coordinates = [low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)];
@@ -44,6 +46,9 @@ impl Builder {
             self.0.positions.push(triangle.map(|i| corners[i]));
             self.0.texcoords.push(triangle.map(|i| coordinates[i]));
             self.0.normals.push([normal; 3]);
+            self.0.second_texcoords.push(triangle.map(|i| coordinates[i].yx()));
+            // The rows of an image run downwards, here along `v`.
+            self.0.tangents.push([tangent_encode(u.normalize_or_zero(), true); 3]);
             self.0.triangle_objects.push(object);
         }
     }
@@ -93,6 +98,12 @@ impl Builder {
     pub fn seen_by(mut self, camera: Camera) -> Scene {
         if self.0.materials.iter().all(|m| m.textures().next().is_none()) {
             self.0.texcoords.clear();
+        }
+        if self.0.materials.iter().all(|m| !m.has_normal_map()) {
+            self.0.tangents.clear();
+        }
+        if self.0.materials.iter().all(|m| m.coordinates.values().all(|c| !c.second)) {
+            self.0.second_texcoords.clear();
         }
         self.0.cameras = vec![("camera".to_owned(), camera)];
         self.0

@@ -1,9 +1,12 @@
 //! Scenes that combine all features of materials, textures and lights.
 
-use glam::{Vec2, Vec3, Vec4, vec2, vec3};
+use glam::{Affine2, Vec2, Vec3, Vec4, vec2, vec3};
 use glimpse::{
     Camera, Scene,
-    scene::{Environment, Image8, Light, LightKind, Material, Texture, Weights, Wrap, octahedral_encode},
+    scene::{
+        Environment, Image8, Light, LightKind, Material, SlotCoordinates, Texture, TextureSlot, Weights,
+        Wrap, octahedral_encode,
+    },
 };
 
 use crate::builder::{Builder, front_camera, glass, matte, mirror, unlit};
@@ -98,6 +101,87 @@ pub fn textures() -> Scene {
     bend_normals(&mut scene, pillow);
     paint_corners(&mut scene);
     scene
+}
+
+/// Normal maps on flat and on smooth surfaces, matte, glossy and mirroring, seen from both sides and in a mirror;
+/// occlusion and transmission textures; slots with coordinates of their own.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn extended() -> Scene {
+    let mut b = Builder::new();
+    let hills = b.image(bumps(16, 5.0));
+    let [grain, stains] = [noise(8, 8, 4), noise(4, 4, 9)].map(|image| b.image(image));
+    let mut texture =
+        |image: u32, wrap_s: Wrap| b.texture(Texture { image, wrap: [wrap_s, Wrap::Repeat], nearest: false });
+    let (hills, mirrored) = (texture(hills, Wrap::Repeat), texture(hills, Wrap::MirroredRepeat));
+    let (grain, stains) = (texture(grain, Wrap::Repeat), texture(stains, Wrap::Repeat));
+    let own = |second: bool, angle: f32| SlotCoordinates {
+        second,
+        transform: Affine2::from_scale_angle_translation(vec2(1.5, -0.7), angle, vec2(0.2, 0.4)),
+    };
+    let bumpy = |m: Material| Material { maps: [(TextureSlot::Normal, hills)].into(), ..m };
+    let looks = [
+        bumpy(matte(vec3(0.8, 0.7, 0.6))),
+        Material { normal_scale: 0.4, roughness: 0.3, ..bumpy(matte(vec3(0.3, 0.5, 0.7))) },
+        bumpy(mirror(vec3(0.9, 0.8, 0.6))),
+        Material {
+            base_color_texture: Some(grain),
+            coordinates: [(TextureSlot::Normal, own(false, 0.5))].into(),
+            ..bumpy(matte(Vec3::ONE))
+        },
+        Material {
+            metallic: 0.5,
+            roughness: 0.9,
+            metallic_roughness_texture: Some(grain),
+            emission: vec3(0.4, 0.3, 0.2),
+            emissive_texture: Some(stains),
+            maps: [(TextureSlot::Occlusion, stains), (TextureSlot::Normal, mirrored)].into(),
+            coordinates: [
+                (TextureSlot::Emissive, own(true, 0.3)),
+                (TextureSlot::Occlusion, own(false, -0.2)),
+            ]
+            .into(),
+            occlusion_strength: 0.8,
+            ..matte(vec3(0.7, 0.8, 0.9))
+        },
+        Material {
+            maps: [(TextureSlot::Transmission, grain)].into(),
+            coordinates: [(TextureSlot::Transmission, own(true, 0.0))].into(),
+            thin: true,
+            ..glass(1.5)
+        },
+    ];
+    let mut pillow = 0;
+    for (i, look) in looks.into_iter().enumerate() {
+        let object = b.object(look);
+        pillow = if i == 1 { object } else { pillow };
+        let corner = vec3(-1.3 + 0.9 * (i % 3) as f32, 0.1 + 0.9 * (i / 3) as f32, -0.2 * i as f32);
+        // The second row is seen from behind in part.
+        let (u, v) = (vec3(0.8, 0.0, 0.1), 0.8 * Vec3::Y);
+        let [from, along, up] = if i == 3 { [corner + u, -u, v] } else { [corner, u, v] };
+        b.textured_quad(object, [from, along, up], [vec2(-0.3, 0.2), vec2(1.2, 1.4)]);
+    }
+    let floor = b.object(Material { roughness: 0.2, ior: 1.5, ..matte(vec3(0.5, 0.45, 0.4)) });
+    b.quad(floor, vec3(-3.0, 0.0, 2.0), 6.0 * Vec3::X, -5.0 * Vec3::Z);
+    lamps(&mut b);
+    b.environment(vec3(0.2, 0.3, 0.5), vec3(0.3, 0.25, 0.2));
+    let camera = Camera::look_at(vec3(0.2, 1.1, 3.2), vec3(0.0, 0.9, 0.0), 0.7).expect("a valid camera");
+    let mut scene = b.seen_by(camera);
+    bend_normals(&mut scene, pillow);
+    scene
+}
+
+/// A normal map of rounded bumps with slopes up to `1 / flatness` or so.
+fn bumps(side: u32, flatness: f32) -> Image8 {
+    let texel = |i: u32| {
+        let [x, y] = [i % side, i / side].map(|k| std::f32::consts::TAU * (k as f32 + 0.5) / side as f32);
+        let normal = vec3(2.0 * x.cos(), (2.0 * y).sin() + x.sin(), flatness).normalize();
+        let [r, g, b] = (127.5 * normal + 127.5).round().to_array();
+        [r as u8, g as u8, b as u8, 255]
+    };
+    Image8 { width: side, height: side, rgba: (0..side * side).flat_map(texel).collect() }
 }
 
 fn lamps(b: &mut Builder) {

@@ -8,6 +8,7 @@ use crate::{
     Error, Features, Gpu, Result,
     acceleration::Bvh,
     device::atlas::Atlas,
+    device::material_records::Records,
     device::{SceneStorage, Tier, mirror::gpu_struct},
     scene::{self, Emitters, Environment, LightKind, MAX_LIGHTS, Material, Scene, Thinness},
 };
@@ -23,11 +24,13 @@ pub const SURFACE_NO_SHADOW: u32 = 0x4000_0000;
 pub const SURFACE_ALPHA: u32 = 0x8000_0000;
 const MAX_OBJECTS: usize = SURFACE_OBJECT as usize + 1;
 
-/// Flags of an object's material: unlit, thin-walled, with vertex weights, matte (only the base colour is read).
+/// Flags of an object's material: unlit, thin-walled, with vertex weights, matte (only the base colour is read),
+/// extended (the bits of `weights[0]` are the place of its record).
 pub const OBJECT_UNLIT: u32 = 1;
 pub const OBJECT_THIN: u32 = 2;
 pub const OBJECT_WEIGHTS: u32 = 4;
 pub const OBJECT_MATTE: u32 = 8;
+pub const OBJECT_EXTENDED: u32 = 32;
 
 /// Kinds of lights: the irradiance of a point light falls off with the square of the distance, that of a
 /// directional and of a constant one does not.
@@ -50,6 +53,9 @@ gpu_struct! {
         emissive_texture: [u32; 4],
     }
 }
+
+/// Size of an object in units of four words.
+const OBJECT_PARTS: usize = size_of::<Object>() / size_of::<[u32; 4]>();
 
 gpu_struct! {
     /// A punctual light, as shaders read it.
@@ -144,8 +150,14 @@ impl GpuScene {
         let has_texcoords = !scene.texcoords.is_empty();
         let has_colors = !scene.colors.is_empty();
         let vertices = gpu.vertices("vertices", &vertices(&scene, &order), has_texcoords, has_colors)?;
-        let objects: Vec<_> =
-            scene.objects.iter().map(|o| object(&scene.materials[o.material as usize], &atlas)).collect();
+        let records = Records::of(&scene, &order, &atlas, (OBJECT_PARTS * scene.objects.len()) as u32);
+        let objects = scene.objects.iter().map(|o| {
+            let place = records.places[o.material as usize];
+            object(&scene.materials[o.material as usize], &atlas, place)
+        });
+        let mut objects: Vec<_> =
+            objects.flat_map(bytemuck::cast::<Object, [[u32; 4]; OBJECT_PARTS]>).collect();
+        objects.extend(records.words);
         let mut lights = vec![Light::default(); MAX_LIGHTS];
         for (slot, each) in lights.iter_mut().zip(&scene.lights) {
             *slot = light(each);
@@ -294,7 +306,10 @@ fn vertices(scene: &Scene, order: &[u32]) -> Vec<u32> {
     words
 }
 
-fn object(m: &Material, atlas: &Atlas) -> Object {
+/// `record` is the place of an extended material's record, else 0.
+fn object(m: &Material, atlas: &Atlas, record: u32) -> Object {
+    // Of a material without a base colour's texture, the second slot says how coordinates are stored.
+    let first = if m.base_color_texture.is_none() && m.is_extended() { m.textures().next() } else { None };
     let flag = |set: bool, bit: u32| if set { bit } else { 0 };
     Object {
         base_color: m.base_color.into(),
@@ -305,13 +320,16 @@ fn object(m: &Material, atlas: &Atlas) -> Object {
         roughness: m.roughness,
         transmission: m.transmission,
         ior: m.ior,
-        weights: m.weights.map_or([0.0; 3], |w| [w.diffuse, w.mirror, w.refraction]),
+        weights: m
+            .weights
+            .map_or([f32::from_bits(record), 0.0, 0.0], |w| [w.diffuse, w.mirror, w.refraction]),
         flags: flag(m.unlit, OBJECT_UNLIT)
             | flag(m.thin, OBJECT_THIN)
             | flag(m.weights.is_some(), OBJECT_WEIGHTS)
-            | flag(m.is_matte(), OBJECT_MATTE),
+            | flag(m.is_matte(), OBJECT_MATTE)
+            | flag(record != 0, OBJECT_EXTENDED),
         base_color_texture: atlas.place(m.base_color_texture),
-        metallic_roughness_texture: atlas.place(m.metallic_roughness_texture),
+        metallic_roughness_texture: atlas.place(first.or(m.metallic_roughness_texture)),
         emissive_texture: atlas.place(m.emissive_texture),
     }
 }

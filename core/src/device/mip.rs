@@ -1,15 +1,17 @@
 //! Mip levels by exact box filtering: each texel of a level is the average of the area of the image that it
 //! covers, with fractional weights at the borders, so that odd sizes lose no row or column.
 
-use glam::Vec4;
+use glam::{Vec4, Vec4Swizzles as _};
 
-use crate::scene::{Image8, Scene};
+use crate::scene::{Image8, Scene, TextureSlot};
 
 /// The encoding of an image's bytes, which determines how texels are averaged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Content {
     /// Linear values.
     Data,
+    /// Unit vectors, each component as twice the channel minus one; averages are shorter where they differ.
+    Normal,
     /// sRGB colour, averaged in linear light; alpha is linear and is not a weight.
     Color,
     /// sRGB colour with alpha cutouts, weighted by alpha, as the colour of holes is never visible. Fully
@@ -24,8 +26,14 @@ impl Content {
         let mut contents = vec![Self::Data; scene.images.len()];
         for m in &scene.materials {
             let base = if m.alpha_cutoff.is_some() { Self::CutColor } else { Self::Color };
-            for (texture, content) in [(m.base_color_texture, base), (m.emissive_texture, Self::Color)] {
-                let image = texture.map(|t| scene.textures[t as usize].image as usize);
+            for slot in TextureSlot::ALL {
+                let content = match slot {
+                    TextureSlot::BaseColor => base,
+                    TextureSlot::Normal => Self::Normal,
+                    slot if slot.is_color() => Self::Color,
+                    _ => continue,
+                };
+                let image = m.texture(slot).map(|t| scene.textures[t as usize].image as usize);
                 if let Some(image) = image {
                     contents[image] = contents[image].max(content);
                 }
@@ -40,6 +48,10 @@ impl Content {
         let [r, g, b, _] = texel.map(|byte| linear[usize::from(byte)]);
         match self {
             Self::Data => plain,
+            Self::Normal => {
+                let normal = (2.0 * plain.xyz() - 1.0).normalize_or_zero();
+                (0.5 * normal + 0.5).extend(plain.w)
+            }
             Self::Color => Vec4::new(r, g, b, plain.w),
             Self::CutColor => Vec4::new(r * plain.w, g * plain.w, b * plain.w, plain.w),
         }
@@ -51,7 +63,8 @@ impl Content {
             _ => average,
         };
         let byte = |x: f32| (255.0 * x).round() as u8;
-        let [r, g, b, _] = color.to_array().map(|c| byte(if self == Self::Data { c } else { encoded(c) }));
+        let linear = matches!(self, Self::Data | Self::Normal);
+        let [r, g, b, _] = color.to_array().map(|c| byte(if linear { c } else { encoded(c) }));
         [r, g, b, byte(average.w)]
     }
 }

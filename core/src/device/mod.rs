@@ -6,6 +6,7 @@ pub(crate) mod gpu_scene;
 mod health;
 mod kernel;
 mod lavapipe;
+pub(crate) mod material_records;
 mod memory;
 pub(crate) mod mip;
 pub(crate) mod mirror;

@@ -8,10 +8,11 @@ use crate::{
     DirectLight, Foveation, MAX_RAYS, Postcorrect, Roulette, SAMPLES_PER_SUBMISSION, Specialize, StereoReuse,
     device::atlas,
     device::gpu_scene,
+    device::material_records,
     device::{self, shader::Source},
     frame::counters::{COUNTER_WORDS, GROUPS, Group},
     frame::sequence::{RANK_TILE, RANKS},
-    scene::OCTAHEDRAL_ERROR,
+    scene::{OCTAHEDRAL_ERROR, TextureSlot},
 };
 
 /// Threads in a workgroup that processes entries of a list.
@@ -99,6 +100,8 @@ impl FrameSpec {
             ("HAS_COLORS", f.vertex_colors),
             ("HAS_FOOTPRINT", self.averages_textures()),
             ("HAS_EMISSION", f.emission),
+            ("HAS_NORMAL_MAPS", f.normal_maps),
+            ("HAS_SLOT_COORDINATES", f.slot_coordinates),
             ("HAS_PANES", f.panes),
             ("HAS_REFLECTION", f.reflection),
             ("HAS_REFRACTION", f.refraction),
@@ -152,6 +155,11 @@ impl FrameSpec {
             ("OBJECT_THIN", gpu_scene::OBJECT_THIN),
             ("OBJECT_WEIGHTS", gpu_scene::OBJECT_WEIGHTS),
             ("OBJECT_MATTE", gpu_scene::OBJECT_MATTE),
+            ("OBJECT_EXTENDED", gpu_scene::OBJECT_EXTENDED),
+            ("RECORD_SLOTS", material_records::RECORD_SLOTS),
+            ("SLOT_PARTS", material_records::SLOT_PARTS),
+            ("SET_FIRST", material_records::SET_FIRST),
+            ("SET_SECOND", material_records::SET_SECOND),
             ("LIGHT_DIRECTIONAL", gpu_scene::LIGHT_DIRECTIONAL),
             ("LIGHT_CONSTANT", gpu_scene::LIGHT_CONSTANT),
             ("REFINE_STEP", REFINE_STEP),
@@ -164,6 +172,10 @@ impl FrameSpec {
         ];
         for (name, value) in rng {
             let _ = writeln!(text, "const {name}: u32 = {value}u;");
+        }
+        for slot in TextureSlot::ALL {
+            let _ =
+                writeln!(text, "const SLOT_{}: u32 = {}u;", format!("{slot:?}").to_uppercase(), slot as u32);
         }
         let reals = [
             ("BVH_ROUNDING", if self.robustness.boxes { BVH_ROUNDING } else { 0.0 }),

@@ -66,12 +66,17 @@ mod tests {
         let spared: Vec<_> = all.bindings.difference(&auto.bindings).map(String::as_str).collect();
         assert_eq!(spared, ["atlas_color", "atlas_data", "vertices"]);
         assert!(auto.bindings.is_subset(&all.bindings));
-        assert_eq!((auto.attribute_bytes, all.attribute_bytes), (16, 44));
+        assert_eq!((auto.attribute_bytes, all.attribute_bytes), (16, 68));
         for file in [
             "wgsl/scene/texture_atlas.wgsl",
             "wgsl/trace/ray_cone.wgsl",
             "wgsl/shade/scatter_dielectric.wgsl",
             "wgsl/trace/sphere_analytic.wgsl",
+            "wgsl/adaptive/maps.wgsl",
+            "wgsl/adaptive/similarity_maps.wgsl",
+            "wgsl/trace/surface_maps.wgsl",
+            "wgsl/shade/material_extended.wgsl",
+            "wgsl/shade/material_maps.wgsl",
         ] {
             assert!(all.files.contains(file) && !auto.files.contains(file), "{file}");
         }

@@ -30,6 +30,11 @@ impl FrameSpec {
                 wgsl!("wgsl/adaptive/list.wgsl"),
                 wgsl!("wgsl/adaptive/list_append.wgsl"),
                 wgsl!("wgsl/adaptive/similarity.wgsl"),
+                pick(
+                    self.features.extended_materials,
+                    wgsl!("wgsl/adaptive/similarity_maps.wgsl"),
+                    wgsl!("wgsl/adaptive/similarity_maps_none.wgsl"),
+                ),
                 wgsl!("passes/similarity_step.wgsl"),
                 self.tile_order(),
                 entry,
@@ -151,6 +156,11 @@ impl FrameSpec {
                     wgsl!("wgsl/trace/ray_cone_none.wgsl"),
                 ),
                 wgsl!("wgsl/trace/surface.wgsl"),
+                pick(
+                    f.extended_materials,
+                    wgsl!("wgsl/trace/surface_maps.wgsl"),
+                    wgsl!("wgsl/trace/surface_maps_none.wgsl"),
+                ),
                 pick(f.lights, wgsl!("wgsl/shade/shadow_rays.wgsl"), wgsl!("wgsl/shade/shadow_none.wgsl")),
             ]
             .into_iter()
@@ -181,6 +191,11 @@ impl FrameSpec {
             self.jitter(),
             wgsl!("wgsl/scene/octahedral.wgsl"),
             wgsl!("wgsl/adaptive/attributes.wgsl"),
+            pick(
+                self.features.extended_materials,
+                wgsl!("wgsl/adaptive/maps.wgsl"),
+                wgsl!("wgsl/adaptive/maps_none.wgsl"),
+            ),
             attributes,
             if self.inspect {
                 wgsl!("wgsl/output/inspect_counters.wgsl")
@@ -215,17 +230,26 @@ impl FrameSpec {
         });
         sources.extend([
             wgsl!("wgsl/shade/fresnel.wgsl"),
-            if f.glossy {
-                wgsl!("wgsl/shade/material.wgsl")
-            } else {
-                wgsl!("wgsl/shade/material_matte.wgsl")
-            },
-            if f.lights {
-                wgsl!("wgsl/shade/lights_punctual.wgsl")
-            } else {
-                wgsl!("wgsl/shade/lights_none.wgsl")
-            },
+            pick(
+                f.extended_materials,
+                wgsl!("wgsl/shade/material_maps.wgsl"),
+                wgsl!("wgsl/shade/material_maps_none.wgsl"),
+            ),
         ]);
+        sources.extend(match (f.glossy, f.extended_materials) {
+            (_, true) => {
+                vec![wgsl!("wgsl/shade/material_extended.wgsl"), wgsl!("wgsl/shade/material.wgsl")]
+            }
+            (true, false) => {
+                vec![wgsl!("wgsl/shade/material_plain.wgsl"), wgsl!("wgsl/shade/material.wgsl")]
+            }
+            (false, false) => vec![wgsl!("wgsl/shade/material_matte.wgsl")],
+        });
+        sources.extend([if f.lights {
+            wgsl!("wgsl/shade/lights_punctual.wgsl")
+        } else {
+            wgsl!("wgsl/shade/lights_none.wgsl")
+        }]);
         if self.settings.supersamples() {
             sources.extend([
                 wgsl!("wgsl/supersample/pixel_edges.wgsl"),

@@ -35,6 +35,12 @@ pub(super) const CHANNELS: &[(&str, Needed)] = &[
     ("TEXCOORD", |spec| spec.features.textures),
     ("COLOR", |spec| spec.features.vertex_colors),
     ("FOOTPRINT", FrameSpec::averages_textures),
+    ("TANGENT", |spec| spec.features.normal_maps),
+    ("FIRST_S", |spec| spec.features.slot_coordinates),
+    ("FIRST_T", |spec| spec.features.slot_coordinates),
+    ("SECOND_S", |spec| spec.features.slot_coordinates),
+    ("SECOND_T", |spec| spec.features.slot_coordinates),
+    ("SECOND_FOOTPRINT", |spec| spec.features.slot_coordinates),
     ("OBJECT_BETWEEN", FrameSpec::postcorrects),
     ("SHADOW_BETWEEN", |spec| spec.postcorrects() && spec.shadow_shift().is_none()),
 ];

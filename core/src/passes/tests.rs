@@ -30,9 +30,12 @@ fn features(bits: u32) -> Features {
         metallic_roughness_textures: bit(0),
         emissive_textures: bit(0),
         emission: bit(2),
-        glossy: bit(0) || bit(5) || bit(6),
+        glossy: bit(0) || bit(1) || bit(5) || bit(6),
         panes: bit(6),
         several_lights: bit(7),
+        extended_materials: bit(1),
+        normal_maps: bit(0) && bit(1),
+        slot_coordinates: bit(0) && bit(1) && bit(2),
     }
 }
 

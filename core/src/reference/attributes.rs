@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Cause, Rounding};
+use super::{Cause, Maps, Rounding};
 use crate::{
     Features,
     scene::{octahedral_decode_exact, octahedral_encode},
@@ -34,6 +34,8 @@ pub struct Attributes {
     pub color: DVec3,
     /// Footprint in texture coordinates: log2 of the second moments along s and t, and their correlation.
     pub footprint: DVec3,
+    /// What extended materials need.
+    pub maps: Maps,
 }
 
 /// Range of the stored logarithms of second moments.
@@ -66,6 +68,7 @@ impl Attributes {
             texcoord: DVec2::ZERO,
             color: DVec3::ONE,
             footprint: footprint(DVec3::ZERO),
+            maps: Maps::default(),
         }
     }
 
@@ -82,7 +85,8 @@ impl Attributes {
         let gcol = rounding.vector(Cause::Storage, self.gcol, largest);
         let texcoord = rounding.pair(Cause::Storage, self.texcoord, 1.0);
         let color = rounding.vector(Cause::Storage, self.color, 1.0);
-        let footprint = rounding.vector(Cause::Storage, self.footprint, MOST_LOG - LEAST_LOG);
+        let footprint = displaced(self.footprint, rounding);
+        let maps = self.maps.stored(features, rounding);
         Self {
             depth: f64::from(depth as f32),
             normal,
@@ -103,9 +107,15 @@ impl Attributes {
                 DVec3::ONE
             },
             footprint: if features.textures { stored_footprint(footprint) } else { self.footprint },
+            maps,
             ..*self
         }
     }
+}
+
+/// A footprint attribute within the errors of its computation.
+pub(super) fn displaced(footprint: DVec3, rounding: &mut Rounding) -> DVec3 {
+    rounding.vector(Cause::Storage, footprint, MOST_LOG - LEAST_LOG)
 }
 
 fn in_steps(x: f64, steps: f64) -> f64 {
@@ -117,7 +127,7 @@ pub(super) fn stored_direction(d: DVec3) -> DVec3 {
 }
 
 /// Quantises a footprint: eleven bits for each logarithm, ten for the correlation.
-fn stored_footprint(footprint: DVec3) -> DVec3 {
+pub(super) fn stored_footprint(footprint: DVec3) -> DVec3 {
     let log = |x: f64| {
         LEAST_LOG + (MOST_LOG - LEAST_LOG) * in_steps((x - LEAST_LOG) / (MOST_LOG - LEAST_LOG), 2047.0)
     };

@@ -47,7 +47,7 @@ impl Reference {
         if intersection.primitive != primitive || hidden {
             return None;
         }
-        let m = self.material(hit.object, hit.texcoord, hit.footprint, hit.color);
+        let m = self.material(hit.object, hit.texcoord, hit.footprint, hit.color, &hit.maps);
         let density = self.density(hit.object, normal.dot(direction), distance);
         Some(Emitted { radiance: m.emission, cosine, density })
     }

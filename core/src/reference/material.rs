@@ -2,8 +2,11 @@
 
 use glam::{DVec2, DVec3, Vec4Swizzles};
 
-use super::{Cause, Reference, Rounding, texture::Encoding};
-use crate::scene::Weights;
+use super::{
+    Cause, Maps, Reference, Rounding,
+    maps::{Place, toksvig},
+};
+use crate::scene::{TextureSlot, Weights};
 
 /// Least roughness of the image of a light, which would otherwise have no width.
 const LEAST_ROUGHNESS: f64 = 0.2;
@@ -24,6 +27,9 @@ pub struct Material {
     pub thin: bool,
     pub(super) unlit: bool,
     weights: Option<Weights>,
+    occlusion: f64,
+    /// Averaged normal of the normal map in the tangent frame.
+    pub(super) bump: Option<DVec3>,
 }
 
 /// A material with the geometry that shading depends on.
@@ -41,23 +47,37 @@ pub(super) struct Shading<'a> {
 
 impl Reference {
     /// The material of an object at these texture coordinates and with this vertex colour, with textures averaged
-    /// over a footprint.
+    /// over a footprint; `maps` is what extended materials need besides.
     #[must_use]
-    pub fn material(&self, object: u32, texcoord: DVec2, footprint: DVec3, color: DVec3) -> Material {
+    pub fn material(
+        &self,
+        object: u32,
+        texcoord: DVec2,
+        footprint: DVec3,
+        color: DVec3,
+        maps: &Maps,
+    ) -> Material {
         let m = self.material_of(object);
-        let base = self.texture(m.base_color_texture, Encoding::Srgb, texcoord, footprint);
-        let emission = self.texture(m.emissive_texture, Encoding::Srgb, texcoord, footprint);
-        let surface = self.texture(m.metallic_roughness_texture, Encoding::Linear, texcoord, footprint);
+        let place = Place { texcoord, footprint };
+        let slot = |slot| self.slot(object, slot, place, maps);
+        let base = slot(TextureSlot::BaseColor);
+        let emission = slot(TextureSlot::Emissive);
+        let surface = slot(TextureSlot::MetallicRoughness);
+        let bump = self.bump(object, place, maps);
+        let roughness = f64::from(m.roughness) * surface.y;
+        let scale = DVec3::new(f64::from(m.normal_scale), f64::from(m.normal_scale), 1.0);
         Material {
             base: m.base_color.as_dvec3() * color * base.xyz(),
             emission: m.emission.as_dvec3() * emission.xyz(),
             metallic: f64::from(m.metallic) * surface.z,
-            roughness: f64::from(m.roughness) * surface.y,
-            transmission: f64::from(m.transmission),
+            roughness: bump.map_or(roughness, |bump| toksvig(roughness, bump.length())),
+            transmission: f64::from(m.transmission) * slot(TextureSlot::Transmission).x,
             ior: f64::from(m.ior),
             thin: m.thin,
             unlit: m.unlit,
             weights: m.weights,
+            occlusion: 1.0 + f64::from(m.occlusion_strength) * (slot(TextureSlot::Occlusion).x - 1.0),
+            bump: bump.map(|bump| bump * scale),
         }
     }
 
@@ -70,7 +90,7 @@ impl Reference {
         let cosine = s.normal.dot(s.view).clamp(0.0, 1.0);
         let (inside, ambient) = (s.inside, self.scene.environment.ambient.as_dvec3());
         m.emission
-            + m.albedo(cosine, inside) * ambient
+            + m.albedo(cosine, inside) * ambient * m.occlusion
             + self.lights_reflected(&mut s, m.diffuse(cosine, inside))
     }
 }

@@ -5,6 +5,7 @@
 //! | [`Tracer`] | `bvh.wgsl`, `triangle*.wgsl`, `sphere_analytic.wgsl` |
 //! | [`Reference::first`], [`Reference::occluded`], [`Reference::shadow_bits`] | `any_hit_*.wgsl`, `shadow_rays.wgsl` |
 //! | [`Reference::surface`], [`Reference::texture`], [`Reference::material`], [`Reference::arrival`] | `surface.wgsl`, `ray_cone.wgsl`, `texture_*.wgsl`, `material.wgsl`, `lights_punctual.wgsl` |
+//! | [`Reference::bumped`] | `surface_maps.wgsl`, `material_maps.wgsl` |
 //! | [`Reference::sample`] | `sample.wgsl`, `scatter_*.wgsl` |
 //! | [`ReferenceFrame::ray`], [`ReferenceFrame::traced`], [`ReferenceFrame::adaptive`], [`ReferenceFrame::checkerboard`] | `frame.wgsl`, the passes |
 //! | [`ReferenceFrame::failed`], [`ReferenceFrame::interpolated`], [`ReferenceFrame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes_channels.wgsl` |
@@ -42,6 +43,7 @@ mod jitter;
 mod judge;
 mod lights;
 mod lobes;
+mod maps;
 mod material;
 mod path;
 mod postcorrection;
@@ -70,6 +72,7 @@ pub use gbuffer::{GBufferPixel, Way};
 pub use intersection::{Intersection, Ray};
 pub use judge::Verdict;
 pub use lights::Arrival;
+pub use maps::Maps;
 pub use material::{Material, fresnel_dielectric};
 pub use path::PathSample;
 pub use quincunx::Quincunx;

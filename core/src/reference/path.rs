@@ -130,7 +130,8 @@ impl Path<'_> {
             return None;
         };
         let s = reference.surface(&self.ray, &intersection, rounding);
-        let m = reference.material(s.object, s.texcoord, s.footprint, s.color);
+        let m = reference.material(s.object, s.texcoord, s.footprint, s.color, &s.maps);
+        let s = reference.bumped(&s, &m, self.ray.direction);
         self.search.arrive(intersection.t, m.emission);
         if m.unlit {
             self.radiance += self.throughput * m.base;

@@ -84,9 +84,10 @@ impl Reference {
             let color = state.weight * self.scene.environment.background.as_dvec3();
             return Sample { attributes: Attributes::miss(), secondary: None, color };
         };
-        let s = self.surface(ray, &intersection, rounding);
-        let m = self.material(s.object, s.texcoord, s.footprint, s.color);
-        let shadow = self.shadow_bits(&s, rounding);
+        let smooth = self.surface(ray, &intersection, rounding);
+        let m = self.material(smooth.object, smooth.texcoord, smooth.footprint, smooth.color, &smooth.maps);
+        let shadow = self.shadow_bits(&smooth, rounding);
+        let s = self.bumped(&smooth, &m, ray.direction);
         let local = self.local(Shading {
             material: m,
             position: s.position,
@@ -100,13 +101,14 @@ impl Reference {
         let attributes = Attributes {
             depth: intersection.t,
             object: Some(s.object),
-            normal: s.normal,
+            normal: smooth.normal,
             face: s.face,
             shadow,
             gcol,
             texcoord: self.folded(s.object, s.texcoord),
             color: s.color,
             footprint: attributes::footprint(self.folded_footprint(s.object, s.texcoord, s.footprint)),
+            maps: s.maps,
         };
         Sample { attributes, secondary, color: state.weight * local + gcol }
     }

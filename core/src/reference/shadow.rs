@@ -26,7 +26,7 @@ impl Reference {
         let origin = rounding.vector(Cause::ShadowEdge, origin, s.extent);
         let arrival = self.arrival(light, origin);
         let direction = rounding.direction(Cause::ShadowEdge, arrival.direction);
-        if s.normal.dot(direction) <= 0.0 {
+        if s.normal.dot(direction) <= 0.0 && !self.material_of(s.object).has_normal_map() {
             return false;
         }
         if s.face.dot(direction) <= 0.0 {

@@ -6,8 +6,8 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Attributes, ReferenceFrame, Rounding, attributes, material::Shading};
-use crate::{Check, scene::OCTAHEDRAL_ERROR};
+use super::{Attributes, Maps, ReferenceFrame, Rounding, attributes, material::Shading};
+use crate::{Check, Tolerances, scene::OCTAHEDRAL_ERROR};
 
 /// A reference pixel: its stored attributes and its world-space position.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +33,8 @@ impl ReferenceFrame<'_> {
             return if pos > 0.0 { 0 } else { Check::Pos.bit() };
         };
         let seam = self.reference.first_texture(object).is_some()
-            && at_seam(p.texcoord, q.texcoord, f64::from(tolerances.tex));
+            && at_seam(p.texcoord, q.texcoord, f64::from(tolerances.tex))
+            || self.maps_apart(object, [&p.maps, &q.maps], &tolerances);
         // All but the first, which is decided.
         let checks: [(Check, bool); Check::ALL.len() - 1] = [
             (Check::Pos, (b.position - a.position).length() < pos),
@@ -44,6 +45,13 @@ impl ReferenceFrame<'_> {
             (Check::Gcol, (p.gcol - q.gcol).length() < f64::from(tolerances.gcol)),
         ];
         checks.iter().filter(|(_, passed)| !passed).map(|(check, _)| check.bit()).sum()
+    }
+
+    /// Part of TX: whether tangents or second coordinates must not be interpolated.
+    fn maps_apart(&self, object: u32, [p, q]: [&Maps; 2], tolerances: &Tolerances) -> bool {
+        let bumpy = self.reference.material_of(object).has_normal_map();
+        let turned = p.sign != q.sign || p.tangent.dot(q.tangent) <= f64::from(tolerances.norm);
+        bumpy && turned || at_seam(p.second.fract_gl(), q.second.fract_gl(), f64::from(tolerances.tex))
     }
 
     /// G4: whether each point lies on the other side of the other's tangent plane, by more than rounding.
@@ -79,6 +87,7 @@ impl ReferenceFrame<'_> {
             texcoord: weight * a.texcoord + (1.0 - weight) * b.texcoord,
             color: mix(a.color, b.color),
             footprint: 0.5 * (a.footprint + b.footprint),
+            maps: Maps::interpolated(&a.maps, &b.maps, weight),
         }
     }
 
@@ -89,10 +98,12 @@ impl ReferenceFrame<'_> {
             return self.reference.scene.environment.background.as_dvec3();
         };
         let (ray, _) = self.ray(pixel);
+        let footprint = attributes::moments(a.footprint);
+        let material = self.reference.material(object, a.texcoord, footprint, a.color, &a.maps);
         let local = self.reference.local(Shading {
-            material: self.reference.material(object, a.texcoord, attributes::moments(a.footprint), a.color),
+            material,
             position: self.position(pixel, a.depth),
-            normal: a.normal,
+            normal: material.normal(a.normal, a.face, -ray.direction, &a.maps),
             view: -ray.direction,
             inside: false,
             shadow: a.shadow,

@@ -3,7 +3,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Cause, Intersection, Ray, Reference, Rounding};
+use super::{Cause, Intersection, Maps, Ray, Reference, Rounding};
 use crate::scene::octahedral_decode_exact;
 
 /// A surface point with everything that shading needs.
@@ -31,6 +31,8 @@ pub struct Surface {
     pub growth: f64,
     /// Footprint: second moments (ss, tt, st) in texture coordinates.
     pub footprint: DVec3,
+    /// What extended materials need.
+    pub maps: Maps,
     /// Scale of the position's rounding errors: coordinates along the normal and the primitive's size.
     pub extent: f64,
 }
@@ -86,6 +88,7 @@ impl Reference {
             width: ray.width + intersection.t * ray.growth,
             growth: ray.growth,
             footprint: self.covered(ray, intersection),
+            maps: self.maps(ray, intersection, inside, rounding),
             extent: face.abs().dot(low.abs().max(high.abs())) + (high - low).max_element(),
         }
     }

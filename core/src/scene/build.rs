@@ -16,6 +16,7 @@ impl Scene {
     pub fn add_triangles(&mut self, name: impl Into<String>, material: u32, triangles: &[[Vec3; 3]]) -> u32 {
         let object = self.add_object(name, material);
         let (textured, colored) = (!self.texcoords.is_empty(), !self.colors.is_empty());
+        let (twice, mapped) = (!self.second_texcoords.is_empty(), !self.tangents.is_empty());
         for corners in triangles {
             let [a, b, c] = corners.map(|corner| corner.as_dvec3());
             let Some(normal) = (b - a).cross(c - a).try_normalize() else { continue };
@@ -24,6 +25,8 @@ impl Scene {
             self.triangle_objects.push(object);
             // If any triangle has these attributes, all must.
             self.texcoords.extend(textured.then_some([Vec2::ZERO; 3]));
+            self.second_texcoords.extend(twice.then_some([Vec2::ZERO; 3]));
+            self.tangents.extend(mapped.then_some([0; 3]));
             self.colors.extend(colored.then_some([u32::MAX; 3]));
         }
         object

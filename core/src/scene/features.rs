@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::Scene;
+use super::{Material, Scene};
 
 /// Features that kernels need for a scene. `false` leaves the feature's code out of every kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -38,6 +38,12 @@ pub struct Features {
     pub lights: bool,
     /// There is more than one punctual light.
     pub several_lights: bool,
+    /// Some material has more than its factors and the first three textures with common coordinates.
+    pub extended_materials: bool,
+    /// Some material has a normal map.
+    pub normal_maps: bool,
+    /// Some texture slot does not read the first set of texture coordinates as they are.
+    pub slot_coordinates: bool,
 }
 
 impl Features {
@@ -47,7 +53,7 @@ impl Features {
         let used = || scene.objects.iter().filter_map(|o| scene.materials.get(o.material as usize));
         Self {
             textures: used().any(|m| m.textures().next().is_some()),
-            glossy: used().any(|m| !m.is_matte() || m.unlit),
+            glossy: used().any(|m| !m.is_matte() || m.unlit || m.is_extended()),
             emission: used().any(|m| m.emission != Vec3::ZERO),
             metallic_roughness_textures: used().any(|m| m.metallic_roughness_texture.is_some()),
             emissive_textures: used().any(|m| m.emissive_texture.is_some()),
@@ -61,6 +67,9 @@ impl Features {
             panes: used().any(|m| m.thin && m.refracts()),
             lights: !scene.lights.is_empty(),
             several_lights: scene.lights.len() > 1,
+            extended_materials: used().any(Material::is_extended),
+            normal_maps: used().any(Material::has_normal_map),
+            slot_coordinates: used().any(|m| !m.coordinates.is_empty()),
         }
     }
 
@@ -83,12 +92,15 @@ impl Features {
             panes: true,
             lights: true,
             several_lights: true,
+            extended_materials: true,
+            normal_maps: true,
+            slot_coordinates: true,
         }
     }
 
     /// All features with their names in the statistics.
     #[must_use]
-    pub fn list(&self) -> [(&'static str, bool); 15] {
+    pub fn list(&self) -> [(&'static str, bool); 18] {
         [
             ("textures", self.textures),
             ("glossy", self.glossy),
@@ -105,6 +117,9 @@ impl Features {
             ("panes", self.panes),
             ("lights", self.lights),
             ("several_lights", self.several_lights),
+            ("extended_materials", self.extended_materials),
+            ("normal_maps", self.normal_maps),
+            ("slot_coordinates", self.slot_coordinates),
         ]
     }
 }

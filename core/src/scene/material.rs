@@ -1,7 +1,11 @@
 //! Materials by how a surface emits, scatters, reflects and transmits light (Whitted 1980). The formulas, and the
 //! mapping of glTF's materials, are in `core/MATERIALS.md`.
 
+use std::collections::BTreeMap;
+
 use glam::Vec3;
+
+use super::{SlotCoordinates, TextureSlot};
 
 /// How a surface reflects, transmits and emits light.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +40,14 @@ pub struct Material {
     pub metallic_roughness_texture: Option<u32>,
     /// Index of the emissive texture, sRGB.
     pub emissive_texture: Option<u32>,
+    /// Indices of the textures of all other slots.
+    pub maps: BTreeMap<TextureSlot, u32>,
+    /// Slots that do not read [`super::Scene::texcoords`] as they are.
+    pub coordinates: BTreeMap<TextureSlot, SlotCoordinates>,
+    /// Factor on the first two components of the normals in the normal map.
+    pub normal_scale: f32,
+    /// Fraction of the occlusion texture's effect.
+    pub occlusion_strength: f32,
     /// Explicit weights in place of Fresnel's equations (Heckbert's minray).
     pub weights: Option<Weights>,
 }
@@ -69,17 +81,42 @@ impl Default for Material {
             base_color_texture: None,
             metallic_roughness_texture: None,
             emissive_texture: None,
+            maps: BTreeMap::new(),
+            coordinates: BTreeMap::new(),
+            normal_scale: 1.0,
+            occlusion_strength: 1.0,
             weights: None,
         }
     }
 }
 
 impl Material {
-    /// Indices of the textures that the material reads.
+    /// Index of a slot's texture.
+    #[must_use]
+    pub fn texture(&self, slot: TextureSlot) -> Option<u32> {
+        match slot {
+            TextureSlot::BaseColor => self.base_color_texture,
+            TextureSlot::MetallicRoughness => self.metallic_roughness_texture,
+            TextureSlot::Emissive => self.emissive_texture,
+            other => self.maps.get(&other).copied(),
+        }
+    }
+
+    /// Indices of the textures that the material reads, in the order of the slots.
     pub fn textures(&self) -> impl Iterator<Item = u32> {
-        [self.base_color_texture, self.metallic_roughness_texture, self.emissive_texture]
-            .into_iter()
-            .flatten()
+        TextureSlot::ALL.into_iter().filter_map(|slot| self.texture(slot))
+    }
+
+    /// Whether the material has a normal map.
+    #[must_use]
+    pub fn has_normal_map(&self) -> bool {
+        self.maps.contains_key(&TextureSlot::Normal)
+    }
+
+    /// Whether the material has more than its factors and the first three textures with common coordinates.
+    #[must_use]
+    pub fn is_extended(&self) -> bool {
+        !self.maps.is_empty() || !self.coordinates.is_empty()
     }
 
     /// Whether the material is determined by its base colour: a rough dielectric that neither emits nor transmits

@@ -14,6 +14,8 @@ pub(crate) mod look_at;
 mod material;
 mod not_shown;
 mod octahedral;
+mod tangent;
+mod texture_slot;
 mod thinness;
 mod validate;
 
@@ -30,6 +32,8 @@ pub use octahedral::{
     MAX_ERROR as OCTAHEDRAL_ERROR, decode as octahedral_decode, decode_exact as octahedral_decode_exact,
     encode as octahedral_encode,
 };
+pub use tangent::{decode_exact as tangent_decode_exact, encode as tangent_encode};
+pub use texture_slot::{SlotCoordinates, TextureSlot};
 pub use thinness::Thinness;
 
 use crate::scene::camera::Camera;
@@ -62,6 +66,10 @@ pub struct Scene {
     pub normals: Vec<[u32; 3]>,
     /// Texture coordinates of each triangle's corners; empty if no object is textured.
     pub texcoords: Vec<[Vec2; 3]>,
+    /// A second set of texture coordinates, which slots with [`SlotCoordinates::second`] read; empty if none does.
+    pub second_texcoords: Vec<[Vec2; 3]>,
+    /// Tangents of each triangle's corners, [`tangent_encode`]d; empty if no material has a normal map.
+    pub tangents: Vec<[u32; 3]>,
     /// Vertex colours of each triangle's corners (linear RGBA, 8 bits per channel, red lowest); empty if no
     /// object has any.
     pub colors: Vec<[u32; 3]>,

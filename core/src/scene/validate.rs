@@ -13,6 +13,9 @@ const UNIT_TOLERANCE: f32 = 1.0e-4;
 /// Allowed length of a camera's axes: half the frame's sides at distance 1, or in the scene's unit of length.
 const FRAME_HALVES: RangeInclusive<f32> = 1.0e-16..=MAX_COORDINATE;
 
+/// The largest number in the transform of a slot's texture coordinates, so that their products are finite in f32.
+const MAX_TRANSFORM: f32 = 1.0e18;
+
 impl Scene {
     /// Checks the lengths of the arrays, every index and every number. An empty scene is valid.
     ///
@@ -30,6 +33,7 @@ impl Scene {
             for texture in material.textures() {
                 index(format!("{what}, texture"), texture, self.textures.len())?;
             }
+            self.slots(material, &what)?;
         }
         for (i, texture) in self.textures.iter().enumerate() {
             index(format!("texture {i}, image"), texture.image, self.images.len())?;
@@ -59,7 +63,12 @@ impl Scene {
     fn lengths(&self) -> Result<()> {
         let triangles = self.positions.len();
         let required = [("normals", self.normals.len()), ("triangle_objects", self.triangle_objects.len())];
-        let optional = [("texcoords", self.texcoords.len()), ("colors", self.colors.len())];
+        let optional = [
+            ("texcoords", self.texcoords.len()),
+            ("second_texcoords", self.second_texcoords.len()),
+            ("tangents", self.tangents.len()),
+            ("colors", self.colors.len()),
+        ];
         let wrong = required.iter().find(|(_, n)| *n != triangles);
         match wrong.or_else(|| optional.iter().find(|(_, n)| *n != triangles && *n != 0)) {
             Some((name, found)) => fail(
@@ -68,6 +77,29 @@ impl Scene {
             ),
             None => Ok(()),
         }
+    }
+
+    /// Checks that the coordinates and tangents that slots need exist.
+    fn slots(&self, material: &Material, what: &str) -> Result<()> {
+        for (slot, coordinates) in &material.coordinates {
+            let numbers = coordinates.transform.to_cols_array();
+            if let Some(found) = numbers.iter().find(|x| x.is_nan() || x.abs() > MAX_TRANSFORM) {
+                return fail(
+                    format!("{what}, {} texture", slot.name()),
+                    format!("expected a transform of numbers up to {MAX_TRANSFORM:e}, found {found}"),
+                );
+            }
+            if coordinates.second && self.second_texcoords.is_empty() && !self.positions.is_empty() {
+                return fail(
+                    format!("{what}, {} texture", slot.name()),
+                    "expected second_texcoords, found none".into(),
+                );
+            }
+        }
+        if material.has_normal_map() && self.tangents.is_empty() && !self.positions.is_empty() {
+            return fail(format!("{what}, normal texture"), "expected tangents, found none".into());
+        }
+        Ok(())
     }
 
     fn geometry(&self) -> Result<()> {
@@ -79,7 +111,8 @@ impl Scene {
                 );
             }
         }
-        for (i, triangle) in self.texcoords.iter().enumerate() {
+        for (i, triangle) in self.texcoords.iter().enumerate().chain(self.second_texcoords.iter().enumerate())
+        {
             if let Some(uv) = triangle.iter().find(|uv| !inside(uv.extend(0.0))) {
                 return fail(
                     format!("triangle {i}"),
@@ -158,6 +191,7 @@ fn check_material(material: &Material, what: &str) -> Result<()> {
         ("roughness", material.roughness),
         ("transmission", material.transmission),
         ("alpha", material.alpha),
+        ("occlusion strength", material.occlusion_strength),
         ("diffuse weight", weights[0]),
         ("mirror weight", weights[1]),
         ("refraction weight", weights[2]),
@@ -169,6 +203,12 @@ fn check_material(material: &Material, what: &str) -> Result<()> {
         return fail(
             format!("{what}, index of refraction"),
             format!("expected a number from 1 to {MAX_IOR}, found {}", material.ior),
+        );
+    }
+    if !material.normal_scale.is_finite() {
+        return fail(
+            format!("{what}, normal scale"),
+            format!("expected a finite number, found {}", material.normal_scale),
         );
     }
     match material.alpha_cutoff {

@@ -54,6 +54,7 @@ fn leaving_out_changes_nothing() {
         ("wires", built_in("wires")),
         ("minray", built_in("minray")),
         ("textures", gallery::textures()),
+        ("extended", gallery::extended()),
         ("glasshouse", gallery::glasshouse()),
         ("orthographic", gallery::orthographic()),
     ];

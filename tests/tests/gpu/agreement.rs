@@ -178,6 +178,11 @@ fn textures() {
 }
 
 #[test]
+fn extended() {
+    agree("extended", gallery::extended(), [103, 71], Settings::default());
+}
+
+#[test]
 fn lenses() {
     agree("lenses", gallery::lenses(), [96, 64], Settings { depth: 5, ..Settings::default() });
 }

@@ -50,6 +50,9 @@ fn the_room_needs_nearly_everything() {
         metallic_roughness_textures: false,
         emissive_textures: false,
         panes: false,
+        extended_materials: false,
+        normal_maps: false,
+        slot_coordinates: false,
         ..Features::all()
     };
     assert_eq!(Features::of(&scene), expected);

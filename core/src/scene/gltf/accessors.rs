@@ -20,6 +20,7 @@ const MAX_SPARSE_ONLY: u64 = 1 << 20;
 const MAX_SPARSE: u64 = 1 << 26;
 
 /// An accessor whose elements were all checked to lie inside the file's bytes.
+#[derive(Clone)]
 pub(super) struct Accessor<'b> {
     /// Number of elements.
     pub count: usize,
@@ -34,6 +35,7 @@ pub(super) struct Accessor<'b> {
 }
 
 /// Sparse values that replace those of some elements, in the file's encoding.
+#[derive(Clone)]
 struct Sparse<'b> {
     /// Indices of the replaced elements, strictly ascending.
     indices: &'b [u8],

@@ -60,7 +60,7 @@ impl<'b> Opener<'_, 'b, '_> {
             let material =
                 self.materials.load(self.source, self.external, &mut self.textures, warnings, material)?;
             let what = format!("mesh {index} primitive {i}");
-            let mesh = Mesh::open(self.source, primitive, material.coordinates, what, warnings)?;
+            let mesh = Mesh::open(self.source, primitive, material.reads, what, warnings)?;
             parts.extend(mesh.map(|mesh| Part { name: format!("{name}[{i}]"), mesh, material }));
         }
         let triangles = parts.iter().fold(0, |sum: usize, part| sum.saturating_add(part.mesh.triangles()));
@@ -112,6 +112,12 @@ pub(super) fn add<'b>(
     }
     if !scene.texcoords.is_empty() {
         scene.texcoords.resize(scene.positions.len(), [Vec2::ZERO; 3]);
+    }
+    if !scene.second_texcoords.is_empty() {
+        scene.second_texcoords.resize(scene.positions.len(), [Vec2::ZERO; 3]);
+    }
+    if !scene.tangents.is_empty() {
+        scene.tangents.resize(scene.positions.len(), [0; 3]);
     }
     if !scene.colors.is_empty() {
         scene.colors.resize(scene.positions.len(), [u32::MAX; 3]);

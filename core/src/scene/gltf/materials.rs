@@ -2,61 +2,28 @@
 
 use std::collections::HashMap;
 
-use glam::{DMat2, DVec2, Vec2, Vec3};
+use glam::Vec3;
 use gltf::json;
-use json::extensions::texture::TextureTransform;
 use json::material::AlphaMode;
-use json::texture::Info;
 use json::validation::Checked;
 
 use super::accessors::Source;
 use super::container::External;
 use super::images::Textures;
-use super::normalized::{Numbers, flushed2};
+use super::normalized::Numbers;
+use super::slots::{self, Reads};
 use super::text::{MAX_NAME, clipped};
 use crate::scene::{MAX_IOR, MAX_RADIANCE, Material};
 use crate::{Error, Result};
 
-/// The texture coordinates that a material reads, and their transform (KHR_texture_transform).
-#[derive(Clone, Copy, PartialEq)]
-pub(super) struct Coordinates {
-    /// Index n of the attribute TEXCOORD_n.
-    pub set: u32,
-    offset: [f32; 2],
-    rotation: f32,
-    scale: [f32; 2],
-}
+/// The largest factor on a normal map's slopes.
+const MAX_SCALE: f32 = 1.0e6;
 
-impl Coordinates {
-    fn of(info: &Info) -> Self {
-        let default = TextureTransform::default();
-        let transform = info.extensions.as_ref().and_then(|e| e.texture_transform.as_ref());
-        let t = transform.unwrap_or(&default);
-        Self {
-            set: t.tex_coord.unwrap_or(info.tex_coord),
-            offset: t.offset.0,
-            rotation: t.rotation.0,
-            scale: t.scale.0,
-        }
-    }
-
-    /// Applies offset, rotation and scale. Rotation is counter-clockwise in the image, where v grows downwards:
-    /// this is the matrix that viewers use, not the listing in the extension's text (KhronosGroup/glTF issue
-    /// 1563).
-    pub fn transform(&self, uv: [f32; 2]) -> Vec2 {
-        let (sin, cos) = f64::from(self.rotation).sin_cos();
-        let rotation = DMat2::from_cols_array(&[cos, -sin, sin, cos]);
-        let scaled = Vec2::from(uv).as_dvec2() * Vec2::from(self.scale).as_dvec2();
-        let moved: DVec2 = rotation * scaled + Vec2::from(self.offset).as_dvec2();
-        flushed2(moved.as_vec2())
-    }
-}
-
-/// An imported material: its index in the scene and the texture coordinates that it reads.
+/// An imported material: its index in the scene and the vertex attributes that it reads.
 #[derive(Clone, Copy)]
 pub(super) struct Imported {
     pub index: u32,
-    pub coordinates: Option<Coordinates>,
+    pub reads: Reads,
 }
 
 /// The materials imported so far.
@@ -79,8 +46,10 @@ impl Materials {
         if let Some(known) = self.imported.get(&index) {
             return Ok(*known);
         }
-        let (material, coordinates) = match index {
-            None => (Material { name: "default".into(), metallic: 1.0, ..Material::default() }, None),
+        let (material, reads) = match index {
+            None => {
+                (Material { name: "default".into(), metallic: 1.0, ..Material::default() }, Reads::default())
+            }
             Some(index) => {
                 let all = &source.root.materials;
                 let json = all.get(index).ok_or_else(|| {
@@ -95,11 +64,11 @@ impl Materials {
                 };
                 let mut material = factors(json, &what, warnings)?;
                 let mut load = |texture: usize| textures.load(source, external, texture);
-                let coordinates = slots(json, &what, &mut material, warnings, &mut load)?;
-                (material, coordinates)
+                let reads = slots::read(json, &what, &mut material, warnings, &mut load)?;
+                (material, reads)
             }
         };
-        let imported = Imported { index: self.materials.len() as u32, coordinates };
+        let imported = Imported { index: self.materials.len() as u32, reads };
         self.materials.push(material);
         self.imported.insert(index, imported);
         Ok(imported)
@@ -129,6 +98,10 @@ fn factors(json: &json::Material, what: &str, warnings: &mut Vec<String>) -> Res
         None => 0.0,
     };
     let volume = extensions.and_then(|e| e.volume.as_ref());
+    let normal_scale = json.normal_texture.as_ref().map_or(1.0, |t| t.scale);
+    let normal_scale = numbers.within("normalTexture.scale", normal_scale, -MAX_SCALE..=MAX_SCALE)?;
+    let occlusion_strength = json.occlusion_texture.as_ref().map_or(1.0, |t| t.strength.0);
+    let occlusion_strength = numbers.share("occlusionTexture.strength", occlusion_strength)?;
     let solid = volume.is_some_and(|v| v.thickness_factor.0 > 0.0);
     Ok(Material {
         name: json.name.as_deref().map_or_else(|| what.to_owned(), |name| clipped(name, MAX_NAME)),
@@ -143,6 +116,8 @@ fn factors(json: &json::Material, what: &str, warnings: &mut Vec<String>) -> Res
         alpha_cutoff,
         alpha,
         casts_shadow: transmission == 0.0,
+        normal_scale,
+        occlusion_strength,
         ..Material::default()
     })
 }
@@ -182,40 +157,4 @@ fn alpha_cutoff(json: &json::Material, numbers: &mut Numbers<'_>) -> Result<Opti
             Err(Error::scene(numbers.what, "alphaMode: expected OPAQUE, MASK or BLEND, found another"))
         }
     }
-}
-
-/// Reads the textures of a material. The first slot with a texture determines the texture coordinates; slots with
-/// others are dropped, with a warning.
-fn slots(
-    json: &json::Material,
-    what: &str,
-    material: &mut Material,
-    warnings: &mut Vec<String>,
-    load: &mut dyn FnMut(usize) -> Result<Option<u32>>,
-) -> Result<Option<Coordinates>> {
-    let pbr = &json.pbr_metallic_roughness;
-    let slots = [
-        ("base colour", &pbr.base_color_texture, &mut material.base_color_texture),
-        ("metallic-roughness", &pbr.metallic_roughness_texture, &mut material.metallic_roughness_texture),
-        ("emissive", &json.emissive_texture, &mut material.emissive_texture),
-    ];
-    let mut common = None;
-    for (name, info, slot) in slots {
-        let Some(info) = info else { continue };
-        let coordinates = Coordinates::of(info);
-        if common.is_some_and(|c| c != coordinates) {
-            warnings.push(format!(
-                "{what}: its {name} texture is dropped, for it has another coordinate set or transform \
-                 than the textures before it"
-            ));
-            continue;
-        }
-        *slot = load(info.index.value())?;
-        if slot.is_some() {
-            common = Some(coordinates);
-        } else {
-            warnings.push(format!("{what}: its {name} texture is dropped, for it has no PNG or JPEG image"));
-        }
-    }
-    Ok(common)
 }

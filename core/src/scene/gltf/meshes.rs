@@ -7,8 +7,10 @@ use json::mesh::{Mode, Primitive, Semantic};
 use json::validation::Checked;
 
 use super::accessors::{Accessor, Source};
-use super::materials::{Coordinates, Imported};
+use super::materials::Imported;
 use super::nodes::Placed;
+use super::slots::{Coordinates, Reads};
+use super::tangents;
 use super::vertices::Vertices;
 use crate::scene::{Object, Scene, octahedral_encode};
 use crate::{Error, Result};
@@ -25,16 +27,20 @@ pub(super) struct Mesh<'b> {
     pub positions: Accessor<'b>,
     pub normals: Option<Accessor<'b>>,
     pub colors: Option<Accessor<'b>>,
-    /// The texture coordinates that the material's textures read.
+    /// The texture coordinates that the material's first texture reads.
     pub texcoords: Option<(Coordinates, Accessor<'b>)>,
+    /// The set that other textures read, and its index.
+    pub second: Option<(u32, Accessor<'b>)>,
+    /// Tangents, where the material has a normal map.
+    pub tangents: Option<Accessor<'b>>,
 }
 
 impl<'b> Mesh<'b> {
-    /// Opens a primitive with the texture coordinates that its material reads. `None` if it has no triangles.
+    /// Opens a primitive with the attributes that its material reads. `None` if it has no triangles.
     pub fn open(
         source: &Source<'b>,
         primitive: &Primitive,
-        coordinates: Option<Coordinates>,
+        reads: Reads,
         what: String,
         warnings: &mut Vec<String>,
     ) -> Result<Option<Self>> {
@@ -73,9 +79,13 @@ impl<'b> Mesh<'b> {
             }
         }
         let normals = attribute(Semantic::Normals, &[Type::Vec3])?;
+        // Without normals, tangents are to be ignored.
+        let reads_tangents = reads.normal_map.is_some() && normals.is_some();
+        let tangents = if reads_tangents { attribute(Semantic::Tangents, &[Type::Vec4])? } else { None };
         let colors = attribute(Semantic::Colors(0), &[Type::Vec3, Type::Vec4])?;
         let lengths = texcoords.iter().map(|(set, a)| (format!("TEXCOORD_{set}"), a));
         let lengths = lengths.chain(normals.iter().map(|a| ("NORMAL".to_owned(), a)));
+        let lengths = lengths.chain(tangents.iter().map(|a| ("TANGENT".to_owned(), a)));
         for (name, accessor) in lengths.chain(colors.iter().map(|a| ("COLOR_0".to_owned(), a))) {
             if accessor.count != positions.count {
                 return Err(Error::scene(
@@ -88,14 +98,21 @@ impl<'b> Mesh<'b> {
             }
         }
         let indices = indices.transpose()?;
-        let texcoords = coordinates.and_then(|c| {
-            let found = texcoords.into_iter().find(|(set, _)| *set == c.set);
+        let mut take = |set: u32| {
+            let found = texcoords.iter().position(|(n, _)| *n == set).map(|i| texcoords.swap_remove(i));
             if found.is_none() {
-                warnings.push(format!("{what}: without TEXCOORD_{} its textures are read at (0, 0)", c.set));
+                warnings.push(format!("{what}: without TEXCOORD_{set} its textures are read at (0, 0)"));
             }
-            found.map(|(_, accessor)| (c, accessor))
-        });
-        Ok(Some(Self { what, mode, indices, positions, normals, colors, texcoords }))
+            found
+        };
+        let first = reads.first.and_then(|c| take(c.set).map(|(_, accessor)| (c, accessor)));
+        let second = match (reads.second, &first) {
+            (Some(set), Some((c, accessor))) if c.set == set => Some((set, accessor.clone())),
+            (Some(set), _) => take(set),
+            (None, _) => None,
+        };
+        let texcoords = first;
+        Ok(Some(Self { what, mode, indices, positions, normals, colors, texcoords, second, tangents }))
     }
 
     /// Number of triangles of the primitive.
@@ -153,6 +170,18 @@ impl<'b> Mesh<'b> {
                 scene.texcoords.resize(scene.positions.len() - 1, [Vec2::ZERO; 3]);
                 scene.texcoords.push(corners.map(|c| vertices.texcoords[c]));
             }
+            if !vertices.second.is_empty() {
+                scene
+                    .second_texcoords
+                    .reserve_exact(scene.positions.capacity() - scene.second_texcoords.len());
+                scene.second_texcoords.resize(scene.positions.len() - 1, [Vec2::ZERO; 3]);
+                scene.second_texcoords.push(corners.map(|c| vertices.second[c]));
+            }
+            if !vertices.tangents.is_empty() {
+                scene.tangents.reserve_exact(scene.positions.capacity() - scene.tangents.len());
+                scene.tangents.resize(scene.positions.len() - 1, [0; 3]);
+                scene.tangents.push(corners.map(|c| vertices.tangents[c]));
+            }
             if !vertices.colors.is_empty() {
                 scene.colors.reserve_exact(scene.positions.capacity() - scene.colors.len());
                 scene.colors.resize(scene.positions.len() - 1, [WHITE; 3]);
@@ -160,6 +189,15 @@ impl<'b> Mesh<'b> {
             }
         }
         let kept = scene.positions.len() - before;
+        if let Some(coordinates) =
+            material.reads.normal_map.filter(|_| vertices.tangents.is_empty() && kept > 0)
+        {
+            drop(vertices);
+            let computed = tangents::computed(scene, before..scene.positions.len(), coordinates)?;
+            scene.tangents.reserve_exact(scene.positions.capacity() - scene.tangents.len());
+            scene.tangents.resize(before, [0; 3]);
+            scene.tangents.extend(computed);
+        }
         if kept > 0 {
             scene.objects.push(Object { name, material: material.index });
         }

@@ -13,6 +13,7 @@
 //!
 //! ```text
 //! 8 MiB + 1024 x bytes of JSON + 8 x bytes of all else + 256 x (triangles + objects) + 16 x texels
+//!     + 1024 x triangles of the largest object whose tangents are computed
 //! ```
 //!
 //! "All else" is the content of a `.glb` besides its JSON, and the content of URIs. The factor of JSON is that of
@@ -31,7 +32,9 @@ mod materials;
 mod meshes;
 mod nodes;
 mod normalized;
+mod slots;
 mod support;
+mod tangents;
 #[cfg(test)]
 mod tests;
 mod text;

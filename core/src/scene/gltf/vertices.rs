@@ -7,8 +7,8 @@ use glam::{DMat3, DVec3, Vec2, Vec3};
 use super::accessors::Accessor;
 use super::meshes::Mesh;
 use super::nodes::Placed;
-use super::normalized::flushed3;
-use crate::scene::{MAX_COORDINATE, octahedral_encode};
+use super::normalized::{flushed2, flushed3};
+use crate::scene::{MAX_COORDINATE, octahedral_encode, tangent_encode};
 use crate::{Error, Result};
 
 /// The vertices that triangles use. Many primitives of a file often share one large array, so the work must be
@@ -69,6 +69,9 @@ pub(super) struct Vertices {
     /// attributes.
     pub normals: Vec<Option<u32>>,
     pub texcoords: Vec<Vec2>,
+    pub second: Vec<Vec2>,
+    /// Encoded tangents; also empty if some of the file's are not usable.
+    pub tangents: Vec<u32>,
     pub colors: Vec<u32>,
 }
 
@@ -83,17 +86,24 @@ impl Vertices {
             None => Vec::new(),
             Some((coordinates, accessor)) => used.map(|i| {
                 let stored = accessor.floats::<2>(i);
-                let moved = coordinates.transform(stored);
-                let inside = moved.abs().max_element() <= MAX_COORDINATE && !moved.is_nan();
-                let name = format_args!("TEXCOORD_{}", coordinates.set);
-                inside.then_some(moved).ok_or_else(|| {
-                    bad(mesh, name, i, &stored, format_args!("finite coordinates up to {MAX_COORDINATE:e}"))
-                })
+                texcoord(mesh, coordinates.set, i, stored, coordinates.transform(stored))
             })?,
         };
+        let second = match &mesh.second {
+            None => Vec::new(),
+            Some((set, accessor)) => used.map(|i| {
+                let stored = accessor.floats::<2>(i);
+                texcoord(mesh, *set, i, stored, flushed2(stored.into()))
+            })?,
+        };
+        let tangents = match &mesh.tangents {
+            None => Some(Vec::new()),
+            Some(accessor) => used.map(|i| Ok(tangent(accessor, node, i)))?.into_iter().collect(),
+        };
+        let tangents = tangents.unwrap_or_default();
         let colors = mesh.colors.as_ref();
         let colors = colors.map_or(Ok(Vec::new()), |a| used.map(|i| color(mesh, a, i)))?;
-        Ok(Self { used, positions, normals, texcoords, colors })
+        Ok(Self { used, positions, normals, texcoords, second, tangents, colors })
     }
 
     /// Position of a vertex of the primitive in the lists.
@@ -142,6 +152,22 @@ fn normal(mesh: &Mesh<'_>, accessor: &Accessor<'_>, cofactors: &DMat3, i: usize)
     }
     let n = (*cofactors * n.as_dvec3()).normalize_or_zero();
     Ok((n != DVec3::ZERO).then(|| octahedral_encode(n.as_vec3())))
+}
+
+/// Checks transformed texture coordinates.
+fn texcoord(mesh: &Mesh<'_>, set: u32, i: usize, stored: [f32; 2], moved: Vec2) -> Result<Vec2> {
+    let inside = moved.abs().max_element() <= MAX_COORDINATE && !moved.is_nan();
+    inside.then_some(moved).ok_or_else(|| {
+        let expected = format_args!("finite coordinates up to {MAX_COORDINATE:e}");
+        bad(mesh, format_args!("TEXCOORD_{set}"), i, &stored, expected)
+    })
+}
+
+/// The encoded tangent of a vertex in world space; `None` if it has no direction.
+fn tangent(accessor: &Accessor<'_>, node: &Placed<'_>, i: usize) -> Option<u32> {
+    let [x, y, z, sign] = accessor.floats::<4>(i);
+    let world = node.world.transform_vector3(DVec3::new(x.into(), y.into(), z.into())).try_normalize()?;
+    Some(tangent_encode(world.as_vec3(), (sign < 0.0) != node.mirrors()))
 }
 
 fn color(mesh: &Mesh<'_>, accessor: &Accessor<'_>, i: usize) -> Result<u32> {

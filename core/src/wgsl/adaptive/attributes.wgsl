@@ -16,6 +16,14 @@ struct Attributes {
     color: vec3f,
     // Footprint in texture coordinates: log2 of the second moments along s and t, and their correlation.
     footprint: vec3f,
+    maps: Maps,
+}
+
+// The stored words of Maps.
+struct MapsWords {
+    tangent: u32,
+    coordinates: vec4u,
+    footprint: u32,
 }
 
 // Converts second moments to a footprint attribute; linear interpolation of it gives the geometric mean.
@@ -27,6 +35,19 @@ fn attributes_footprint(moments: vec3f) -> vec3f {
 fn attributes_moments(footprint: vec3f) -> vec3f {
     let lengths = exp2(footprint.xy);
     return vec3f(lengths, footprint.z * sqrt(lengths.x * lengths.y));
+}
+
+// Encodes a footprint: eleven bits for each logarithm and ten for the correlation, with an exact zero.
+fn footprint_encode(footprint: vec3f) -> u32 {
+    let share = (footprint.xy - FOOTPRINT_LEAST) / (FOOTPRINT_MOST - FOOTPRINT_LEAST);
+    let lengths = vec2u(round(2047.0 * clamp(share, vec2f(0.0), vec2f(1.0))));
+    return lengths.x | (lengths.y << 11u) | (u32(round(511.0 * footprint.z) + 511.0) << 22u);
+}
+
+fn footprint_decode(packed: u32) -> vec3f {
+    let share = vec2f(vec2u(packed & 2047u, (packed >> 11u) & 2047u)) / 2047.0;
+    let lengths = FOOTPRINT_LEAST + (FOOTPRINT_MOST - FOOTPRINT_LEAST) * share;
+    return vec3f(lengths, f32(packed >> 22u) / 511.0 - 1.0);
 }
 
 // Flag in the word of OID, above its bits: the pixel was traced.

@@ -47,6 +47,17 @@ fn attributes_store(pixel: vec2u, a: Attributes, traced: u32) {
     if HAS_FOOTPRINT {
         attributes[attributes_channel(CHANNEL_FOOTPRINT, pixel)] = footprint_encode(a.footprint);
     }
+    let words = maps_pack(a.maps);
+    if HAS_NORMAL_MAPS {
+        attributes[attributes_channel(CHANNEL_TANGENT, pixel)] = words.tangent;
+    }
+    if HAS_SLOT_COORDINATES {
+        attributes[attributes_channel(CHANNEL_FIRST_S, pixel)] = words.coordinates.x;
+        attributes[attributes_channel(CHANNEL_FIRST_T, pixel)] = words.coordinates.y;
+        attributes[attributes_channel(CHANNEL_SECOND_S, pixel)] = words.coordinates.z;
+        attributes[attributes_channel(CHANNEL_SECOND_T, pixel)] = words.coordinates.w;
+        attributes[attributes_channel(CHANNEL_SECOND_FOOTPRINT, pixel)] = words.footprint;
+    }
 }
 
 fn attributes_load(pixel: vec2u) -> Attributes {
@@ -78,20 +89,21 @@ fn attributes_load(pixel: vec2u) -> Attributes {
     if HAS_FOOTPRINT {
         a.footprint = footprint_decode(attributes[attributes_channel(CHANNEL_FOOTPRINT, pixel)]);
     }
+    var words: MapsWords;
+    if HAS_NORMAL_MAPS {
+        words.tangent = attributes[attributes_channel(CHANNEL_TANGENT, pixel)];
+    }
+    if HAS_SLOT_COORDINATES {
+        words.coordinates = vec4u(
+            attributes[attributes_channel(CHANNEL_FIRST_S, pixel)],
+            attributes[attributes_channel(CHANNEL_FIRST_T, pixel)],
+            attributes[attributes_channel(CHANNEL_SECOND_S, pixel)],
+            attributes[attributes_channel(CHANNEL_SECOND_T, pixel)],
+        );
+        words.footprint = attributes[attributes_channel(CHANNEL_SECOND_FOOTPRINT, pixel)];
+    }
+    a.maps = maps_unpack(words);
     return a;
-}
-
-// Encodes a footprint: eleven bits for each logarithm and ten for the correlation, with an exact zero.
-fn footprint_encode(footprint: vec3f) -> u32 {
-    let share = (footprint.xy - FOOTPRINT_LEAST) / (FOOTPRINT_MOST - FOOTPRINT_LEAST);
-    let lengths = vec2u(round(2047.0 * clamp(share, vec2f(0.0), vec2f(1.0))));
-    return lengths.x | (lengths.y << 11u) | (u32(round(511.0 * footprint.z) + 511.0) << 22u);
-}
-
-fn footprint_decode(packed: u32) -> vec3f {
-    let share = vec2f(vec2u(packed & 2047u, (packed >> 11u) & 2047u)) / 2047.0;
-    let lengths = FOOTPRINT_LEAST + (FOOTPRINT_MOST - FOOTPRINT_LEAST) * share;
-    return vec3f(lengths, f32(packed >> 22u) / 511.0 - 1.0);
 }
 
 // Encodes three radiances with a shared exponent and nine bits each; the error is at most 2^-9 of the largest.

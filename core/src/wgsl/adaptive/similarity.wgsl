@@ -40,7 +40,7 @@ fn similarity_failed(a: Attributes, a_pixel: vec2u, b: Attributes, b_pixel: vec2
     failed |= select(0u, CHECK_CONVEX, from_a * from_b < 0.0 && min(abs(from_a), abs(from_b)) > rounding);
     if HAS_TEXTURES {
         let seam = texture_seam_matters(a.object - 1u) && similarity_seam(a.texcoord, b.texcoord);
-        failed |= select(0u, CHECK_TEX, seam);
+        failed |= select(0u, CHECK_TEX, seam || !similarity_maps(a.object - 1u, a.maps, b.maps));
     }
     if HAS_LIGHTS {
         failed |= select(CHECK_SHADOW, 0u, a.shadow == b.shadow);
@@ -71,6 +71,7 @@ fn similarity_interpolate(a: Attributes, b: Attributes) -> Attributes {
     middle.texcoord = a_weight * a.texcoord + b_weight * b.texcoord;
     middle.color = a_weight * a.color + b_weight * b.color;
     middle.footprint = 0.5 * (a.footprint + b.footprint);
+    middle.maps = maps_interpolate(a.maps, b.maps, a_weight);
     return middle;
 }
 
@@ -80,8 +81,9 @@ fn similarity_shade(pixel: vec2u, a: Attributes) -> vec3f {
         return frame.background;
     }
     let ray = frame_ray(pixel);
-    let m = material_at(a.object - 1u, a.texcoord, attributes_moments(a.footprint), a.color);
+    let m = material_at(a.object - 1u, a.texcoord, attributes_moments(a.footprint), a.color, a.maps);
     let position = ray.origin + a.depth * ray.direction;
     let view = -normalize(ray.direction);
-    return a.gcol + material_local(m, position, a.normal, view, false, a.shadow);
+    let normal = material_normal(m, a.normal, a.face, view, a.maps);
+    return a.gcol + material_local(m, position, normal, view, false, a.shadow);
 }

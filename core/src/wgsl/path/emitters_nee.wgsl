@@ -100,7 +100,7 @@ fn emitters_sample(s: Surface, chance_of_diffuse: f32, which: f32, place: vec2f)
             return vec3f(0.0);
         }
         if HAS_EMISSIVE_TEXTURES {
-            emission = lobes_emission(material_at(object, arrived.texcoord, arrived.footprint, arrived.color));
+            emission = lobes_emission(material_at(object, arrived.texcoord, arrived.footprint, arrived.color, arrived.maps));
         }
     }
     let drawn = f32(LIGHT_SAMPLES) * emitters_density(object, seen, distance);

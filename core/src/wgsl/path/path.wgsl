@@ -55,8 +55,8 @@ fn path_step(path: ptr<function, Path>) -> bool {
     }
     stereo_reuse_record(path, hit.primitive);
     let direction = normalize(ray.direction);
-    let s = surface_at(ray, hit);
-    let m = material_at(s.object, s.texcoord, s.footprint, s.color);
+    var s = surface_at(ray, hit);
+    let m = surface_material(&s, direction);
     if COUNTS && (*path).level == 1u {
         (*path).object = s.object + 1u;
         (*path).depth = hit.t;

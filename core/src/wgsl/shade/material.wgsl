@@ -1,45 +1,5 @@
 // Evaluates materials at a point (Whitted 1980); the formulas are in core/MATERIALS.md.
 
-struct Material {
-    base: vec3f,
-    metallic: f32,
-    emission: vec3f,
-    roughness: f32,
-    weights: vec3f,
-    flags: u32,
-    transmission: f32,
-    ior: f32,
-}
-
-fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f) -> Material {
-    var m: Material;
-    m.flags = object_at(object).flags;
-    m.base = object_at(object).base_color * color * texture_color(object_at(object).base_color_texture, texcoord, footprint).rgb;
-    m.roughness = 1.0;
-    m.ior = 1.5;
-    if !material_is(m, OBJECT_MATTE) {
-        if HAS_EMISSION {
-            m.emission = object_at(object).emission;
-        }
-        if HAS_EMISSIVE_TEXTURES {
-            m.emission *= texture_color(object_at(object).emissive_texture, texcoord, footprint).rgb;
-        }
-        m.roughness = object_at(object).roughness;
-        m.metallic = object_at(object).metallic;
-        if HAS_METALLIC_ROUGHNESS_TEXTURES {
-            let surface = texture_data(object_at(object).metallic_roughness_texture, texcoord, footprint);
-            m.roughness *= surface.g;
-            m.metallic *= surface.b;
-        }
-        if material_is(m, OBJECT_WEIGHTS) {
-            m.weights = object_at(object).weights;
-        }
-        m.transmission = object_at(object).transmission;
-        m.ior = object_at(object).ior;
-    }
-    return m;
-}
-
 fn material_is(m: Material, flag: u32) -> bool {
     return (m.flags & flag) != 0u;
 }
@@ -131,7 +91,7 @@ fn material_local(m: Material, position: vec3f, normal: vec3f, view: vec3f, insi
     }
     let diffuse = material_diffuse(m, clamp(dot(normal, view), 0.0, 1.0), inside);
     let ambient = diffuse + material_rough_metal(m);
-    return m.emission + frame.ambient * ambient + lights_reflected(m, diffuse, position, normal, view, shadow);
+    return m.emission + frame.ambient * ambient * material_occlusion(m) + lights_reflected(m, diffuse, position, normal, view, shadow);
 }
 
 // Microfacet lobe for one light (Blinn-Phong distribution, Neumann's visibility term).

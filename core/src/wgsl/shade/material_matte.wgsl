@@ -4,7 +4,7 @@ struct Material {
     base: vec3f,
 }
 
-fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f) -> Material {
+fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f, maps: Maps) -> Material {
     return Material(object_at(object).base_color * color * texture_color(object_at(object).base_color_texture, texcoord, footprint).rgb);
 }
 

@@ -25,21 +25,23 @@ fn sample_follow(ray: Ray) -> Sample {
         var arriving = frame.background;
         if hit.primitive != MISS {
             let direction = normalize(state.ray.direction);
-            let s = surface_at(state.ray, hit);
-            let m = material_at(s.object, s.texcoord, s.footprint, s.color);
-            let shadow = shadow_bits(s);
+            let smooth_surface = surface_at(state.ray, hit);
+            var s = smooth_surface;
+            let m = surface_material(&s, direction);
+            let shadow = shadow_bits(smooth_surface);
             arriving = material_local(m, s.position, s.normal, -direction, s.inside, shadow);
             if state.level == 1u {
                 result.attributes.depth = hit.t;
                 result.attributes.object = s.object + 1u;
-                result.attributes.normal = s.normal;
+                result.attributes.normal = smooth_surface.normal;
                 result.attributes.face = s.face;
                 result.attributes.shadow = shadow;
                 result.attributes.texcoord = texture_fold(s.object, s.texcoord);
                 result.attributes.color = s.color;
                 result.attributes.footprint = cone_attribute(s);
+                result.attributes.maps = s.maps;
             } else if state.level == 2u {
-                secondary_hit(state.weight, s, shadow);
+                secondary_hit(state.weight, smooth_surface, shadow);
             }
             gcol += scatter(s, m, state, direction);
         }

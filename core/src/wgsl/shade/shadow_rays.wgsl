@@ -6,7 +6,7 @@ fn shadow_bits(s: Surface) -> u32 {
     var bits = 0u;
     for (var i = 0u; i < lights_count(); i += 1u) {
         let arrival = lights_arrival(i, origin);
-        if dot(s.normal, arrival.direction) <= 0.0 {
+        if dot(s.normal, arrival.direction) <= 0.0 && !material_has_normal_map(s.object) {
             continue;
         }
         var blocked = dot(s.face, arrival.direction) <= 0.0;

@@ -23,8 +23,8 @@ fn stereo_reproject_path(reprojection: ptr<function, StereoReprojection>, first:
     while next != 0u && (*reprojection).level < frame.depth {
         let ray = (*reprojection).ray;
         let direction = normalize(ray.direction);
-        let s = surface_at(ray, stereo_reproject_hit(ray, next - 1u));
-        let m = material_at(s.object, s.texcoord, s.footprint, s.color);
+        var s = surface_at(ray, stereo_reproject_hit(ray, next - 1u));
+        let m = surface_material(&s, direction);
         let lobes = lobes_at(s, m, direction);
         if lobes_unlit(m) || lobes.sum <= 0.0 || !stereo_reuse_at(reprojection, s, m, lobes) {
             return;

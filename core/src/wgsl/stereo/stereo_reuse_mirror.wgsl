@@ -55,9 +55,10 @@ fn stereo_reuse_share(mirror: StereoReuseMirror, s: Surface, to: Ray) -> vec3f {
         if hit.primitive == MISS {
             break;
         }
-        let z = surface_at(ray, hit);
-        let m = material_at(z.object, z.texcoord, z.footprint, z.color);
-        let lobes = lobes_at(z, m, normalize(ray.direction));
+        var z = surface_at(ray, hit);
+        let direction = normalize(ray.direction);
+        let m = surface_material(&z, direction);
+        let lobes = lobes_at(z, m, direction);
         let apart = abs(dot(mirror.face, z.position - mirror.point));
         let coplanar = dot(z.face, mirror.face) > STEREO_REUSE_PLANE && apart < STEREO_REUSE_NEAR * length(z.position - to.origin);
         if !(z.object == mirror.object && coplanar && stereo_reuse_only_mirrors(z, m, lobes)) {

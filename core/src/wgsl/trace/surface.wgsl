@@ -17,6 +17,7 @@ struct Surface {
     // The ray cone: its width here and the growth of the width per unit of length.
     cone: vec2f,
     footprint: vec3f,
+    maps: Maps,
 }
 
 fn surface_at(ray: Ray, hit: Hit) -> Surface {
@@ -37,6 +38,7 @@ fn surface_at(ray: Ray, hit: Hit) -> Surface {
     }
     s.texcoord = vertex_texcoord(hit);
     s.color = vertex_color(hit);
+    s.maps = surface_maps(s, hit, corners, normalize(ray.direction));
     return s;
 }
 

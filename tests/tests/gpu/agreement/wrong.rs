@@ -59,6 +59,34 @@ fn textures_shifted_by_half_a_texel_are_seen() {
     objects(&frames.traced_colors(), 50, "radiance");
 }
 
+#[test]
+fn other_tangents_and_second_coordinates_are_seen() {
+    let scene = gallery::extended();
+    type Change = fn(&mut Scene);
+    let changes: [(&str, Change, usize); 5] = [
+        ("tangents", |s| s.tangents.iter_mut().flatten().for_each(|word| *word ^= 1), 30),
+        ("slopes", |s| s.materials.iter_mut().for_each(|m| m.normal_scale *= 1.1), 30),
+        ("occlusion", |s| s.materials.iter_mut().for_each(|m| m.occlusion_strength *= 0.9), 3),
+        ("second set", |s| s.second_texcoords.iter_mut().flatten().for_each(|t| t.x += 0.1), 3),
+        (
+            "transforms",
+            |s| {
+                let all = s.materials.iter_mut().flat_map(|m| m.coordinates.values_mut());
+                all.for_each(|c| c.transform.translation.y += 0.1);
+            },
+            10,
+        ),
+    ];
+    let pair = Pair::new(scene.clone(), SIZE, Settings::default());
+    for (what, change, least) in changes {
+        let wrong = changed(&scene, change);
+        for method in [Method::Full, Method::Adaptive] {
+            let frames = pair.frames(method).against(&wrong, Settings { method, ..pair.settings });
+            objects(&frames.adaptive_colors(), least, what);
+        }
+    }
+}
+
 /// Textures sampled at a point where averages are expected.
 #[test]
 fn points_in_place_of_averages_are_seen() {

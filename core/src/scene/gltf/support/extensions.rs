@@ -128,13 +128,7 @@ static TEXTURE_TRANSFORM: Object =
     object("KHR_texture_transform", &[shown("offset"), shown("rotation"), shown("scale"), shown("texCoord")]);
 static TRANSMISSION: Object = object(
     "KHR_materials_transmission",
-    &[
-        shown("transmissionFactor"),
-        not_shown("transmissionTexture", |texture, site| {
-            !texture.is_null() && factor(site.owner, "transmissionFactor", 0.0) != 0.0
-        })
-        .object(&TEXTURE_INFO),
-    ],
+    &[shown("transmissionFactor"), shown("transmissionTexture").object(&TEXTURE_INFO)],
 );
 static VISIBILITY: Object = object("KHR_node_visibility", &[shown("visible")]);
 // A thickness is for renderers that do not trace rays through the body.

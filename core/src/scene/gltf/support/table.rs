@@ -5,7 +5,7 @@
 use serde_json::Value;
 
 use super::extensions::{IMAGE_BASED_LIGHT, LIGHT};
-use super::{List, Object, Site, ignored, not_shown, object, present, shown};
+use super::{List, Object, Site, ignored, not_shown, object, shown};
 
 /// The lists of the document's root whose elements other elements refer to by their index.
 pub(super) static LISTS: [&List; 15] = [
@@ -201,8 +201,8 @@ static MATERIAL: Object = object(
         shown("emissiveFactor"),
         shown("emissiveTexture").object(&TEXTURE_INFO),
         shown("name"),
-        not_shown("normalTexture", present).object(&NORMAL_TEXTURE_INFO),
-        not_shown("occlusionTexture", present).object(&OCCLUSION_TEXTURE_INFO),
+        shown("normalTexture").object(&NORMAL_TEXTURE_INFO),
+        shown("occlusionTexture").object(&OCCLUSION_TEXTURE_INFO),
         shown("pbrMetallicRoughness").object(&PBR_METALLIC_ROUGHNESS),
     ],
 );
@@ -249,7 +249,7 @@ static ATTRIBUTES: Object = object(
         ignored("JOINTS_n"),
         shown("NORMAL").index(&ACCESSORS),
         shown("POSITION").index(&ACCESSORS),
-        ignored("TANGENT"),
+        shown("TANGENT").index(&ACCESSORS),
         shown("TEXCOORD_n").index(&ACCESSORS),
         ignored("WEIGHTS_n"),
     ],

@@ -1,11 +1,11 @@
 //! Tests of reading materials, textures and images.
 
-use glam::{Vec3, vec3};
+use glam::{Vec3, vec2, vec3};
 use serde_json::{Value, json};
 
 use super::{File, data_uri, png};
 use crate::scene::gltf::NO_LIGHTS;
-use crate::scene::{Material, Texture, Wrap};
+use crate::scene::{Material, Scene, Texture, TextureSlot, Wrap, tangent_decode_exact};
 
 fn with_material(material: Value) -> File {
     let mut file = File::triangle();
@@ -39,7 +39,6 @@ fn factors_and_extensions() {
         },
         "emissiveFactor": [1, 0.5, 0],
         "doubleSided": true,
-        "normalTexture": { "index": 7 },
         "extensions": {
             "KHR_materials_emissive_strength": { "emissiveStrength": 8 },
             "KHR_materials_ior": { "ior": 1.33 },
@@ -99,17 +98,85 @@ fn three_slots_share_coordinates() {
 }
 
 #[test]
-fn a_slot_with_other_coordinates_is_dropped() {
-    let scene = textured(json!({
-        "pbrMetallicRoughness": { "metallicRoughnessTexture": { "index": 1, "texCoord": 1 } },
+fn every_slot_keeps_its_own_coordinates() {
+    let turned =
+        json!({ "KHR_texture_transform": { "offset": [0.5, 0.25], "scale": [2, 4], "texCoord": 1 } });
+    let plain = json!({ "KHR_texture_transform": { "offset": [0.5, 0] } });
+    let mut file = textured(json!({
+        "pbrMetallicRoughness": {
+            "baseColorTexture": { "index": 0, "extensions": turned },
+            "metallicRoughnessTexture": { "index": 1, "texCoord": 1 },
+        },
         "emissiveTexture": { "index": 2 },
-    }))
-    .scene();
+        "normalTexture": { "index": 1, "extensions": plain, "scale": 0.5 },
+        "occlusionTexture": { "index": 2, "texCoord": 1, "extensions": turned, "strength": 0.25 },
+        "extensions": { "KHR_materials_transmission": {
+            "transmissionFactor": 1, "transmissionTexture": { "index": 0, "texCoord": 2 },
+        } },
+    }));
+    let second = file.floats("VEC2", &[0.0, 0.0, 0.5, 0.0, 0.0, 0.5]);
+    file.attribute("TEXCOORD_1", second);
+    let scene = file.scene();
     let material = &scene.materials[0];
-    assert_eq!(material.metallic_roughness_texture, Some(0));
-    assert_eq!(material.emissive_texture, None);
-    assert_eq!(scene.images.len(), 1, "only what is shown is decoded");
-    assert!(scene.warnings[0].contains("emissive texture is dropped"), "{:?}", scene.warnings);
+    let slots = [TextureSlot::MetallicRoughness, TextureSlot::Emissive, TextureSlot::Normal];
+    assert_eq!(material.coordinates.keys().copied().collect::<Vec<_>>(), slots);
+    // The first slot's coordinates are stored transformed: (u, v) of the second set became (2 u + 0.5, 4 v + 0.25).
+    assert_eq!(scene.texcoords, [[vec2(0.5, 0.25), vec2(1.5, 0.25), vec2(0.5, 2.25)]]);
+    assert_eq!(scene.second_texcoords, [[vec2(0.0, 0.0), vec2(1.0, 0.0), vec2(0.0, 1.0)]]);
+    let at = |slot, uv| material.coordinates[&slot].transform.transform_point2(uv);
+    assert_eq!(at(TextureSlot::MetallicRoughness, vec2(1.5, 2.25)), vec2(0.5, 0.5));
+    assert!(!material.coordinates[&TextureSlot::MetallicRoughness].second);
+    assert_eq!(at(TextureSlot::Emissive, vec2(0.25, 0.75)), vec2(0.25, 0.75));
+    assert_eq!(at(TextureSlot::Normal, vec2(0.25, 0.75)), vec2(0.75, 0.75));
+    assert!(material.coordinates[&TextureSlot::Normal].second);
+    assert_eq!((material.normal_scale, material.occlusion_strength), (0.5, 0.25));
+    assert!(material.maps.contains_key(&TextureSlot::Occlusion));
+    assert!(!material.maps.contains_key(&TextureSlot::Transmission), "a third set");
+    assert!(scene.warnings[0].contains("transmission texture is dropped"), "{:?}", scene.warnings);
+    assert!(scene.warnings[0].contains("TEXCOORD_2"), "{:?}", scene.warnings);
+}
+
+#[test]
+fn a_bad_transform_is_named() {
+    let transform = json!({ "KHR_texture_transform": { "scale": "large" } });
+    let mut file = textured(json!({ "normalTexture": { "index": 0, "extensions": transform } }));
+    file.fails(&["material 0, normal texture", "KHR_texture_transform"]);
+    let huge = json!({ "KHR_texture_transform": { "scale": [1e30, 1] } });
+    file.json["materials"][0] = json!({
+        "emissiveTexture": { "index": 1 }, "occlusionTexture": { "index": 0, "extensions": huge },
+    });
+    file.fails(&["occlusion texture", "expected a transform"]);
+}
+
+/// The tangent frame as glTF has it: the tangent along u, the bitangent against v, which grows downwards.
+#[test]
+fn tangents_come_from_the_file_or_are_computed() {
+    let mut file = textured(json!({ "normalTexture": { "index": 0 } }));
+    let frame = |scene: &Scene| {
+        let (tangent, sign) = tangent_decode_exact(scene.tangents[0][1]);
+        (tangent.as_vec3(), sign)
+    };
+    let near = |(tangent, sign): (Vec3, f64), expected: Vec3, flipped: f64| {
+        assert!((tangent - expected).length() < 2.0e-4 && sign == flipped, "{tangent} {sign}");
+    };
+    // Here v grows upwards.
+    near(frame(&file.scene()), Vec3::X, -1.0);
+    let normals = file.floats("VEC3", &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0]);
+    let of_file = [0.0, 1.0, 0.0, 1.0].repeat(3);
+    let tangents = file.floats("VEC4", &of_file);
+    file.attribute("TANGENT", tangents);
+    near(frame(&file.scene()), Vec3::X, -1.0);
+    file.attribute("NORMAL", normals);
+    near(frame(&file.scene()), Vec3::Y, 1.0);
+    // A mirrored node: x turns round, and so does the order of the corners; bumps stay bumps.
+    file.json["nodes"][0]["scale"] = json!([-1, 1, 1]);
+    near(frame(&file.scene()), Vec3::Y, -1.0);
+    file.json["nodes"][0]["scale"] = json!([1, 1, 1]);
+    let nothing = file.floats("VEC4", &[0.0; 12]);
+    file.attribute("TANGENT", nothing);
+    near(frame(&file.scene()), Vec3::X, -1.0);
+    file.json["materials"][0] = json!({ "emissiveTexture": { "index": 0 } });
+    assert!(file.scene().tangents.is_empty(), "only where there is a normal map");
 }
 
 #[test]
@@ -157,7 +224,7 @@ fn what_cannot_be_shown_is_said() {
         "KHR_materials_transmission": { "transmissionFactor": 1, "transmissionTexture": { "index": 0 } },
         "KHR_materials_volume": { "attenuationDistance": 2, "attenuationColor": [1, 0, 0] },
     }}]);
-    assert_eq!(file.scene().warnings.len(), 3);
+    assert_eq!(file.scene().warnings.len(), 2);
 }
 
 #[test]

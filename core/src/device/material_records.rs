@@ -1,0 +1,79 @@
+//! Data of extended materials, behind the objects in the same storage: a record for each material, then tables of
+//! tangents and of second texture coordinates by primitive.
+
+use glam::Affine2;
+
+use super::atlas::Atlas;
+use crate::scene::{Material, Scene, TextureSlot};
+
+/// Four words, the unit in which records are read.
+type Words = [u32; 4];
+
+/// Place of the first slot in a record, and words per slot: the texture's place, the transform's columns, its offset
+/// and which set it maps.
+pub const RECORD_SLOTS: u32 = 2;
+pub const SLOT_PARTS: u32 = 3;
+
+/// Sets of texture coordinates in a slot's third word: the first as it is, or one of the two with a transform.
+pub const SET_FIRST: u32 = 1;
+pub const SET_SECOND: u32 = 2;
+
+/// Records and tables from a place in the storage on.
+pub struct Records {
+    /// Words of the records and tables.
+    pub words: Vec<Words>,
+    /// The place of each material's record; 0 for materials without one.
+    pub places: Vec<u32>,
+}
+
+impl Records {
+    /// The records of a scene's extended materials, which begin at `start`; `order` lists the primitives in the
+    /// order of the tree.
+    pub fn of(scene: &Scene, order: &[u32], atlas: &Atlas, start: u32) -> Self {
+        let extended = scene.materials.iter().filter(|m| m.is_extended()).count() as u32;
+        if extended == 0 {
+            return Self { words: Vec::new(), places: vec![0; scene.materials.len()] };
+        }
+        let size = RECORD_SLOTS + SLOT_PARTS * TextureSlot::ALL.len() as u32;
+        let tangents = start + extended * size;
+        let second = if scene.tangents.is_empty() { tangents } else { tangents + order.len() as u32 };
+        let mut records = Self { words: Vec::new(), places: Vec::new() };
+        for material in &scene.materials {
+            let place = start + records.words.len() as u32;
+            records.places.push(if material.is_extended() { place } else { 0 });
+            if material.is_extended() {
+                records.words.extend(record(material, atlas, [tangents, second]));
+            }
+        }
+        if !scene.tangents.is_empty() {
+            records.words.extend(order.iter().map(|i| {
+                let [a, b, c] = scene.tangents.get(*i as usize).copied().unwrap_or_default();
+                [a, b, c, 0]
+            }));
+        }
+        if !scene.second_texcoords.is_empty() {
+            records.words.extend(order.iter().flat_map(|i| {
+                let corners = scene.second_texcoords.get(*i as usize).copied().unwrap_or_default();
+                let [a, b, c] = corners.map(|t| t.to_array().map(f32::to_bits));
+                [[a[0], a[1], b[0], b[1]], [c[0], c[1], 0, 0]]
+            }));
+        }
+        records
+    }
+}
+
+/// A material's record. `tables` are the places of tangents and second coordinates.
+fn record(m: &Material, atlas: &Atlas, [tangents, second]: [u32; 2]) -> Vec<Words> {
+    let mapped = if m.has_normal_map() { tangents } else { 0 };
+    let twice = if m.coordinates.values().any(|c| c.second) { second } else { 0 };
+    let mut words = vec![[mapped, twice, m.normal_scale.to_bits(), m.occlusion_strength.to_bits()], [0; 4]];
+    for slot in TextureSlot::ALL {
+        let coordinates = m.coordinates.get(&slot);
+        let transform = coordinates.map_or(Affine2::IDENTITY, |c| c.transform);
+        let [x, y] = transform.matrix2.to_cols_array_2d().map(|column| column.map(f32::to_bits));
+        let [s, t] = transform.translation.to_array().map(f32::to_bits);
+        let set = coordinates.map_or(0, |c| if c.second { SET_SECOND } else { SET_FIRST });
+        words.extend([atlas.place(m.texture(slot)), [x[0], x[1], y[0], y[1]], [s, t, set, 0]]);
+    }
+    words
+}

@@ -1,0 +1,62 @@
+//! The texture slots of a material, and the texture coordinates that they read.
+
+use glam::Affine2;
+
+/// A texture slot of a material. The first one with a texture, in this order, reads
+/// [`Scene::texcoords`](super::Scene::texcoords) as they are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum TextureSlot {
+    /// Base colour (sRGB) and alpha.
+    BaseColor,
+    /// Roughness in green, metalness in blue.
+    MetallicRoughness,
+    /// Emitted colour, sRGB.
+    Emissive,
+    /// Normals in the tangent frame: each component is twice the channel minus one.
+    Normal,
+    /// Occlusion of ambient light in red: 0 is fully occluded.
+    Occlusion,
+    /// Transmission in red.
+    Transmission,
+}
+
+impl TextureSlot {
+    /// All slots in order.
+    pub const ALL: [Self; 6] = [
+        Self::BaseColor,
+        Self::MetallicRoughness,
+        Self::Emissive,
+        Self::Normal,
+        Self::Occlusion,
+        Self::Transmission,
+    ];
+
+    /// The slot's name in messages.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::BaseColor => "base colour",
+            Self::MetallicRoughness => "metallic-roughness",
+            Self::Emissive => "emissive",
+            Self::Normal => "normal",
+            Self::Occlusion => "occlusion",
+            Self::Transmission => "transmission",
+        }
+    }
+
+    /// Whether the slot's texels are sRGB-encoded colours.
+    #[must_use]
+    pub fn is_color(self) -> bool {
+        matches!(self, Self::BaseColor | Self::Emissive)
+    }
+}
+
+/// The texture coordinates of a slot that does not read [`Scene::texcoords`](super::Scene::texcoords) as they are:
+/// an affine map of one of the two sets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlotCoordinates {
+    /// Maps [`Scene::second_texcoords`](super::Scene::second_texcoords) instead of the first set.
+    pub second: bool,
+    /// The map.
+    pub transform: Affine2,
+}
