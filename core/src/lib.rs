@@ -54,7 +54,9 @@
 //! | `vulkan` | yes | wgpu's Vulkan backend |
 //! | `metal`, `dx12` | no | wgpu's other backends, on which nothing was tested |
 //! | `gltf` | yes | `Scene::from_gltf` |
+//! | `draco` | yes | meshes of files that Draco compressed |
 //! | `images` | yes | PNG and JPEG textures of files; `to_png`, `to_exr` and `Picture` |
+//! | `webp`, `ktx2` | yes | textures in WebP, and in KTX 2.0 with Basis Universal |
 //! | `reference` | yes | the modules `reference` and `cpu_tracer`: f64 frames, and path samples on CPU threads |
 //! | `stress` | yes | the modules `probe` and `stress`; needs `reference` |
 //! | `flip` | no | `metrics::flip`, NVIDIA's error metric, in C++ |

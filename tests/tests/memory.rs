@@ -17,11 +17,13 @@ struct Case {
     external: Vec<u8>,
     triangles_and_objects: usize,
     texels: usize,
+    /// Bytes that compressed buffer views and meshes decode to.
+    decoded: usize,
 }
 
 impl Case {
     fn new(name: &'static str, file: Vec<u8>) -> Self {
-        Self { name, file, external: Vec::new(), triangles_and_objects: 0, texels: 0 }
+        Self { name, file, external: Vec::new(), triangles_and_objects: 0, texels: 0, decoded: 0 }
     }
 
     /// Upper bound on the memory, as stated in `core/src/scene/gltf/mod.rs`.
@@ -31,7 +33,8 @@ impl Case {
             _ => self.file.len(),
         };
         let all_else = self.file.len() - json + self.external.len();
-        (8 << 20) + 1024 * json + 8 * all_else + 256 * self.triangles_and_objects + 16 * self.texels
+        let shown = 256 * self.triangles_and_objects + 16 * self.texels + 4 * self.decoded;
+        (8 << 20) + 1024 * json + 8 * all_else + shown
     }
 
     /// Peak of allocated bytes, and the result of the import.
@@ -150,6 +153,58 @@ fn sharing() -> Vec<Case> {
     ]
 }
 
+/// Files whose small parts stand for many joints, instances or compressed bytes.
+fn posed_and_compressed() -> Vec<Case> {
+    let zeros = |count: usize| {
+        format!(
+            r#"{{"componentType":5126,"type":"VEC3","count":{count},"sparse":{{"count":1,
+            "indices":{{"bufferView":0,"componentType":5121}},"values":{{"bufferView":0}}}}}}"#
+        )
+    };
+    const INSTANCES: usize = 1 << 20;
+    let instanced = format!(
+        r#""accessors":[{{"bufferView":0,"componentType":5126,"type":"VEC3","count":3}},{}],
+        "bufferViews":[{{"buffer":0,"byteLength":36}}],{MESH},"nodes":[{{"mesh":0,
+        "extensions":{{"EXT_mesh_gpu_instancing":{{"attributes":{{"TRANSLATION":1}}}}}}}}]"#,
+        zeros(INSTANCES)
+    );
+    let joints = format!(
+        r#""accessors":[{{"bufferView":0,"componentType":5126,"type":"VEC3","count":3}},
+        {{"bufferView":1,"componentType":5121,"type":"VEC4","count":3}},
+        {{"bufferView":1,"componentType":5126,"type":"VEC4","count":3}}],
+        "bufferViews":[{{"buffer":0,"byteLength":36}},{{"buffer":0,"byteOffset":36,"byteLength":48}}],
+        "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2}}}}]}}],
+        "nodes":[{{"mesh":0,"skin":0}}],"skins":[{{"joints":[{}]}}]"#,
+        vec!["0"; 1_000_000].join(",")
+    );
+    // Blocks of 256 elements of zeros, three bytes each.
+    const ELEMENTS: usize = 1 << 22;
+    let mut stream = vec![0xa1];
+    stream.resize(1 + ELEMENTS / 256 * 3, 0xaa);
+    stream.resize(stream.len() + 24, 0);
+    let compressed = format!(
+        r#""accessors":[{{"bufferView":0,"componentType":5126,"type":"VEC3","count":{ELEMENTS}}},
+        {{"bufferView":1,"componentType":5121,"type":"SCALAR","count":3}}],
+        "bufferViews":[{{"buffer":0,"byteLength":0,"extensions":{{"EXT_meshopt_compression":{{"buffer":0,
+        "byteOffset":36,"byteLength":{},"byteStride":12,"count":{ELEMENTS},"mode":"ATTRIBUTES"}}}}}},
+        {{"buffer":0,"byteLength":36}}],
+        "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"indices":1}}]}}],"nodes":[{{"mesh":0}}]"#,
+        stream.len()
+    );
+    vec![
+        Case {
+            triangles_and_objects: 2 * INSTANCES,
+            ..Case::new("a million instances", with(&instanced, &[]))
+        },
+        Case { triangles_and_objects: 2, ..Case::new("a million joints", with(&joints, &[0; 48])) },
+        Case {
+            triangles_and_objects: 2,
+            decoded: 12 * ELEMENTS,
+            ..Case::new("compressed zeros", with(&compressed, &stream))
+        },
+    ]
+}
+
 fn with_image(bytes: &[u8]) -> Vec<u8> {
     let image = format!(
         r#""accessors":[{{"bufferView":0,"componentType":5126,"type":"VEC3","count":3}}],
@@ -185,7 +240,17 @@ fn greed() -> Vec<Case> {
         vec![r#"{"mesh":0}"#; 1000].join(",")
     );
     let instances = with(&instances, &[0, 1, 2].repeat(100_000));
+    // A mesh of Draco: version 2.2, sequential, 2^31 triangles and as many points.
+    let draco = b"DRACO\x02\x02\x01\x00\x00\x00\x80\x80\x80\x80\x08\x80\x80\x80\x80\x08\x01\0\0\0";
+    let compressed = format!(
+        r#""accessors":[{{"componentType":5126,"type":"VEC3","count":3}}],
+        "bufferViews":[{{"buffer":0,"byteOffset":36,"byteLength":{}}}],"nodes":[{{"mesh":0}}],
+        "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"extensions":{{"KHR_draco_mesh_compression":
+        {{"bufferView":0,"attributes":{{"POSITION":0}}}}}}}}]}}]"#,
+        draco.len()
+    );
     vec![
+        Case::new("2^31 triangles of Draco", with(&compressed, draco)),
         Case::new("a count of 10^9", accessor("1000000000")),
         Case::new("a count of 2^64 - 1", accessor("18446744073709551615")),
         Case::new("10^9 zeros", zeros),
@@ -260,9 +325,13 @@ fn png_that_says(side: u32) -> Vec<u8> {
 #[test]
 fn an_import_stays_below_its_bound() {
     let mut worst = 0.0_f64;
-    for (group, scenes) in
-        [(elements(), None), (sharing(), None), (greed(), Some(false)), (honest(), Some(true))]
-    {
+    for (group, scenes) in [
+        (elements(), None),
+        (sharing(), None),
+        (posed_and_compressed(), None),
+        (greed(), Some(false)),
+        (honest(), Some(true)),
+    ] {
         for case in group {
             let (peak, result) = case.measured();
             let (name, bound) = (case.name, case.bound());

@@ -91,6 +91,8 @@ pub struct Scene {
     pub cameras: Vec<(String, Camera)>,
     /// Radiance of rays that hit nothing, ambient radiance, and radiance of rays that are not traced.
     pub environment: Environment,
+    /// Names of the file's variants of materials (KHR_materials_variants).
+    pub variants: Vec<String>,
     /// Parts of the file that the import left out: one sentence each that names the element.
     pub warnings: Vec<String>,
     /// Features of the file that the scene does not show as the file's specification has it.
@@ -231,7 +233,21 @@ impl Scene {
         bytes: &[u8],
         resolve: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
     ) -> crate::Result<Self> {
-        gltf::read(bytes, resolve)
+        gltf::read(bytes, resolve, None)
+    }
+
+    /// Reads glTF 2.0 as [`Scene::from_gltf`] does, with the materials of the variant of this name
+    /// (KHR_materials_variants).
+    ///
+    /// # Errors
+    /// Those of [`Scene::from_gltf`]; [`crate::Error::Setting`] lists the file's variants if none has the name.
+    #[cfg(feature = "gltf")]
+    pub fn from_gltf_variant(
+        bytes: &[u8],
+        resolve: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
+        variant: &str,
+    ) -> crate::Result<Self> {
+        gltf::read(bytes, resolve, Some(variant))
     }
 
     /// The axis-aligned bounding box of all primitives, `(low, high)`; `None` for an empty scene.

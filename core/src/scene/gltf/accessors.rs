@@ -9,7 +9,7 @@ use json::accessor::{ComponentType, Type};
 use json::validation::Checked;
 use serde_json::Value;
 
-use super::container;
+use super::compressed::Decoded;
 use crate::{Error, Result};
 
 /// The most elements of an accessor without a buffer view, whose size the file's bytes do not bound.
@@ -51,12 +51,23 @@ pub(super) struct Source<'b> {
     pub document: &'b Value,
     pub root: &'b json::Root,
     pub buffers: &'b [&'b [u8]],
+    pub decoded: &'b Decoded,
     sparse_opened: Cell<u64>,
 }
 
 impl<'b> Source<'b> {
-    pub fn new(document: &'b Value, root: &'b json::Root, buffers: &'b [&'b [u8]]) -> Self {
-        Self { document, root, buffers, sparse_opened: Cell::new(0) }
+    pub fn new(
+        document: &'b Value,
+        root: &'b json::Root,
+        buffers: &'b [&'b [u8]],
+        decoded: &'b Decoded,
+    ) -> Self {
+        Self { document, root, buffers, decoded, sparse_opened: Cell::new(0) }
+    }
+
+    /// The content of a buffer view.
+    pub fn view(&self, index: usize) -> Result<&'b [u8]> {
+        self.decoded.view(self.root, self.buffers, index)
     }
 
     /// Opens and checks an accessor. `what` names its use in error messages; `shapes` are the allowed types.
@@ -79,7 +90,7 @@ impl<'b> Source<'b> {
         let count = json.count.0;
         let (bytes, stride) = match &json.buffer_view {
             Some(view) => {
-                let all = container::view(self.root, self.buffers, view.value())?;
+                let all = self.view(view.value())?;
                 let stride = self.root.buffer_views[view.value()].byte_stride;
                 let stride = stride.map(|s| s.0).filter(|s| *s != 0).unwrap_or(size);
                 if stride < size {
@@ -113,10 +124,10 @@ impl<'b> Source<'b> {
             return Err(fail("indices", "their component type is none of 5121, 5123, 5125".to_owned()));
         };
         let index_size = component.0.size();
-        let view = container::view(self.root, self.buffers, sparse.indices.buffer_view.value())?;
+        let view = self.view(sparse.indices.buffer_view.value())?;
         let indices = slice(view, sparse.indices.byte_offset.0, sparse.count.0, index_size, index_size)
             .map_err(|r| fail("indices", r))?;
-        let view = container::view(self.root, self.buffers, sparse.values.buffer_view.value())?;
+        let view = self.view(sparse.values.buffer_view.value())?;
         let values = slice(view, sparse.values.byte_offset.0, sparse.count.0, size, size)
             .map_err(|r| fail("values", r))?;
         self.sparse_opened.set(self.sparse_opened.get() + sparse.count.0);
@@ -192,7 +203,13 @@ fn unsigned(bytes: &[u8]) -> u32 {
     bytes.iter().rev().fold(0, |value, byte| value << 8 | u32::from(*byte))
 }
 
-impl Accessor<'_> {
+impl<'b> Accessor<'b> {
+    /// Tightly packed elements, as many as there are bytes for.
+    pub fn packed(bytes: &'b [u8], components: usize, component: ComponentType, normalized: bool) -> Self {
+        let stride = components * component.size();
+        Self { count: bytes.len() / stride, components, component, normalized, bytes, stride, sparse: None }
+    }
+
     /// The bytes of an element; `None` if it is zero. `index` must be below `count`.
     fn element(&self, index: usize) -> Option<&[u8]> {
         let size = self.component.size() * self.components;
@@ -227,5 +244,15 @@ impl Accessor<'_> {
     /// An element of a scalar accessor as an unsigned integer.
     pub fn index(&self, index: usize) -> u32 {
         self.element(index).map_or(0, unsigned)
+    }
+
+    /// The components of an element as unsigned integers; missing components are zero.
+    pub fn integers<const N: usize>(&self, index: usize) -> [u32; N] {
+        let mut values = [0; N];
+        let components = self.element(index).unwrap_or_default().chunks_exact(self.component.size());
+        for (value, bytes) in values.iter_mut().zip(components) {
+            *value = unsigned(bytes);
+        }
+        values
     }
 }

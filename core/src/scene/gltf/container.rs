@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use base64::Engine as _;
 use gltf::json;
 
+use super::compressed::MESHOPT;
 use crate::{Error, Result};
 
 /// The most bytes of all data URIs and external files together: as many as a `.glb` with its 32-bit lengths can
@@ -109,18 +110,29 @@ pub(super) fn fetched<'r>(
     Ok(all)
 }
 
-/// The bytes of every buffer, cut to the length that the file declares, since chunks are padded.
+/// The bytes of every buffer, cut to the length that the file declares, since chunks are padded. A buffer that
+/// no buffer view reads may be without any.
 pub(super) fn buffers<'b>(
     root: &json::Root,
     binary: Option<&'b [u8]>,
     fetched: &'b HashMap<&str, Vec<u8>>,
 ) -> Result<Vec<&'b [u8]>> {
+    // Whether a buffer view has its bytes from the buffer and not from a compressed place.
+    let mut read = vec![false; root.buffers.len()];
+    for view in root.buffer_views.iter().filter(|view| view.byte_length.0 > 0 && !is_compressed(view)) {
+        if let Some(read) = read.get_mut(view.buffer.value()) {
+            *read = true;
+        }
+    }
     let bytes = |(i, buffer): (usize, &json::Buffer)| {
         let what = || format!("buffer {i}");
         let bytes = match &buffer.uri {
             Some(uri) => fetched.get(uri.as_str()).map(Vec::as_slice),
             None => binary.filter(|_| i == 0),
         };
+        if bytes.is_none() && !read[i] {
+            return Ok(&[][..]);
+        }
         let bytes = bytes.ok_or_else(|| {
             Error::scene(what(), "expected a URI or the binary chunk of a .glb, found neither")
         })?;
@@ -132,7 +144,12 @@ pub(super) fn buffers<'b>(
     root.buffers.iter().enumerate().map(bytes).collect()
 }
 
-/// The bytes of a buffer view, checked against the buffer's length.
+fn is_compressed(view: &json::buffer::View) -> bool {
+    let others = view.extensions.as_ref().map(|extensions| &extensions.others);
+    others.is_some_and(|others| MESHOPT.iter().any(|name| others.contains_key(*name)))
+}
+
+/// The bytes of a buffer view as they are stored, checked against the buffer's length.
 pub(super) fn view<'b>(root: &json::Root, buffers: &[&'b [u8]], index: usize) -> Result<&'b [u8]> {
     let what = || format!("buffer view {index}");
     let view = root.buffer_views.get(index).ok_or_else(|| {

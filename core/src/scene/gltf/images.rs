@@ -9,7 +9,9 @@ use json::texture::{MagFilter, WrappingMode};
 use json::validation::Checked;
 
 use super::accessors::Source;
-use super::container::{self, External};
+use super::container::External;
+#[cfg(feature = "ktx2")]
+use super::ktx2;
 use crate::scene::{Image8, Texture, Wrap};
 use crate::{Error, Result};
 
@@ -22,6 +24,30 @@ pub(super) const MAX_TEXELS: u64 = 1 << 30;
 /// The most texels per byte of an image file. Deflate expands a byte to at most 1032 (RFC 1951: 258 for two
 /// bits), and a byte of PNG data holds at most 8 texels; JPEG needs at least a bit for 8 x 8 texels.
 const TEXELS_PER_BYTE: u64 = 8 * 1032;
+
+/// Formats of image files that can be decoded, besides KTX 2.0.
+const FORMATS: &[ImageFormat] = &[
+    ImageFormat::Png,
+    ImageFormat::Jpeg,
+    #[cfg(feature = "webp")]
+    ImageFormat::WebP,
+];
+
+/// The formats for messages.
+const NAMES: &str = match (cfg!(feature = "webp"), cfg!(feature = "ktx2")) {
+    (true, true) => "PNG, JPEG, WebP, KTX 2.0",
+    (true, false) => "PNG, JPEG, WebP",
+    (false, true) => "PNG, JPEG, KTX 2.0",
+    (false, false) => "PNG, JPEG",
+};
+
+/// Extensions of textures that name another image than the core's.
+const EXTENSIONS: &[&str] = &[
+    #[cfg(feature = "ktx2")]
+    "KHR_texture_basisu",
+    #[cfg(feature = "webp")]
+    "EXT_texture_webp",
+];
 
 /// Memory that a decoder may use besides the image, for a row and for a colour profile, whose size must be
 /// bounded too.
@@ -66,14 +92,14 @@ impl Textures {
         let json = root.textures.get(index).ok_or_else(|| {
             Error::scene(&what, format!("no such texture; the file has {}", root.textures.len()))
         })?;
-        // The `gltf` crate's placeholder for a missing source.
-        let loaded = if json.source.value() == u32::MAX as usize {
-            None
-        } else {
-            let image = self.image(source, external, json.source.value())?;
-            let texture = sampler(root, json, &what)?;
-            self.textures.push(Texture { image, ..texture });
-            Some((self.textures.len() - 1) as u32)
+        let loaded = match image_of(json, &what)? {
+            None => None,
+            Some(index) => {
+                let image = self.image(source, external, index)?;
+                let texture = sampler(root, json, &what)?;
+                self.textures.push(Texture { image, ..texture });
+                Some((self.textures.len() - 1) as u32)
+            }
         };
         self.texture_of.insert(index, loaded);
         Ok(loaded)
@@ -96,7 +122,7 @@ impl Textures {
             return Ok(*known);
         }
         let image = match &origin {
-            Origin::View(view) => self.decode(container::view(source.root, source.buffers, *view)?, &what)?,
+            Origin::View(view) => self.decode(source.view(*view)?, &what)?,
             Origin::Uri(uri) => self.decode(&external.fetch(uri, &what)?, &what)?,
         };
         self.images.push(image);
@@ -112,11 +138,24 @@ impl Textures {
         if !cfg!(feature = "images") {
             return Err(fail("cannot be decoded: glimpse was built without its feature `images`".to_owned()));
         }
-        let undecodable = |e: ImageError| fail(format!("cannot be decoded as PNG or JPEG: {e}"));
-        let format = match image::guess_format(bytes) {
-            Ok(format @ (ImageFormat::Png | ImageFormat::Jpeg)) => format,
-            _ => return Err(fail("cannot be decoded: expected a PNG or a JPEG, found neither".to_owned())),
-        };
+        #[cfg(feature = "ktx2")]
+        if ktx2::is_ktx2(bytes) {
+            let undecodable = |e: String| fail(format!("cannot be decoded as KTX 2.0: {e}"));
+            let image = ktx2::Image::open(bytes).map_err(undecodable)?;
+            let (width, height) = (image.width, image.height);
+            if width.max(height) > MAX_SIDE {
+                return Err(fail(format!(
+                    "expected a side of at most {MAX_SIDE}, found {width} x {height} texels"
+                )));
+            }
+            self.reserve(width, height, what)?;
+            return Ok(Image8 { width, height, rgba: image.rgba().map_err(undecodable)? });
+        }
+        let undecodable = |e: ImageError| fail(format!("cannot be decoded: {e}"));
+        let format =
+            image::guess_format(bytes).ok().filter(|format| FORMATS.contains(format)).ok_or_else(|| {
+                fail(format!("cannot be decoded: expected one of {NAMES}, found another format"))
+            })?;
         if format == ImageFormat::Jpeg && !jpeg_ends(bytes) {
             return Err(fail("cannot be decoded: the JPEG is truncated, it has no end marker".to_owned()));
         }
@@ -130,22 +169,45 @@ impl Textures {
         let decoder = reader.into_decoder().map_err(undecodable)?;
         let (width, height) = decoder.dimensions();
         let texels = u64::from(width) * u64::from(height);
-        if texels > held {
+        // WebP stores an area of one colour in no bits at all.
+        if texels > held && format != ImageFormat::WebP {
             return Err(fail(format!(
                 "its header says {width} x {height} texels, {} bytes cannot hold more than {held}",
                 bytes.len()
             )));
         }
-        if texels > self.room {
-            return Err(fail(format!(
-                "expected at most {MAX_TEXELS} texels of all images, found {texels} where {} are left",
-                self.room
-            )));
-        }
+        self.reserve(width, height, what)?;
         let image = DynamicImage::from_decoder(decoder).map_err(undecodable)?.into_rgba8();
-        self.room -= texels;
         Ok(Image8 { width, height, rgba: image.into_raw() })
     }
+
+    /// Takes the texels of an image from the room that is left.
+    fn reserve(&mut self, width: u32, height: u32, what: &str) -> Result<()> {
+        let texels = u64::from(width) * u64::from(height);
+        self.room = self.room.checked_sub(texels).ok_or_else(|| {
+            let reason = format!(
+                "expected at most {MAX_TEXELS} texels of all images, found {texels} where {} are left",
+                self.room
+            );
+            Error::scene(what, reason)
+        })?;
+        Ok(())
+    }
+}
+
+/// The image of a texture: that of an extension before that of the core; `None` without any that can be decoded.
+fn image_of(json: &json::Texture, what: &str) -> Result<Option<usize>> {
+    let others = json.extensions.as_ref().map(|extensions| &extensions.others);
+    let named =
+        others.and_then(|others| EXTENSIONS.iter().find_map(|name| Some((*name, others.get(*name)?))));
+    if let Some((name, source)) = named.and_then(|(name, extension)| Some((name, extension.get("source")?))) {
+        let index = source.as_u64().and_then(|index| usize::try_from(index).ok());
+        let wrong =
+            || Error::scene(format!("{what}, {name}"), format!("expected an image's index, found {source}"));
+        return index.ok_or_else(wrong).map(Some);
+    }
+    // The `gltf` crate's placeholder for a missing source.
+    Ok(Some(json.source.value()).filter(|index| *index != u32::MAX as usize))
 }
 
 /// Whether an EOI marker follows the last SOS (ITU T.81, annex B), as decoders fill in truncated data silently.

@@ -7,10 +7,13 @@ use json::mesh::{Mode, Primitive, Semantic};
 use json::validation::Checked;
 
 use super::accessors::{Accessor, Source};
+use super::attributes::Attributes;
+use super::deformation::Deformation;
 use super::materials::Imported;
-use super::nodes::Placed;
+use super::pose::Placement;
 use super::slots::{Coordinates, Reads};
 use super::tangents;
+use super::thin::{PRIMITIVES_OF_LINE, Thin};
 use super::vertices::Vertices;
 use crate::scene::{Object, Scene, octahedral_encode};
 use crate::{Error, Result};
@@ -33,10 +36,19 @@ pub(super) struct Mesh<'b> {
     pub second: Option<(u32, Accessor<'b>)>,
     /// Tangents, where the material has a normal map.
     pub tangents: Option<Accessor<'b>>,
+    pub deformation: Deformation<'b>,
+}
+
+/// What was done to the triangles and vertices of an object.
+pub(super) struct Added {
+    /// Number of triangles left out for having no area.
+    pub without_area: usize,
+    /// Number of vertices whose weights did not sum to 1.
+    pub unnormalized: usize,
 }
 
 impl<'b> Mesh<'b> {
-    /// Opens a primitive with the attributes that its material reads. `None` if it has no triangles.
+    /// Opens a primitive with the attributes that its material reads. `None` without positions.
     pub fn open(
         source: &Source<'b>,
         primitive: &Primitive,
@@ -45,44 +57,29 @@ impl<'b> Mesh<'b> {
         warnings: &mut Vec<String>,
     ) -> Result<Option<Self>> {
         let mode = match primitive.mode {
-            Checked::Valid(mode @ (Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan)) => mode,
-            Checked::Valid(_) => return Ok(None),
+            Checked::Valid(mode) => mode,
             Checked::Invalid => {
                 return Err(Error::scene(what, "mode: expected 0 to 6, found another"));
             }
         };
-        let attribute = |semantic: Semantic, shapes: &[Type]| {
-            let name = semantic.to_string();
-            let index = primitive.attributes.get(&Checked::Valid(semantic));
-            let open = |i: &json::Index<json::Accessor>| {
-                source.accessor(i.value(), &format!("{what}, {name}"), shapes)
-            };
-            index.map(open).transpose()
-        };
-        let Some(positions) = attribute(Semantic::Positions, &[Type::Vec3])? else {
+        let attributes = Attributes::of(source, primitive, &what)?;
+        let mode = if attributes.is_compressed() { Mode::Triangles } else { mode };
+        let Some(positions) = attributes.get(Semantic::Positions, &[Type::Vec3])? else {
             warnings.push(format!("{what}: without POSITION it is left out"));
             return Ok(None);
         };
-        let indices = primitive.indices.map(|i| {
-            let what = format!("{what}, indices");
-            let accessor = source.accessor(i.value(), &what, &[Type::Scalar])?;
-            if accessor.is_unsigned() {
-                Ok(accessor)
-            } else {
-                Err(Error::scene(what, "expected unsigned integers, found another component type"))
-            }
-        });
         let mut texcoords = Vec::new();
         for semantic in primitive.attributes.keys() {
             if let Checked::Valid(Semantic::TexCoords(set)) = semantic {
-                texcoords.extend(attribute(Semantic::TexCoords(*set), &[Type::Vec2])?.map(|a| (*set, a)));
+                let accessor = attributes.get(Semantic::TexCoords(*set), &[Type::Vec2])?;
+                texcoords.extend(accessor.map(|a| (*set, a)));
             }
         }
-        let normals = attribute(Semantic::Normals, &[Type::Vec3])?;
+        let normals = attributes.get(Semantic::Normals, &[Type::Vec3])?;
         // Without normals, tangents are to be ignored.
         let reads_tangents = reads.normal_map.is_some() && normals.is_some();
-        let tangents = if reads_tangents { attribute(Semantic::Tangents, &[Type::Vec4])? } else { None };
-        let colors = attribute(Semantic::Colors(0), &[Type::Vec3, Type::Vec4])?;
+        let tangents = if reads_tangents { attributes.get(Semantic::Tangents, &[Type::Vec4])? } else { None };
+        let colors = attributes.get(Semantic::Colors(0), &[Type::Vec3, Type::Vec4])?;
         let lengths = texcoords.iter().map(|(set, a)| (format!("TEXCOORD_{set}"), a));
         let lengths = lengths.chain(normals.iter().map(|a| ("NORMAL".to_owned(), a)));
         let lengths = lengths.chain(tangents.iter().map(|a| ("TANGENT".to_owned(), a)));
@@ -97,7 +94,11 @@ impl<'b> Mesh<'b> {
                 ));
             }
         }
-        let indices = indices.transpose()?;
+        let is_thin = !matches!(mode, Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan);
+        if is_thin && (colors.is_some() || reads.first.is_some() || reads.second.is_some()) {
+            warnings.push(format!("{what}: its points and lines have one colour, without textures"));
+        }
+        let indices = attributes.indices()?;
         let mut take = |set: u32| {
             let found = texcoords.iter().position(|(n, _)| *n == set).map(|i| texcoords.swap_remove(i));
             if found.is_none() {
@@ -111,17 +112,69 @@ impl<'b> Mesh<'b> {
             (Some(set), _) => take(set),
             (None, _) => None,
         };
-        let texcoords = first;
-        Ok(Some(Self { what, mode, indices, positions, normals, colors, texcoords, second, tangents }))
+        let (texcoords, deformation) = (first, Deformation::default());
+        Ok(Some(Self {
+            what,
+            mode,
+            indices,
+            positions,
+            normals,
+            colors,
+            texcoords,
+            second,
+            tangents,
+            deformation,
+        }))
     }
 
-    /// Number of triangles of the primitive.
+    /// Number of vertices that the primitive's topology lists.
+    fn listed(&self) -> usize {
+        self.indices.as_ref().map_or(self.positions.count, |i| i.count)
+    }
+
+    /// Number of triangles of the primitive; of points and lines, that of the triangles and spheres that show them.
     pub fn triangles(&self) -> usize {
-        let corners = self.indices.as_ref().map_or(self.positions.count, |i| i.count);
         match self.mode {
-            Mode::Triangles => corners / 3,
-            _ => corners.saturating_sub(2),
+            Mode::Points => self.listed(),
+            Mode::Lines | Mode::LineStrip | Mode::LineLoop => self.lines().saturating_mul(PRIMITIVES_OF_LINE),
+            Mode::Triangles => self.listed() / 3,
+            Mode::TriangleStrip | Mode::TriangleFan => self.listed().saturating_sub(2),
         }
+    }
+
+    fn lines(&self) -> usize {
+        match self.mode {
+            Mode::Lines => self.listed() / 2,
+            Mode::LineStrip => self.listed().saturating_sub(1),
+            Mode::LineLoop if self.listed() > 1 => self.listed(),
+            _ => 0,
+        }
+    }
+
+    /// Whether the primitive is points or lines.
+    pub fn is_thin(&self) -> bool {
+        matches!(self.mode, Mode::Points | Mode::Lines | Mode::LineStrip | Mode::LineLoop)
+    }
+
+    /// The points and lines of the primitive in a pose.
+    pub fn thin(&self, placement: &Placement<'_>, name: String, material: Imported) -> Result<Thin> {
+        let vertices = Vertices::of(self, placement)?;
+        let position = |listed: usize| {
+            let vertex = self.indices.as_ref().map_or(listed, |indices| indices.index(listed) as usize);
+            vertices.positions[vertices.place(vertex)]
+        };
+        let ends = |line: usize| match self.mode {
+            Mode::Lines => [2 * line, 2 * line + 1],
+            _ => [line, (line + 1) % self.listed()],
+        };
+        let points = if self.mode == Mode::Points { self.listed() } else { 0 };
+        Ok(Thin {
+            name,
+            material: material.index,
+            lit: self.normals.is_some(),
+            points: (0..points).map(position).collect(),
+            lines: (0..self.lines()).map(|line| ends(line).map(position)).collect(),
+        })
     }
 
     /// Indices of the vertices of triangle `i` (glTF 2.0, section 3.7.2.1).
@@ -137,22 +190,37 @@ impl<'b> Mesh<'b> {
         }
     }
 
-    /// Adds the triangles as one object and returns how many were left out for having no area. If none remain, no
-    /// object is added.
+    /// Opens what deforms the primitive `json` in an instance that is `skinned` or not, with these weights of morph
+    /// targets. Returns an upper bound on the number of vertices to deform, counted for every target and set of
+    /// joints.
+    pub fn deform(
+        &mut self,
+        source: &Source<'b>,
+        json: &Primitive,
+        skinned: bool,
+        weights: &[f32],
+    ) -> Result<usize> {
+        let layers =
+            self.deformation.open(source, json, &self.what, self.positions.count, skinned, weights)?;
+        let used = self.indices.as_ref().map_or(usize::MAX, |i| i.count).min(self.positions.count);
+        Ok(used.saturating_mul(layers))
+    }
+
+    /// Adds the triangles as one object, those without area left out. If none remain, no object is added.
     pub fn add(
         &self,
-        node: &Placed<'_>,
+        placement: &Placement<'_>,
         name: String,
         material: Imported,
         scene: &mut Scene,
-    ) -> Result<usize> {
-        let vertices = Vertices::of(self, node)?;
-        let mirrored = node.mirrors();
+    ) -> Result<Added> {
+        let vertices = Vertices::of(self, placement)?;
+        let unnormalized = vertices.unnormalized;
         let before = scene.positions.len();
         let object = scene.objects.len() as u32;
         for i in 0..self.triangles() {
             let mut corners = self.corners(i).map(|c| vertices.place(c));
-            if mirrored {
+            if vertices.mirrors(corners[0]) {
                 corners.swap(1, 2);
             }
             let positions = corners.map(|c| vertices.positions[c]);
@@ -201,6 +269,6 @@ impl<'b> Mesh<'b> {
         if kept > 0 {
             scene.objects.push(Object { name, material: material.index });
         }
-        Ok(self.triangles() - kept)
+        Ok(Added { without_area: self.triangles() - kept, unnormalized })
     }
 }

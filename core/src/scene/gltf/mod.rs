@@ -1,7 +1,8 @@
 //! Reads glTF 2.0 files into a [`Scene`].
 //!
 //! `support` lists what of the specification is shown; the rest of a file is not read, and told where that changes
-//! the picture. Lengths are in the file's unit, angles in radians, colours in linear RGB.
+//! the picture. Skins and morph targets have the pose in which nodes and weights are stored. Lengths are in the
+//! file's unit, angles in radians, colours in linear RGB.
 //!
 //! # Untrusted files
 //!
@@ -14,30 +15,41 @@
 //! ```text
 //! 8 MiB + 1024 x bytes of JSON + 8 x bytes of all else + 256 x (triangles + objects) + 16 x texels
 //!     + 1024 x triangles of the largest object whose tangents are computed
+//!     + 4 x bytes that compressed buffer views and meshes decode to
 //! ```
 //!
 //! "All else" is the content of a `.glb` besides its JSON, and the content of URIs. The factor of JSON is that of
 //! `{},` in a list of materials: three bytes become a struct in a list that doubles its capacity when full.
 //!
-//! A small file can define any number of triangles, objects (both counted for every instance) and texels. They
-//! are counted and checked against the limits of `instances.rs` and `images.rs` before memory of their size is
-//! allocated. `tests/tests/memory.rs` measures the peak.
+//! A small file can define any number of triangles, objects (both counted for every instance), texels and decoded
+//! bytes. They are counted and checked against the limits of `instances.rs`, `images.rs` and `compressed.rs` before
+//! memory of their size is allocated. `tests/tests/memory.rs` measures the peak.
 
 mod accessors;
+mod attributes;
+mod compressed;
 mod container;
+mod deformation;
 mod document;
+mod draco;
 mod images;
 mod instances;
+#[cfg(feature = "ktx2")]
+mod ktx2;
 mod materials;
 mod meshes;
+mod meshopt;
 mod nodes;
 mod normalized;
+mod pose;
 mod slots;
 mod support;
 mod tangents;
 #[cfg(test)]
 mod tests;
 mod text;
+mod thin;
+mod variants;
 mod vertices;
 
 use glam::Vec3;
@@ -47,22 +59,25 @@ use super::{Environment, Light, LightKind, MAX_RADIANCE, Material, Scene};
 use crate::scene::camera::Camera;
 use crate::{Error, Result};
 use accessors::Source;
+use compressed::Decoded;
 use container::{External, Resolve};
 use document::Document;
 use normalized::flushed3;
 
-pub(super) fn read(bytes: &[u8], resolve: &mut Resolve<'_>) -> Result<Scene> {
-    import(bytes, resolve).map_err(text::error)
+pub(super) fn read(bytes: &[u8], resolve: &mut Resolve<'_>, variant: Option<&str>) -> Result<Scene> {
+    import(bytes, resolve, variant).map_err(text::error)
 }
 
-fn import(bytes: &[u8], resolve: &mut Resolve<'_>) -> Result<Scene> {
+fn import(bytes: &[u8], resolve: &mut Resolve<'_>, variant: Option<&str>) -> Result<Scene> {
     let chunks = container::chunks(bytes)?;
     let Document { value, root, not_shown, warnings } = Document::read(chunks.json)?;
     let mut external = External::new(resolve);
     let fetched = container::fetched(&root, &mut external)?;
     let buffers = container::buffers(&root, chunks.binary, &fetched)?;
-    let source = Source::new(&value, &root, &buffers);
-    let mut scene = Scene { not_shown, warnings, ..Scene::default() };
+    let decoded = Decoded::new(&root);
+    let source = Source::new(&value, &root, &buffers, &decoded);
+    let mut scene = Scene { variants: variants::names(&root), not_shown, warnings, ..Scene::default() };
+    let variant = variant.map(|name| variants::index_of(&scene.variants, name)).transpose()?;
 
     let shown = shown(&root)?;
     if let Some(index) = shown {
@@ -74,7 +89,7 @@ fn import(bytes: &[u8], resolve: &mut Resolve<'_>) -> Result<Scene> {
     for node in &placed {
         nodes::equip(&root, node, &mut scene)?;
     }
-    instances::add(&source, &placed, &mut external, &mut scene)?;
+    instances::add(&source, &placed, variant, &mut external, &mut scene)?;
 
     let Some((low, high)) = scene.bounds() else {
         return Err(Error::scene("file", "the scene holds no triangles that have an area"));

@@ -1,6 +1,6 @@
 //! Reads the node tree: world transforms, cameras and lights.
 
-use glam::{DMat3, DMat4, DQuat, DVec3, DVec4, Mat4, Vec3};
+use glam::{DMat4, DQuat, DVec3, DVec4, Mat4, Vec3};
 use gltf::json;
 use json::extensions::scene::khr_lights_punctual::Type as LightType;
 use json::validation::Checked;
@@ -28,11 +28,6 @@ impl Placed<'_> {
             .name
             .as_deref()
             .map_or_else(|| format!("node{}", self.index), |name| clipped(name, MAX_NAME))
-    }
-
-    /// Whether the world transform mirrors, that is, changes handedness.
-    pub fn mirrors(&self) -> bool {
-        DMat3::from_mat4(self.world).determinant() < 0.0
     }
 
     /// The world transform with axes of unit length (zero axes stay zero).

@@ -2,14 +2,19 @@
 
 use std::ops::Range;
 
-use glam::{DMat3, DVec3, Vec2, Vec3};
+use glam::{DMat3, DMat4, DVec3, Vec2, Vec3};
 
 use super::accessors::Accessor;
+use super::deformation::Displaced;
 use super::meshes::Mesh;
-use super::nodes::Placed;
 use super::normalized::{flushed2, flushed3};
+use super::pose::{Placement, Transform, cofactors, mirrors};
 use crate::scene::{MAX_COORDINATE, octahedral_encode, tangent_encode};
 use crate::{Error, Result};
+
+/// The largest difference from 1 of the sum of a vertex's weights that is not told: above what weights of 8 bits
+/// round to.
+const WEIGHTS_TOLERANCE: f64 = 1.0e-2;
 
 /// The vertices that triangles use. Many primitives of a file often share one large array, so the work must be
 /// proportional to the triangles and not to the array.
@@ -52,6 +57,15 @@ impl Used {
         }
     }
 
+    /// `vertex` of each used vertex of an attribute; none without the attribute.
+    fn all<'a, 'b, T>(
+        &self,
+        accessor: &'a Option<Accessor<'b>>,
+        mut vertex: impl FnMut(&'a Accessor<'b>, usize) -> Result<T>,
+    ) -> Result<Vec<T>> {
+        accessor.as_ref().map_or(Ok(Vec::new()), |a| self.map(|i| vertex(a, i)))
+    }
+
     /// Position of a used vertex among the used ones.
     fn place(&self, vertex: usize) -> usize {
         match self {
@@ -73,15 +87,50 @@ pub(super) struct Vertices {
     /// Encoded tangents; also empty if some of the file's are not usable.
     pub tangents: Vec<u32>,
     pub colors: Vec<u32>,
+    /// Whether the transform mirrors: of all vertices, or of each one of a skinned primitive.
+    mirrored: Vec<bool>,
+    /// Number of vertices whose weights did not sum to 1.
+    pub unnormalized: usize,
 }
 
 impl Vertices {
-    pub fn of(mesh: &Mesh<'_>, node: &Placed<'_>) -> Result<Self> {
+    /// The vertices of a primitive in the given pose.
+    pub fn of(mesh: &Mesh<'_>, placement: &Placement<'_>) -> Result<Self> {
         let used = Used::by(mesh)?;
-        let positions = used.map(|i| position(mesh, node, i))?;
-        let cofactors = cofactors(node);
-        let normals = mesh.normals.as_ref();
-        let normals = normals.map_or(Ok(Vec::new()), |a| used.map(|i| normal(mesh, a, &cofactors, i)))?;
+        let local = |i: usize| {
+            let displacement = mesh.deformation.displacement(Displaced::Position, placement.weights, i);
+            DVec3::from(mesh.positions.floats::<3>(i).map(f64::from)) + displacement
+        };
+        let mut mirrored = Vec::new();
+        let mut unnormalized = 0;
+        let (positions, normals, tangents): (_, _, Vec<Option<u32>>);
+        match placement.transform {
+            Transform::Rigid(world) => {
+                mirrored.push(mirrors(&world));
+                positions = used.map(|i| position(mesh, i, world.transform_point3(local(i))))?;
+                let cofactors = cofactors(&world);
+                normals =
+                    used.all(&mesh.normals, |a, i| normal(mesh, a, placement.weights, &cofactors, i))?;
+                tangents =
+                    used.all(&mesh.tangents, |a, i| Ok(tangent(mesh, a, placement.weights, &world, i)))?;
+            }
+            Transform::Skinned(joints) => {
+                positions = used.map(|i| {
+                    let blend = mesh.deformation.blend(&mesh.what, joints, i)?;
+                    mirrored.push(mirrors(&blend.matrix));
+                    unnormalized += usize::from((blend.sum - 1.0).abs() > WEIGHTS_TOLERANCE);
+                    position(mesh, i, blend.matrix.transform_point3(local(i)))
+                })?;
+                normals = used.all(&mesh.normals, |a, i| {
+                    let blend = mesh.deformation.blend(&mesh.what, joints, i)?;
+                    normal(mesh, a, placement.weights, &cofactors(&blend.matrix), i)
+                })?;
+                tangents = used.all(&mesh.tangents, |a, i| {
+                    let blend = mesh.deformation.blend(&mesh.what, joints, i)?;
+                    Ok(tangent(mesh, a, placement.weights, &blend.matrix, i))
+                })?;
+            }
+        }
         let texcoords = match &mesh.texcoords {
             None => Vec::new(),
             Some((coordinates, accessor)) => used.map(|i| {
@@ -96,14 +145,14 @@ impl Vertices {
                 texcoord(mesh, *set, i, stored, flushed2(stored.into()))
             })?,
         };
-        let tangents = match &mesh.tangents {
-            None => Some(Vec::new()),
-            Some(accessor) => used.map(|i| Ok(tangent(accessor, node, i)))?.into_iter().collect(),
-        };
-        let tangents = tangents.unwrap_or_default();
-        let colors = mesh.colors.as_ref();
-        let colors = colors.map_or(Ok(Vec::new()), |a| used.map(|i| color(mesh, a, i)))?;
-        Ok(Self { used, positions, normals, texcoords, second, tangents, colors })
+        let colors = used.all(&mesh.colors, |a, i| color(mesh, a, i))?;
+        let tangents = tangents.into_iter().collect::<Option<_>>().unwrap_or_default();
+        Ok(Self { used, positions, normals, texcoords, second, tangents, colors, mirrored, unnormalized })
+    }
+
+    /// Whether the transform of a vertex, by its place in the lists, mirrors.
+    pub fn mirrors(&self, place: usize) -> bool {
+        self.mirrored.get(place).or(self.mirrored.first()).is_some_and(|m| *m)
     }
 
     /// Position of a vertex of the primitive in the lists.
@@ -125,32 +174,30 @@ fn bad(
     )
 }
 
-fn position(mesh: &Mesh<'_>, node: &Placed<'_>, i: usize) -> Result<Vec3> {
-    let stored = mesh.positions.floats::<3>(i);
-    let world = node.world.transform_point3(Vec3::from(stored).as_dvec3());
+fn position(mesh: &Mesh<'_>, i: usize, world: DVec3) -> Result<Vec3> {
     if world.abs().max_element() <= f64::from(MAX_COORDINATE) && !world.is_nan() {
         return Ok(flushed3(world.as_vec3()));
     }
+    let stored = mesh.positions.floats::<3>(i);
     let found = if Vec3::from(stored).is_finite() { world.to_array() } else { stored.map(f64::from) };
     let expected = format_args!("finite coordinates up to {MAX_COORDINATE:e} in the world");
     Err(bad(mesh, format_args!("POSITION"), i, &found, expected))
 }
 
-/// The cofactor matrix, which transforms normals: the inverse transpose times the determinant. It exists for
-/// every matrix, and only directions matter.
-fn cofactors(node: &Placed<'_>) -> DMat3 {
-    let linear = DMat3::from_mat4(node.world);
-    let [x, y, z] = [linear.x_axis, linear.y_axis, linear.z_axis];
-    let mirror = if node.mirrors() { -1.0 } else { 1.0 };
-    DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y)) * mirror
-}
-
-fn normal(mesh: &Mesh<'_>, accessor: &Accessor<'_>, cofactors: &DMat3, i: usize) -> Result<Option<u32>> {
-    let n = Vec3::from(accessor.floats::<3>(i));
+fn normal(
+    mesh: &Mesh<'_>,
+    accessor: &Accessor<'_>,
+    weights: &[f32],
+    cofactors: &DMat3,
+    i: usize,
+) -> Result<Option<u32>> {
+    let stored = accessor.floats::<3>(i);
+    let displacement = mesh.deformation.displacement(Displaced::Normal, weights, i);
+    let n = DVec3::from(stored.map(f64::from)) + displacement;
     if !n.is_finite() {
         return Err(bad(mesh, format_args!("NORMAL"), i, &n.to_array(), format_args!("a finite vector")));
     }
-    let n = (*cofactors * n.as_dvec3()).normalize_or_zero();
+    let n = (*cofactors * n).normalize_or_zero();
     Ok((n != DVec3::ZERO).then(|| octahedral_encode(n.as_vec3())))
 }
 
@@ -164,10 +211,18 @@ fn texcoord(mesh: &Mesh<'_>, set: u32, i: usize, stored: [f32; 2], moved: Vec2) 
 }
 
 /// The encoded tangent of a vertex in world space; `None` if it has no direction.
-fn tangent(accessor: &Accessor<'_>, node: &Placed<'_>, i: usize) -> Option<u32> {
+fn tangent(
+    mesh: &Mesh<'_>,
+    accessor: &Accessor<'_>,
+    weights: &[f32],
+    matrix: &DMat4,
+    i: usize,
+) -> Option<u32> {
     let [x, y, z, sign] = accessor.floats::<4>(i);
-    let world = node.world.transform_vector3(DVec3::new(x.into(), y.into(), z.into())).try_normalize()?;
-    Some(tangent_encode(world.as_vec3(), (sign < 0.0) != node.mirrors()))
+    let displacement = mesh.deformation.displacement(Displaced::Tangent, weights, i);
+    let local = DVec3::new(x.into(), y.into(), z.into()) + displacement;
+    let world = matrix.transform_vector3(local).try_normalize()?;
+    Some(tangent_encode(world.as_vec3(), (sign < 0.0) != mirrors(matrix)))
 }
 
 fn color(mesh: &Mesh<'_>, accessor: &Accessor<'_>, i: usize) -> Result<u32> {

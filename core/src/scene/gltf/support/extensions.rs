@@ -2,7 +2,9 @@
 
 use serde_json::{Map, Value};
 
-use super::table::{ACCESSORS, BUFFER_VIEWS, BUFFERS, IMAGE_BASED_LIGHTS, IMAGES, LIGHTS, TEXTURE_INFO};
+use super::table::{
+    ACCESSORS, BUFFER_VIEWS, BUFFERS, IMAGE_BASED_LIGHTS, IMAGES, LIGHTS, MATERIALS, TEXTURE_INFO,
+};
 use super::{
     Extension, Object, Site, ignored, ignored_extension, needed_extension, not_shown, object, shown,
 };
@@ -16,13 +18,18 @@ pub(super) static EXTENSIONS: [Extension; 56] = [
     not_shown_extension("EXT_lights_ies", present),
     not_shown_extension("EXT_lights_image_based", present).object(&IMAGE_BASED_LIGHT_OF_SCENE),
     ignored_extension("EXT_mesh_features"),
-    not_shown_extension("EXT_mesh_gpu_instancing", present).object(&INSTANCING),
+    shown_extension("EXT_mesh_gpu_instancing").object(&INSTANCING),
     ignored_extension("EXT_mesh_manifold"),
-    needed_extension("EXT_meshopt_compression", is_compressed).object(&MESHOPT),
+    shown_extension("EXT_meshopt_compression").object(&MESHOPT),
     ignored_extension("EXT_structural_metadata"),
     not_shown_extension("EXT_texture_avif", replaces_no_source).object(&TEXTURE_SOURCE),
     not_shown_extension("EXT_texture_procedurals_mx_1_39", present),
-    not_shown_extension("EXT_texture_webp", replaces_no_source).object(&TEXTURE_SOURCE),
+    if cfg!(feature = "webp") {
+        shown_extension("EXT_texture_webp")
+    } else {
+        not_shown_extension("EXT_texture_webp", replaces_no_source)
+    }
+    .object(&TEXTURE_SOURCE),
     ignored_extension("FB_geometry_metadata"),
     ignored_extension("GODOT_single_root"),
     needed_extension("KHR_accessor_float64", present),
@@ -30,7 +37,12 @@ pub(super) static EXTENSIONS: [Extension; 56] = [
     ignored_extension("KHR_audio_emitter"),
     ignored_extension("KHR_audio_graph"),
     ignored_extension("KHR_collision_shapes"),
-    needed_extension("KHR_draco_mesh_compression", has_no_other_positions).object(&DRACO),
+    if cfg!(feature = "draco") {
+        shown_extension("KHR_draco_mesh_compression")
+    } else {
+        needed_extension("KHR_draco_mesh_compression", has_no_other_positions)
+    }
+    .object(&DRACO),
     not_shown_extension("KHR_gaussian_splatting", present),
     ignored_extension("KHR_implicit_shapes"),
     ignored_extension("KHR_interactivity"),
@@ -50,17 +62,22 @@ pub(super) static EXTENSIONS: [Extension; 56] = [
     not_shown_extension("KHR_materials_subsurface", present),
     shown_extension("KHR_materials_transmission").object(&TRANSMISSION),
     shown_extension("KHR_materials_unlit"),
-    ignored_extension("KHR_materials_variants"),
+    shown_extension("KHR_materials_variants").object(&VARIANTS),
     shown_extension("KHR_materials_volume").object(&VOLUME),
     not_shown_extension("KHR_materials_volume_scatter", |e, _| differs(e, "multiscatterColor", 0.0)),
     shown_extension("KHR_mesh_quantization"),
-    needed_extension("KHR_meshopt_compression", is_compressed).object(&MESHOPT),
+    shown_extension("KHR_meshopt_compression").object(&MESHOPT),
     ignored_extension("KHR_node_hoverability"),
     ignored_extension("KHR_node_selectability"),
     shown_extension("KHR_node_visibility").object(&VISIBILITY),
     ignored_extension("KHR_physics_rigid_bodies"),
     ignored_extension("KHR_techniques_webgl"),
-    not_shown_extension("KHR_texture_basisu", replaces_no_source).object(&TEXTURE_SOURCE),
+    if cfg!(feature = "ktx2") {
+        shown_extension("KHR_texture_basisu")
+    } else {
+        not_shown_extension("KHR_texture_basisu", replaces_no_source)
+    }
+    .object(&TEXTURE_SOURCE),
     not_shown_extension("KHR_texture_procedurals", present),
     shown_extension("KHR_texture_transform").object(&TEXTURE_TRANSFORM),
     not_shown_extension("KHR_texture_video", present),
@@ -126,6 +143,12 @@ static SPOT: Object =
 static TEXTURE_SOURCE: Object = object("texture", &[shown("source").index(&IMAGES)]);
 static TEXTURE_TRANSFORM: Object =
     object("KHR_texture_transform", &[shown("offset"), shown("rotation"), shown("scale"), shown("texCoord")]);
+static VARIANTS: Object =
+    object("KHR_materials_variants", &[shown("mappings").objects(&VARIANT_MAPPING), shown("variants")]);
+static VARIANT_MAPPING: Object = object(
+    "KHR_materials_variants.mapping",
+    &[shown("material").index(&MATERIALS), ignored("name"), shown("variants")],
+);
 static TRANSMISSION: Object = object(
     "KHR_materials_transmission",
     &[shown("transmissionFactor"), shown("transmissionTexture").object(&TEXTURE_INFO)],
@@ -179,14 +202,4 @@ fn has_no_other_positions(_: &Value, primitive: &Site<'_>) -> bool {
     let attributes = primitive.owner.get("attributes");
     let position = attributes.and_then(|a| primitive.element("/accessors", a.get("POSITION")?));
     position.is_none_or(|accessor| accessor.get("bufferView").is_none() && accessor.get("sparse").is_none())
-}
-
-/// Whether the buffer view's own buffer is a placeholder without data.
-fn is_compressed(_: &Value, view: &Site<'_>) -> bool {
-    let buffer = view.owner.get("buffer").and_then(|index| view.element("/buffers", index));
-    buffer.is_some_and(|buffer| {
-        let extensions = buffer.get("extensions").and_then(Value::as_object);
-        let fallback = |e: &Value| e.get("fallback") == Some(&Value::Bool(true));
-        buffer.get("uri").is_none() && extensions.is_some_and(|e| e.values().any(fallback))
-    })
 }

@@ -5,7 +5,7 @@
 use serde_json::Value;
 
 use super::extensions::{IMAGE_BASED_LIGHT, LIGHT};
-use super::{List, Object, Site, ignored, not_shown, object, shown};
+use super::{List, Object, Site, ignored, not_shown, object, present, shown};
 
 /// The lists of the document's root whose elements other elements refer to by their index.
 pub(super) static LISTS: [&List; 15] = [
@@ -38,7 +38,7 @@ pub(super) static IMAGE_BASED_LIGHTS: List =
     List::new("/extensions/EXT_lights_image_based/lights", &IMAGE_BASED_LIGHT, "{}");
 pub(super) static LIGHTS: List =
     List::new("/extensions/KHR_lights_punctual/lights", &LIGHT, r#"{"type":"point"}"#);
-static MATERIALS: List = List::new("/materials", &MATERIAL, "{}");
+pub(super) static MATERIALS: List = List::new("/materials", &MATERIAL, "{}");
 static MESHES: List = List::new("/meshes", &MESH, r#"{"primitives":[]}"#);
 pub(super) static NODES: List = List::new("/nodes", &NODE, "{}");
 static SAMPLERS: List = List::new("/samplers", &SAMPLER, "{}");
@@ -48,7 +48,7 @@ static TEXTURES: List = List::new("/textures", &TEXTURE, "{}");
 
 /// The objects of the core specification.
 #[cfg(test)]
-pub(super) static OBJECTS: [&Object; 29] = [
+pub(super) static OBJECTS: [&Object; 30] = [
     &ROOT,
     &ACCESSOR,
     &SPARSE,
@@ -73,6 +73,7 @@ pub(super) static OBJECTS: [&Object; 29] = [
     &MESH,
     &PRIMITIVE,
     &ATTRIBUTES,
+    &TARGET,
     &NODE,
     &SAMPLER,
     &SCENE,
@@ -228,16 +229,15 @@ pub(super) static TEXTURE_INFO: Object =
     object("textureInfo", &[shown("index").index(&TEXTURES), shown("texCoord")]);
 
 static MESH: Object =
-    object("mesh", &[shown("name"), shown("primitives").objects(&PRIMITIVE), not_shown("weights", deforms)]);
+    object("mesh", &[shown("name"), shown("primitives").objects(&PRIMITIVE), shown("weights")]);
 static PRIMITIVE: Object = object(
     "mesh.primitive",
     &[
         shown("attributes").object(&ATTRIBUTES),
         shown("indices").index(&ACCESSORS),
         shown("material").index(&MATERIALS),
-        shown("mode").but(|mode, _| mode.as_u64().is_some_and(|mode| mode <= LINE_STRIP)),
-        // Weights say whether they matter.
-        ignored("targets").objects(&ATTRIBUTES),
+        shown("mode"),
+        shown("targets").objects(&TARGET),
     ],
 );
 /// The attributes of a primitive; `n` stands for any number.
@@ -246,12 +246,24 @@ static ATTRIBUTES: Object = object(
     &[
         shown("COLOR_0").index(&ACCESSORS).but(has_holes),
         ignored("COLOR_n"),
-        ignored("JOINTS_n"),
+        shown("JOINTS_n").index(&ACCESSORS),
         shown("NORMAL").index(&ACCESSORS),
         shown("POSITION").index(&ACCESSORS),
         shown("TANGENT").index(&ACCESSORS),
         shown("TEXCOORD_n").index(&ACCESSORS),
-        ignored("WEIGHTS_n"),
+        shown("WEIGHTS_n").index(&ACCESSORS),
+    ],
+);
+
+/// The displacements of a morph target.
+static TARGET: Object = object(
+    "mesh.primitive.target",
+    &[
+        not_shown("COLOR_n", present),
+        shown("NORMAL").index(&ACCESSORS),
+        shown("POSITION").index(&ACCESSORS),
+        shown("TANGENT").index(&ACCESSORS),
+        not_shown("TEXCOORD_n", present),
     ],
 );
 
@@ -265,9 +277,9 @@ static NODE: Object = object(
         shown("name"),
         shown("rotation"),
         shown("scale"),
-        not_shown("skin", |skin, site| !skin.is_null() && site.owner.contains_key("mesh")).index(&SKINS),
+        shown("skin").index(&SKINS),
         shown("translation"),
-        not_shown("weights", deforms),
+        shown("weights"),
     ],
 );
 
@@ -293,14 +305,6 @@ static SKIN: Object = object(
 
 static TEXTURE: Object =
     object("texture", &[ignored("name"), shown("sampler").index(&SAMPLERS), shown("source").index(&IMAGES)]);
-
-/// The last mode of primitives that are points or lines.
-const LINE_STRIP: u64 = 3;
-
-/// Whether weights of morph targets change the shape.
-fn deforms(weights: &Value, _: &Site<'_>) -> bool {
-    weights.as_array().is_some_and(|weights| weights.iter().any(|weight| weight.as_f64() != Some(0.0)))
-}
 
 /// Whether a channel of the animation has something to move.
 fn moves(animation: &Value, _: &Site<'_>) -> bool {

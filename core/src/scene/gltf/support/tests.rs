@@ -8,7 +8,7 @@ use super::{EXTENSIONS, LISTS, Support};
 use crate::scene::NotShown;
 
 /// The properties of the specification's JSON schema (glTF 2.0, appendix A) by kind of object, without `extensions`
-/// and `extras`, which every object may have. Attributes are those of section 3.7.2.1.
+/// and `extras`, which every object may have. Attributes are those of sections 3.7.2.1 and 3.7.2.2.
 const SPECIFICATION: &str = "
 glTF: accessors animations asset bufferViews buffers cameras extensionsRequired extensionsUsed images materials meshes nodes samplers scene scenes skins textures
 accessor: bufferView byteOffset componentType count max min name normalized sparse type
@@ -33,6 +33,7 @@ material.pbrMetallicRoughness: baseColorFactor baseColorTexture metallicFactor m
 mesh: name primitives weights
 mesh.primitive: attributes indices material mode targets
 mesh.primitive.attributes: COLOR_0 COLOR_n JOINTS_n NORMAL POSITION TANGENT TEXCOORD_n WEIGHTS_n
+mesh.primitive.target: COLOR_n NORMAL POSITION TANGENT TEXCOORD_n
 node: camera children matrix mesh name rotation scale skin translation weights
 sampler: magFilter minFilter name wrapS wrapT
 scene: name nodes

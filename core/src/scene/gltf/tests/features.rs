@@ -121,14 +121,43 @@ fn indices_of_every_width_strips_and_fans() {
 }
 
 #[test]
-fn points_are_left_out_with_a_warning() {
+fn points_and_lines_are_spheres_and_tubes() {
+    let drawn = |mode: u32| {
+        let mut file = File::triangle();
+        file.primitive()["mode"] = json!(mode);
+        file.scene()
+    };
+    for (mode, lines) in [(0, 0), (1, 1), (2, 3), (3, 2)] {
+        let scene = drawn(mode);
+        let spheres = if mode == 0 { 3 } else { 2 * lines };
+        assert_eq!((scene.spheres.len(), scene.positions.len()), (spheres, 12 * lines), "mode {mode}");
+        assert!(scene.materials[scene.objects[0].material as usize].unlit, "there are no normals");
+        let radius = scene.spheres[0].radius;
+        assert_eq!(radius, 1.0 / 600.0);
+        // Tubes are a radius thick around their line and face outwards.
+        for [a, b, c] in &scene.positions {
+            let center = (*a + *b + *c) / 3.0;
+            let from_lines =
+                [(Vec3::ZERO, Vec3::X), (Vec3::X, Vec3::Y), (Vec3::Y, Vec3::ZERO)].map(|(p, q)| {
+                    let along = (q - p).normalize();
+                    center - p - along * (center - p).dot(along)
+                });
+            let nearest = from_lines.into_iter().min_by(|p, q| p.length().total_cmp(&q.length())).unwrap();
+            assert!((0.4..1.0).contains(&(nearest.length() / radius)), "{nearest}");
+            assert!((*b - *a).cross(*c - *a).dot(nearest) > 0.0);
+        }
+    }
     let mut file = File::triangle();
+    let normals = file.floats("VEC3", &[0.0, 0.0, 1.0].repeat(3));
+    file.attribute("NORMAL", normals);
     let mut points = file.primitive().clone();
     points["mode"] = json!(0);
+    points["attributes"]["COLOR_0"] = json!(normals);
     file.json["meshes"][0]["primitives"].as_array_mut().unwrap().push(points);
     let scene = file.scene();
-    assert_eq!(scene.positions.len(), 1);
-    assert!(scene.warnings[0].starts_with("mesh 0 primitive 1: points"), "{:?}", scene.warnings);
+    assert_eq!((scene.positions.len(), scene.spheres.len(), scene.materials.len()), (1, 3, 1));
+    let told = "mesh 0 primitive 1: its points and lines have one colour, without textures";
+    assert!(scene.warnings.contains(&told.to_owned()), "{:?}", scene.warnings);
 }
 
 #[test]
@@ -289,4 +318,34 @@ fn texture_transforms_are_baked_into_the_coordinates() {
     for (found, expected) in found.iter().zip([vec2(10.0, 20.0), vec2(10.0, 18.0), vec2(13.0, 20.0)]) {
         assert!(found.distance(expected) < 1e-5, "{found} {expected}");
     }
+}
+
+#[test]
+fn variants_choose_materials_by_name() {
+    let mut file = File::triangle();
+    let material = |red: f32| json!({ "pbrMetallicRoughness": { "baseColorFactor": [red, 0, 0, 1] } });
+    file.json["materials"] = json!([material(0.1), material(0.2), material(0.3)]);
+    file.json["extensions"]["KHR_materials_variants"]["variants"] =
+        json!([{ "name": "day" }, { "name": "night" }, { "name": "dawn" }]);
+    file.json["extensionsRequired"] = json!(["KHR_materials_variants"]);
+    file.primitive()["material"] = json!(0);
+    file.primitive()["extensions"]["KHR_materials_variants"]["mappings"] =
+        json!([{ "material": 1, "variants": [0] }, { "material": 2, "variants": [9, 1] }]);
+    let red = |variant: Option<&str>| {
+        let mut none = |_: &str| Err(String::new());
+        let scene = match variant {
+            None => Scene::from_gltf(&file.gltf(), &mut none),
+            Some(name) => Scene::from_gltf_variant(&file.gltf(), &mut none, name),
+        };
+        scene.map(|scene| (scene.materials[0].base_color.x, scene.variants))
+    };
+    let names = ["day", "night", "dawn"].map(str::to_owned).to_vec();
+    for (variant, expected) in [(None, 0.1), (Some("day"), 0.2), (Some("night"), 0.3), (Some("dawn"), 0.1)] {
+        assert_eq!(red(variant).unwrap(), (expected, names.clone()), "{variant:?}");
+    }
+    let error = red(Some("noon")).unwrap_err().to_string();
+    assert!(
+        error.contains("variant") && error.contains("day, night, dawn") && error.contains("noon"),
+        "{error}"
+    );
 }

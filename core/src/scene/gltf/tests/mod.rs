@@ -1,11 +1,13 @@
 //! Import tests with small files that are generated in the test.
 
 mod bad;
+mod compressed;
 mod extremes;
 mod features;
 mod hostile;
 mod materials;
 mod pictures;
+mod poses;
 
 use base64::Engine as _;
 use serde_json::{Value, json};
