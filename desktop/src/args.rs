@@ -65,6 +65,9 @@ pub enum Command {
 pub struct ViewOptions {
     /// A .glb or .gltf file, or builtin:NAME [default: builtin:room]
     pub scene: Option<String>,
+    /// Show the file's variant of materials with this name; `info` lists them
+    #[arg(long, value_name = "NAME")]
+    pub variant: Option<String>,
     /// Window size in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720", conflicts_with = "phone")]
     pub size: Size,
@@ -81,7 +84,14 @@ pub struct ViewOptions {
 
 impl Default for ViewOptions {
     fn default() -> Self {
-        Self { scene: None, size: Size([1280, 720]), phone: None, script: None, headless: false }
+        Self {
+            scene: None,
+            variant: None,
+            size: Size([1280, 720]),
+            phone: None,
+            script: None,
+            headless: false,
+        }
     }
 }
 

@@ -21,6 +21,9 @@ pub struct FrameOptions {
     pub camera: Option<String>,
     #[command(flatten)]
     pub look_at: LookAtOptions,
+    /// Show the file's variant of materials with this name; `info` lists them
+    #[arg(long, value_name = "NAME")]
+    pub variant: Option<String>,
     /// Fail where anything of the file is left out, replaced or not shown as the format has it
     #[arg(long)]
     pub strict: bool,
@@ -30,8 +33,8 @@ pub struct FrameOptions {
 
 impl Default for FrameOptions {
     fn default() -> Self {
-        let (camera, look_at, typed) = (None, LookAtOptions::default(), TypedOptions::default());
-        Self { size: Size([2560, 1440]), camera, look_at, strict: false, typed }
+        let (look_at, typed) = (LookAtOptions::default(), TypedOptions::default());
+        Self { size: Size([2560, 1440]), camera: None, look_at, variant: None, strict: false, typed }
     }
 }
 

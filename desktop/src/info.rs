@@ -21,6 +21,7 @@ struct Info {
     materials: MaterialSummary,
     images: ImageSummary,
     saved: Saved,
+    variants: Vec<String>,
     warnings: Vec<String>,
     not_shown: Vec<NotShown>,
 }
@@ -125,6 +126,7 @@ impl Info {
                 bytes: scene.images.iter().map(|i| i.rgba.len() as u64).sum(),
             },
             scene: SceneStatistics::of(name, &scene, Specialize::Auto),
+            variants: scene.variants,
             warnings: scene.warnings,
             not_shown: scene.not_shown,
         })
@@ -155,6 +157,9 @@ impl Info {
         );
         text +=
             &row("images", &format!("{}, {}", counted(self.images.total, "image"), bytes(self.images.bytes)));
+        if !self.variants.is_empty() {
+            text += &row("variants", &self.variants.join(", "));
+        }
         for warning in &self.warnings {
             text += &row("warning", warning);
         }
@@ -251,6 +256,7 @@ mod tests {
                 radius: 0.0,
             }],
             cameras: vec![("front".into(), glimpse::Camera::framing([0.0; 3].into(), [1.0; 3].into()))],
+            variants: vec!["day".into(), "night".into()],
             warnings: vec!["mesh 7: lines are left out".into()],
             not_shown: vec![NotShown {
                 feature: "node.skin".into(),
@@ -273,6 +279,7 @@ mod tests {
             "camera    0 (front) at",
             "light     directional along (0, -1, 0), intensity (1, 0.5, 0.25)",
             "materials 2: 0 textured, 1 reflect, 0 refract, 0 emit, 1 unlit, 0 with holes",
+            "variants  day, night",
             "warning   mesh 7: lines are left out",
             "not shown node.skin, 2 times: node 3, ...",
         ] {

@@ -55,7 +55,7 @@ impl<'g> Workbench<'g> {
         progress: &Progress,
     ) -> anyhow::Result<Self> {
         progress.doing(&format!("loading {name}"));
-        let (scene, load_ms) = timed(|| scene_file::load(name))?;
+        let (scene, load_ms) = timed(|| scene_file::load_variant(name, options.variant.as_deref()))?;
         let (camera, camera_name) = chosen_camera(&scene, options).with_context(|| name.to_owned())?;
         let methods =
             requests.iter().map(|request| request.in_scene(&scene.objects)).collect::<glimpse::Result<_>>();

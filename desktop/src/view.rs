@@ -43,7 +43,12 @@ fn setup(options: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::R
     let phone = options.phone.as_deref().map(Phone::named).transpose();
     let phone = phone.map_err(|reason| Usage(format!("--phone: {reason}")))?;
     let script = options.script.as_deref().map(read_script).transpose()?;
-    let reader: Files = Arc::new(|name| scene_file::load(name).map_err(|error| format!("{error:#}")));
+    // The variant is one of the scene that was named with it.
+    let (first, variant) = (scene.to_owned(), options.variant.clone());
+    let reader: Files = Arc::new(move |name| {
+        let variant = variant.as_deref().filter(|_| name == first);
+        scene_file::load_variant(name, variant).map_err(|error| format!("{error:#}"))
+    });
     let Size(size) = options.size;
     // A script must neither depend on recently opened scenes nor change their list.
     let scripted = script.is_some();

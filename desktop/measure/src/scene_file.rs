@@ -26,11 +26,24 @@ pub fn load(name: &str) -> anyhow::Result<Scene> {
     load_seen(name, &mut |_| ())
 }
 
+/// Loads a scene as [`load`] does, with the materials of the file's variant of this name.
+pub fn load_variant(name: &str, variant: Option<&str>) -> anyhow::Result<Scene> {
+    read(name, variant, &mut |_| ())
+}
+
 /// Loads a scene as [`load`] does, and passes the bytes of every file read to `seen`; for a built-in scene,
 /// its name.
 pub fn load_seen(name: &str, seen: &mut dyn FnMut(&[u8])) -> anyhow::Result<Scene> {
+    read(name, None, seen)
+}
+
+fn read(name: &str, variant: Option<&str>, seen: &mut dyn FnMut(&[u8])) -> anyhow::Result<Scene> {
     check(name)?;
     if let Some(scene) = name.strip_prefix("builtin:").and_then(builtin) {
+        if let Some(variant) = variant {
+            let expected = "none, as built-in scenes have no variants";
+            return Err(glimpse::Error::setting("variant", expected, variant).into());
+        }
         seen(name.as_bytes());
         return Ok(scene);
     }
@@ -39,7 +52,11 @@ pub fn load_seen(name: &str, seen: &mut dyn FnMut(&[u8])) -> anyhow::Result<Scen
     seen(&bytes);
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut resolve = |uri: &str| read_beside(folder, uri).inspect(|bytes| seen(bytes));
-    Scene::from_gltf(&bytes, &mut resolve).with_context(|| name.to_owned())
+    let scene = match variant {
+        Some(variant) => Scene::from_gltf_variant(&bytes, &mut resolve, variant),
+        None => Scene::from_gltf(&bytes, &mut resolve),
+    };
+    scene.with_context(|| name.to_owned())
 }
 
 /// Fails where the import of a scene left something out, replaced it or cannot show it.
