@@ -5,10 +5,13 @@ use arbitrary::{Result, Unstructured};
 use serde_json::{Value, json};
 
 const DOCUMENT: &str = include_str!("../document/everything.gltf");
-const FILES: [(&str, &[u8]); 3] = [
+const FILES: [(&str, &[u8]); 6] = [
     ("everything.bin", include_bytes!("../document/everything.bin")),
     ("texture.png", include_bytes!("../document/texture.png")),
+    ("compressed.bin", include_bytes!("../document/compressed.bin")),
     ("texture.jpg", include_bytes!("../document/texture.jpg")),
+    ("texture.webp", include_bytes!("../document/texture.webp")),
+    ("texture.ktx2", include_bytes!("../document/texture.ktx2")),
 ];
 
 /// Boundary values: limits of types and of the importer's ranges, and constants of glTF.
