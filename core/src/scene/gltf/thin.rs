@@ -5,8 +5,8 @@ use glam::Vec3;
 
 use crate::scene::{Material, Object, Scene, Sphere, octahedral_encode};
 
-/// Radius in units of the scene's longest side: about a pixel of a framed picture.
-const RADIUS: f32 = 1.0 / 600.0;
+/// Radius in units of the scene's longest side: about a pixel of a picture of 300 pixels.
+const RADIUS: f32 = 1.0 / 300.0;
 
 /// Number of sides of a line's tube.
 const SIDES: usize = 6;

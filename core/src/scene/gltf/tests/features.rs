@@ -133,7 +133,7 @@ fn points_and_lines_are_spheres_and_tubes() {
         assert_eq!((scene.spheres.len(), scene.positions.len()), (spheres, 12 * lines), "mode {mode}");
         assert!(scene.materials[scene.objects[0].material as usize].unlit, "there are no normals");
         let radius = scene.spheres[0].radius;
-        assert_eq!(radius, 1.0 / 600.0);
+        assert_eq!(radius, 1.0 / 300.0);
         // Tubes are a radius thick around their line and face outwards.
         for [a, b, c] in &scene.positions {
             let center = (*a + *b + *c) / 3.0;
