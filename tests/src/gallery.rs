@@ -4,8 +4,8 @@ use glam::{Affine2, Vec2, Vec3, Vec4, vec2, vec3};
 use glimpse::{
     Camera, Scene,
     scene::{
-        Environment, Image8, Light, LightKind, Material, SlotCoordinates, Texture, TextureSlot, Weights,
-        Wrap, octahedral_encode,
+        Environment, Image8, Light, LightKind, Material, SlotCoordinates, SpecularGlossiness, Texture,
+        TextureSlot, Weights, Wrap, octahedral_encode,
     },
 };
 
@@ -171,6 +171,64 @@ pub fn extended() -> Scene {
     let mut scene = b.seen_by(camera);
     bend_normals(&mut scene, pillow);
     scene
+}
+
+/// Specular colours and strengths, specular-glossiness factors, clear coats and absorbing glass, with and without
+/// textures.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn layers() -> Scene {
+    let mut b = Builder::new();
+    let grain = b.image(noise(8, 8, 4));
+    let grain = b.texture(Texture { image: grain, wrap: [Wrap::Repeat; 2], nearest: false });
+    let maps = |slots: &[TextureSlot]| slots.iter().map(|slot| (*slot, grain)).collect();
+    let dielectric = |color: Vec3| Material { roughness: 0.3, ior: 1.5, ..matte(color) };
+    let glossy = |specular: Vec3, glossiness: f32| Some(SpecularGlossiness { specular, glossiness });
+    let looks = [
+        Material { specular: 0.4, specular_color: vec3(8.0, 4.0, 1.0), ..dielectric(vec3(0.3, 0.5, 0.7)) },
+        Material {
+            specular_color: vec3(3.0, 9.0, 40.0),
+            maps: maps(&[TextureSlot::Specular, TextureSlot::SpecularColor]),
+            ..dielectric(vec3(0.8, 0.3, 0.2))
+        },
+        Material {
+            specular_glossiness: glossy(vec3(0.7, 0.5, 0.2), 0.9),
+            maps: maps(&[TextureSlot::SpecularGlossiness]),
+            base_color_texture: Some(grain),
+            ..matte(vec3(0.6, 0.7, 0.8))
+        },
+        Material { specular_glossiness: glossy(Vec3::splat(0.02), 0.2), ..matte(vec3(0.2, 0.8, 0.4)) },
+        Material { clearcoat: 0.8, clearcoat_roughness: 0.1, ..matte(vec3(0.7, 0.1, 0.1)) },
+        Material {
+            clearcoat: 1.0,
+            clearcoat_roughness: 0.6,
+            metallic: 1.0,
+            roughness: 0.2,
+            maps: maps(&[TextureSlot::Clearcoat, TextureSlot::ClearcoatRoughness]),
+            ..matte(vec3(0.9, 0.7, 0.3))
+        },
+    ];
+    for (i, look) in looks.into_iter().enumerate() {
+        let object = b.object(look);
+        let corner = vec3(-1.3 + 0.9 * (i % 3) as f32, 0.1 + 0.9 * (i / 3) as f32, -0.2 * i as f32);
+        b.textured_quad(
+            object,
+            [corner, vec3(0.8, 0.0, 0.1), 0.8 * Vec3::Y],
+            [vec2(-0.3, 0.2), vec2(1.2, 1.4)],
+        );
+    }
+    let amber = b.object(Material { absorption: vec3(0.5, 1.5, 6.0), ..glass(1.5) });
+    b.sphere(amber, vec3(-0.4, 0.4, 0.9), 0.35);
+    let tinted =
+        b.object(Material { absorption: vec3(4.0, 0.3, 0.8), specular: 0.5, clearcoat: 0.5, ..glass(1.3) });
+    cuboid(&mut b, tinted, vec3(0.3, 0.05, 0.6), vec3(0.8, 0.5, 1.0));
+    let floor = b.object(Material { roughness: 0.2, ior: 1.5, ..matte(vec3(0.5, 0.45, 0.4)) });
+    b.quad(floor, vec3(-3.0, 0.0, 2.0), 6.0 * Vec3::X, -5.0 * Vec3::Z);
+    lamps(&mut b);
+    b.environment(vec3(0.2, 0.3, 0.5), vec3(0.3, 0.25, 0.2));
+    b.seen_by(Camera::look_at(vec3(0.2, 1.1, 3.2), vec3(0.0, 0.9, 0.0), 0.7).expect("a valid camera"))
 }
 
 /// A normal map of rounded bumps with slopes up to `1 / flatness` or so.

@@ -1,7 +1,9 @@
 //! Data of extended materials, behind the objects in the same storage: a record for each material, then tables of
-//! tangents and of second texture coordinates by primitive.
+//! tangents and of second texture coordinates by primitive. A record is: places of the tables, scale of normals,
+//! strength of occlusion; specular colour and strength, or specular reflectance and glossiness; absorption, flags;
+//! clearcoat and its roughness; then the slots.
 
-use glam::Affine2;
+use glam::{Affine2, Vec4};
 
 use super::atlas::Atlas;
 use crate::scene::{Material, Scene, TextureSlot};
@@ -11,8 +13,11 @@ type Words = [u32; 4];
 
 /// Place of the first slot in a record, and words per slot: the texture's place, the transform's columns, its offset
 /// and which set it maps.
-pub const RECORD_SLOTS: u32 = 2;
+pub const RECORD_SLOTS: u32 = 4;
 pub const SLOT_PARTS: u32 = 3;
+
+/// Flag in the third part of a record: the material has specular-glossiness factors.
+pub const RECORD_SPECULAR_GLOSSINESS: u32 = 1;
 
 /// Sets of texture coordinates in a slot's third word: the first as it is, or one of the two with a transform.
 pub const SET_FIRST: u32 = 1;
@@ -66,7 +71,20 @@ impl Records {
 fn record(m: &Material, atlas: &Atlas, [tangents, second]: [u32; 2]) -> Vec<Words> {
     let mapped = if m.has_normal_map() { tangents } else { 0 };
     let twice = if m.coordinates.values().any(|c| c.second) { second } else { 0 };
-    let mut words = vec![[mapped, twice, m.normal_scale.to_bits(), m.occlusion_strength.to_bits()], [0; 4]];
+    let (reflectance, strength, flags) = match m.specular_glossiness {
+        Some(s) => (s.specular, s.glossiness, RECORD_SPECULAR_GLOSSINESS),
+        None => (m.specular_color, m.specular, 0),
+    };
+    let solid = m.transmission > 0.0 && !m.thin;
+    let floats = |v: Vec4| v.to_array().map(f32::to_bits);
+    let mut absorption = floats(if solid { m.absorption.extend(0.0) } else { Vec4::ZERO });
+    absorption[3] = flags;
+    let mut words = vec![
+        [mapped, twice, m.normal_scale.to_bits(), m.occlusion_strength.to_bits()],
+        floats(reflectance.extend(strength)),
+        absorption,
+        floats(Vec4::new(m.clearcoat, m.clearcoat_roughness, 0.0, 0.0)),
+    ];
     for slot in TextureSlot::ALL {
         let coordinates = m.coordinates.get(&slot);
         let transform = coordinates.map_or(Affine2::IDENTITY, |c| c.transform);

@@ -238,7 +238,11 @@ impl FrameSpec {
         ]);
         sources.extend(match (f.glossy, f.extended_materials) {
             (_, true) => {
-                vec![wgsl!("wgsl/shade/material_extended.wgsl"), wgsl!("wgsl/shade/material.wgsl")]
+                vec![
+                    wgsl!("wgsl/shade/material_extended.wgsl"),
+                    wgsl!("wgsl/shade/material_layers.wgsl"),
+                    wgsl!("wgsl/shade/material.wgsl"),
+                ]
             }
             (true, false) => {
                 vec![wgsl!("wgsl/shade/material_plain.wgsl"), wgsl!("wgsl/shade/material.wgsl")]

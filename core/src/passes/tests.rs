@@ -36,6 +36,7 @@ fn features(bits: u32) -> Features {
         extended_materials: bit(1),
         normal_maps: bit(0) && bit(1),
         slot_coordinates: bit(0) && bit(1) && bit(2),
+        layers: bit(1) && bit(5),
     }
 }
 

@@ -139,6 +139,15 @@ impl Reference {
             .then(|| 2.0 * self.slot(object, TextureSlot::Normal, first, maps).xyz() - 1.0)
     }
 
+    /// Transmittance of what a ray has crossed when it arrives at a surface: an absorbing solid that it leaves.
+    pub(super) fn absorbed(&self, s: &Surface, distance: f64) -> DVec3 {
+        let m = self.material_of(s.object);
+        if !s.inside || m.thin || m.transmission == 0.0 {
+            return DVec3::ONE;
+        }
+        (-distance * m.absorption.as_dvec3()).exp()
+    }
+
     /// The surface with the normal of its normal map, if it has one.
     #[must_use]
     pub fn bumped(&self, s: &Surface, m: &super::Material, direction: DVec3) -> Surface {

@@ -1,6 +1,6 @@
 //! Materials by Whitted's model; the formulas are in `core/MATERIALS.md`.
 
-use glam::{DVec2, DVec3, Vec4Swizzles};
+use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
 
 use super::{
     Cause, Maps, Reference, Rounding,
@@ -30,6 +30,10 @@ pub struct Material {
     occlusion: f64,
     /// Averaged normal of the normal map in the tangent frame.
     pub(super) bump: Option<DVec3>,
+    /// Colour and strength of the dielectric reflection.
+    specular: DVec4,
+    /// Strength and roughness of the clear coat.
+    coat: DVec2,
 }
 
 /// A material with the geometry that shading depends on.
@@ -64,12 +68,27 @@ impl Reference {
         let emission = slot(TextureSlot::Emissive);
         let surface = slot(TextureSlot::MetallicRoughness);
         let bump = self.bump(object, place, maps);
-        let roughness = f64::from(m.roughness) * surface.y;
+        let mut base = m.base_color.as_dvec3() * color * base.xyz();
+        let mut metallic = f64::from(m.metallic) * surface.z;
+        let mut roughness = f64::from(m.roughness) * surface.y;
+        let mut specular = DVec4::ONE;
+        if let Some(s) = m.specular_glossiness {
+            let texel = slot(TextureSlot::SpecularGlossiness);
+            (base, metallic) = metallic_of(base, s.specular.as_dvec3() * texel.xyz());
+            roughness = 1.0 - f64::from(s.glossiness) * texel.w;
+        } else {
+            let color = m.specular_color.as_dvec3() * slot(TextureSlot::SpecularColor).xyz();
+            specular = color.extend(f64::from(m.specular) * slot(TextureSlot::Specular).w);
+        }
+        let coat = DVec2::new(
+            f64::from(m.clearcoat) * slot(TextureSlot::Clearcoat).x,
+            f64::from(m.clearcoat_roughness) * slot(TextureSlot::ClearcoatRoughness).y,
+        );
         let scale = DVec3::new(f64::from(m.normal_scale), f64::from(m.normal_scale), 1.0);
         Material {
-            base: m.base_color.as_dvec3() * color * base.xyz(),
+            base,
             emission: m.emission.as_dvec3() * emission.xyz(),
-            metallic: f64::from(m.metallic) * surface.z,
+            metallic,
             roughness: bump.map_or(roughness, |bump| toksvig(roughness, bump.length())),
             transmission: f64::from(m.transmission) * slot(TextureSlot::Transmission).x,
             ior: f64::from(m.ior),
@@ -78,6 +97,8 @@ impl Reference {
             weights: m.weights,
             occlusion: 1.0 + f64::from(m.occlusion_strength) * (slot(TextureSlot::Occlusion).x - 1.0),
             bump: bump.map(|bump| bump * scale),
+            specular,
+            coat,
         }
     }
 
@@ -106,7 +127,8 @@ impl Material {
         match self.weights {
             Some(weights) => self.base * f64::from(weights.diffuse),
             None => {
-                self.base
+                self.under(cosine)
+                    * self.base
                     * (1.0 - self.metallic)
                     * (1.0 - self.transmission)
                     * (1.0 - self.fresnel(cosine, inside) * self.gloss())
@@ -135,13 +157,39 @@ impl Material {
     #[must_use]
     pub fn fresnel(&self, cosine: f64, inside: bool) -> DVec3 {
         let from_within = inside && self.transmission > 0.0 && !self.thin;
-        let mut dielectric = fresnel_dielectric(cosine, self.ratio(from_within));
+        let mut dielectric = self.colored(fresnel_dielectric(cosine, self.ratio(from_within)));
         if self.thin {
             // Both faces of the pane with all internal reflections.
             dielectric = 2.0 * dielectric / (1.0 + dielectric);
         }
         let metal = schlick(self.base, cosine);
-        DVec3::splat(dielectric).lerp(metal, self.metallic)
+        dielectric.lerp(metal, self.metallic)
+    }
+
+    /// Reflectance of the dielectric part at normal incidence.
+    fn at_normal(&self) -> DVec3 {
+        let plain = ((self.ior - 1.0) / (self.ior + 1.0)).powi(2);
+        (plain * self.specular.truncate()).min(DVec3::ONE) * self.specular.w
+    }
+
+    /// Reflectance of the dielectric part, from that of Fresnel's equations.
+    fn colored(&self, dielectric: f64) -> DVec3 {
+        let plain = ((self.ior - 1.0) / (self.ior + 1.0)).powi(2);
+        if self.specular == DVec4::ONE {
+            return DVec3::splat(dielectric);
+        }
+        let grazing = ((dielectric - plain) / (1.0 - plain)).clamp(0.0, 1.0);
+        self.at_normal().lerp(DVec3::splat(self.specular.w), grazing)
+    }
+
+    /// Reflectance of the clear coat.
+    fn coat_reflectance(&self, cosine: f64) -> f64 {
+        self.coat.x * fresnel_dielectric(cosine, 1.0 / 1.5)
+    }
+
+    /// Fraction of light that passes the clear coat.
+    fn under(&self, cosine: f64) -> f64 {
+        1.0 - self.coat_reflectance(cosine)
     }
 
     /// Weight of the reflected ray's radiance.
@@ -150,7 +198,10 @@ impl Material {
         match self.weights {
             Some(weights) => DVec3::splat(f64::from(weights.mirror)),
             None if self.unlit => DVec3::ZERO,
-            None => self.fresnel(cosine, inside) * self.gloss(),
+            None => {
+                let coat = self.coat_reflectance(cosine) * (1.0 - 2.0 * self.coat.y).max(0.0);
+                coat + self.under(cosine) * self.fresnel(cosine, inside) * self.gloss()
+            }
         }
     }
 
@@ -162,7 +213,7 @@ impl Material {
             None if self.unlit => DVec3::ZERO,
             None => {
                 let enters = self.transmission * (1.0 - self.metallic);
-                self.base * enters * (1.0 - self.fresnel(cosine, inside))
+                self.under(cosine) * self.base * enters * (1.0 - self.fresnel(cosine, inside))
             }
         }
     }
@@ -173,19 +224,50 @@ impl Shading<'_> {
     /// visibility term.
     pub fn lobe(&mut self, light: DVec3) -> DVec3 {
         let m = self.material;
+        let strength = DVec3::splat(m.coat.x);
+        let coat = self.microfacets(0.04 * strength, strength, m.coat.y, light);
         if m.roughness >= 1.0 || m.weights.is_some() {
+            return coat;
+        }
+        let f0 = m.at_normal().lerp(m.base, m.metallic);
+        let f90 = DVec3::splat(m.specular.w).lerp(DVec3::ONE, m.metallic);
+        let under = m.under(self.normal.dot(self.view).clamp(0.0, 1.0));
+        coat + under * self.microfacets(f0, f90, m.roughness, light)
+    }
+
+    /// A microfacet lobe with its reflectance at normal and at grazing incidence.
+    fn microfacets(&mut self, f0: DVec3, f90: DVec3, roughness: f64, light: DVec3) -> DVec3 {
+        if f0 == DVec3::ZERO && f90 == DVec3::ZERO {
             return DVec3::ZERO;
         }
         let half_way = (self.view + light).normalize_or_zero();
-        let exponent = 2.0 / m.roughness.max(LEAST_ROUGHNESS).powi(4) - 2.0;
+        let exponent = 2.0 / roughness.max(LEAST_ROUGHNESS).powi(4) - 2.0;
         let cosine = self.rounding.number(Cause::Highlight, self.normal.dot(half_way), 1.0).max(0.0);
         let distribution = (exponent + 2.0) / std::f64::consts::TAU * cosine.powf(exponent);
-        let at_normal = ((m.ior - 1.0) / (m.ior + 1.0)).powi(2);
-        let f0 = DVec3::splat(at_normal).lerp(m.base, m.metallic);
-        let fresnel = schlick(f0, self.view.dot(half_way).clamp(0.0, 1.0));
+        let fresnel = f0 + (f90 - f0) * (1.0 - self.view.dot(half_way).clamp(0.0, 1.0)).powi(5);
         let widest = self.normal.dot(light).max(self.normal.dot(self.view)).max(LEAST_COSINE);
-        fresnel * (1.0 - m.roughness) * distribution / (4.0 * widest)
+        fresnel * (1.0 - roughness) * distribution / (4.0 * widest)
     }
+}
+
+/// Base colour and metalness of a diffuse colour and a specular reflectance (KHR_materials_pbrSpecularGlossiness,
+/// appendix).
+fn metallic_of(diffuse: DVec3, specular: DVec3) -> (DVec3, f64) {
+    const DIELECTRIC: f64 = 0.04;
+    let brightness = |c: DVec3| (c * c).dot(DVec3::new(0.299, 0.587, 0.114)).sqrt();
+    let rest = 1.0 - specular.max_element();
+    let metallic = if brightness(specular) < DIELECTRIC {
+        0.0
+    } else {
+        let b = brightness(diffuse) * rest / (1.0 - DIELECTRIC) + brightness(specular) - 2.0 * DIELECTRIC;
+        let c = DIELECTRIC - brightness(specular);
+        let root = (b * b - 4.0 * DIELECTRIC * c).max(0.0).sqrt();
+        ((root - b) / (2.0 * DIELECTRIC)).clamp(0.0, 1.0)
+    };
+    let from_diffuse = diffuse * rest / (1.0 - DIELECTRIC) / (1.0 - metallic).max(1.0e-6);
+    let from_specular = (specular - DIELECTRIC * (1.0 - metallic)) / metallic.max(1.0e-6);
+    let base = from_diffuse.lerp(from_specular, metallic * metallic);
+    (base.clamp(DVec3::ZERO, DVec3::ONE), metallic)
 }
 
 /// Schlick's approximation of reflectance from that at normal incidence.

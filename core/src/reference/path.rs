@@ -132,6 +132,7 @@ impl Path<'_> {
         let s = reference.surface(&self.ray, &intersection, rounding);
         let m = reference.material(s.object, s.texcoord, s.footprint, s.color, &s.maps);
         let s = reference.bumped(&s, &m, self.ray.direction);
+        self.throughput *= reference.absorbed(&s, intersection.t * self.ray.direction.length());
         self.search.arrive(intersection.t, m.emission);
         if m.unlit {
             self.radiance += self.throughput * m.base;

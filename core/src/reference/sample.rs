@@ -97,6 +97,8 @@ impl Reference {
             shadow,
             rounding,
         });
+        let distance = intersection.t * ray.direction.length();
+        let state = &PathState { weight: state.weight * self.absorbed(&s, distance), ..*state };
         let (gcol, secondary) = self.scattered(&s, &m, state, limits, rounding);
         let attributes = Attributes {
             depth: intersection.t,

@@ -44,6 +44,8 @@ pub struct Features {
     pub normal_maps: bool,
     /// Some texture slot does not read the first set of texture coordinates as they are.
     pub slot_coordinates: bool,
+    /// Some material has a specular colour, specular-glossiness factors, a clear coat or absorption.
+    pub layers: bool,
 }
 
 impl Features {
@@ -70,6 +72,7 @@ impl Features {
             extended_materials: used().any(Material::is_extended),
             normal_maps: used().any(Material::has_normal_map),
             slot_coordinates: used().any(|m| !m.coordinates.is_empty()),
+            layers: used().any(Material::is_layered),
         }
     }
 
@@ -95,12 +98,13 @@ impl Features {
             extended_materials: true,
             normal_maps: true,
             slot_coordinates: true,
+            layers: true,
         }
     }
 
     /// All features with their names in the statistics.
     #[must_use]
-    pub fn list(&self) -> [(&'static str, bool); 18] {
+    pub fn list(&self) -> [(&'static str, bool); 19] {
         [
             ("textures", self.textures),
             ("glossy", self.glossy),
@@ -120,6 +124,7 @@ impl Features {
             ("extended_materials", self.extended_materials),
             ("normal_maps", self.normal_maps),
             ("slot_coordinates", self.slot_coordinates),
+            ("layers", self.layers),
         ]
     }
 }

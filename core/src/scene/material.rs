@@ -48,8 +48,31 @@ pub struct Material {
     pub normal_scale: f32,
     /// Fraction of the occlusion texture's effect.
     pub occlusion_strength: f32,
+    /// Strength of the dielectric reflection, from 0 to 1 (KHR_materials_specular).
+    pub specular: f32,
+    /// Factor on the dielectric reflectance at normal incidence, linear RGB.
+    pub specular_color: Vec3,
+    /// Specular reflectance and glossiness, which determine metalness, roughness and base colour, the base colour
+    /// being the diffuse one (KHR_materials_pbrSpecularGlossiness).
+    pub specular_glossiness: Option<SpecularGlossiness>,
+    /// Strength of a clear coat of index 1.5 over the surface, from 0 to 1 (KHR_materials_clearcoat).
+    pub clearcoat: f32,
+    /// Roughness of the clear coat.
+    pub clearcoat_roughness: f32,
+    /// Absorption coefficient of what the surface bounds, linear RGB: transmittance over a distance d is exp(-d times
+    /// this).
+    pub absorption: Vec3,
     /// Explicit weights in place of Fresnel's equations (Heckbert's minray).
     pub weights: Option<Weights>,
+}
+
+/// Factors of a specular-glossiness material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpecularGlossiness {
+    /// Specular reflectance at normal incidence, linear RGB.
+    pub specular: Vec3,
+    /// One minus roughness.
+    pub glossiness: f32,
 }
 
 /// Constant weights of local, reflected and transmitted light.
@@ -85,6 +108,12 @@ impl Default for Material {
             coordinates: BTreeMap::new(),
             normal_scale: 1.0,
             occlusion_strength: 1.0,
+            specular: 1.0,
+            specular_color: Vec3::ONE,
+            specular_glossiness: None,
+            clearcoat: 0.0,
+            clearcoat_roughness: 0.0,
+            absorption: Vec3::ZERO,
             weights: None,
         }
     }
@@ -116,7 +145,19 @@ impl Material {
     /// Whether the material has more than its factors and the first three textures with common coordinates.
     #[must_use]
     pub fn is_extended(&self) -> bool {
-        !self.maps.is_empty() || !self.coordinates.is_empty()
+        !self.maps.is_empty() || !self.coordinates.is_empty() || self.is_layered()
+    }
+
+    /// Whether the material has a specular colour, specular-glossiness factors, a clear coat or absorption.
+    #[must_use]
+    pub fn is_layered(&self) -> bool {
+        self.specular != 1.0
+            || self.specular_color != Vec3::ONE
+            || self.specular_glossiness.is_some()
+            || self.clearcoat > 0.0
+            || self.absorption != Vec3::ZERO
+            || self.maps.contains_key(&TextureSlot::Specular)
+            || self.maps.contains_key(&TextureSlot::SpecularColor)
     }
 
     /// Whether the material is determined by its base colour: a rough dielectric that neither emits nor transmits
@@ -129,6 +170,7 @@ impl Material {
             && self.transmission == 0.0
             && self.weights.is_none()
             && self.metallic_roughness_texture.is_none()
+            && !self.is_layered()
     }
 
     /// Whether some view angle makes a reflection ray worth tracing.
@@ -136,7 +178,13 @@ impl Material {
     pub fn reflects(&self) -> bool {
         match self.weights {
             Some(weights) => weights.mirror > 0.0,
-            None => !self.unlit && (self.roughness < 0.5 || self.metallic_roughness_texture.is_some()),
+            None => {
+                let coat = self.clearcoat > 0.0 && self.clearcoat_roughness < 0.5
+                    || self.maps.contains_key(&TextureSlot::ClearcoatRoughness);
+                let glossy = self.specular_glossiness.is_some_and(|s| s.glossiness > 0.5);
+                !self.unlit
+                    && (self.roughness < 0.5 || self.metallic_roughness_texture.is_some() || coat || glossy)
+            }
         }
     }
 

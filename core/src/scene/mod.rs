@@ -26,7 +26,7 @@ use glam::{Vec2, Vec3};
 pub use builtin::{BUILTIN_NAMES, builtin};
 pub use emitters::Emitters;
 pub use features::Features;
-pub use material::{Material, Weights};
+pub use material::{Material, SpecularGlossiness, Weights};
 pub use not_shown::NotShown;
 pub use octahedral::{
     MAX_ERROR as OCTAHEDRAL_ERROR, decode as octahedral_decode, decode_exact as octahedral_decode_exact,

@@ -18,17 +18,32 @@ pub enum TextureSlot {
     Occlusion,
     /// Transmission in red.
     Transmission,
+    /// Strength of the dielectric reflection in alpha.
+    Specular,
+    /// Colour of the dielectric reflection, sRGB.
+    SpecularColor,
+    /// Specular reflectance (sRGB) and glossiness in alpha.
+    SpecularGlossiness,
+    /// Strength of the clearcoat in red.
+    Clearcoat,
+    /// Roughness of the clearcoat in green.
+    ClearcoatRoughness,
 }
 
 impl TextureSlot {
     /// All slots in order.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 11] = [
         Self::BaseColor,
         Self::MetallicRoughness,
         Self::Emissive,
         Self::Normal,
         Self::Occlusion,
         Self::Transmission,
+        Self::Specular,
+        Self::SpecularColor,
+        Self::SpecularGlossiness,
+        Self::Clearcoat,
+        Self::ClearcoatRoughness,
     ];
 
     /// The slot's name in messages.
@@ -41,13 +56,18 @@ impl TextureSlot {
             Self::Normal => "normal",
             Self::Occlusion => "occlusion",
             Self::Transmission => "transmission",
+            Self::Specular => "specular",
+            Self::SpecularColor => "specular colour",
+            Self::SpecularGlossiness => "specular-glossiness",
+            Self::Clearcoat => "clearcoat",
+            Self::ClearcoatRoughness => "clearcoat roughness",
         }
     }
 
     /// Whether the slot's texels are sRGB-encoded colours.
     #[must_use]
     pub fn is_color(self) -> bool {
-        matches!(self, Self::BaseColor | Self::Emissive)
+        matches!(self, Self::BaseColor | Self::Emissive | Self::SpecularColor | Self::SpecularGlossiness)
     }
 }
 

@@ -185,6 +185,10 @@ impl Scene {
 fn check_material(material: &Material, what: &str) -> Result<()> {
     check_radiance(format!("{what}, emission"), material.emission)?;
     check_radiance(format!("{what}, base colour"), material.base_color)?;
+    check_radiance(format!("{what}, specular colour"), material.specular_color)?;
+    check_radiance(format!("{what}, absorption"), material.absorption)?;
+    let specular = material.specular_glossiness.map_or(Vec3::ZERO, |s| s.specular);
+    check_radiance(format!("{what}, specular reflectance"), specular)?;
     let weights = material.weights.map_or([0.0; 3], |w| [w.diffuse, w.mirror, w.refraction]);
     let shares = [
         ("metallic", material.metallic),
@@ -192,6 +196,10 @@ fn check_material(material: &Material, what: &str) -> Result<()> {
         ("transmission", material.transmission),
         ("alpha", material.alpha),
         ("occlusion strength", material.occlusion_strength),
+        ("specular strength", material.specular),
+        ("glossiness", material.specular_glossiness.map_or(0.0, |s| s.glossiness)),
+        ("clearcoat", material.clearcoat),
+        ("clearcoat roughness", material.clearcoat_roughness),
         ("diffuse weight", weights[0]),
         ("mirror weight", weights[1]),
         ("refraction weight", weights[2]),

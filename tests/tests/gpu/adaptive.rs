@@ -55,6 +55,7 @@ fn leaving_out_changes_nothing() {
         ("minray", built_in("minray")),
         ("textures", gallery::textures()),
         ("extended", gallery::extended()),
+        ("layers", gallery::layers()),
         ("glasshouse", gallery::glasshouse()),
         ("orthographic", gallery::orthographic()),
     ];

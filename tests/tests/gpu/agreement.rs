@@ -183,6 +183,12 @@ fn extended() {
 }
 
 #[test]
+fn layers() {
+    let settings = Settings { depth: 5, ..Settings::default() };
+    agree("layers", gallery::layers(), [101, 67], settings);
+}
+
+#[test]
 fn lenses() {
     agree("lenses", gallery::lenses(), [96, 64], Settings { depth: 5, ..Settings::default() });
 }

@@ -5,11 +5,13 @@ use std::f32::consts::PI;
 use glam::{Affine2, Vec2, Vec3, vec2, vec3};
 use glimpse::{
     Method, Scene, Settings,
-    scene::{Image8, Light, LightKind, Material, SlotCoordinates, Texture, TextureSlot, Wrap},
+    scene::{
+        Image8, Light, LightKind, Material, SlotCoordinates, SpecularGlossiness, Texture, TextureSlot, Wrap,
+    },
 };
 use glimpse_tests::{
     TestScene,
-    builder::{Builder, front_camera, matte, mirror, unlit},
+    builder::{Builder, front_camera, glass, matte, mirror, unlit},
 };
 
 const SIZE: [u32; 2] = [48, 36];
@@ -145,5 +147,71 @@ fn every_slot_has_its_own_coordinates() {
             (!near).then_some(base + if along < 0.0 { 0.5 * Vec3::Z } else { Vec3::ZERO })
         };
         everywhere(b.seen_by(front_camera()), expected, 1.0e-5);
+    }
+}
+
+/// The background through a slab of index 1, along the normal: exp(-absorption x thickness).
+#[test]
+fn absorption_follows_beer_and_lambert() {
+    let mut b = Builder::new();
+    let absorption = vec3(0.5, 1.0, 4.0);
+    let slab = b.object(Material { absorption, ..glass(1.0) });
+    b.quad(slab, vec3(-2.0, -2.0, 0.0), 4.0 * Vec3::X, 4.0 * Vec3::Y);
+    b.quad(slab, vec3(-2.0, -2.0, -0.3), 4.0 * Vec3::Y, 4.0 * Vec3::X);
+    b.environment(Vec3::ONE, Vec3::ZERO);
+    let camera = front_camera();
+    let image = TestScene::new(b.seen_by(camera)).full(SIZE);
+    for (x, y, pixel) in image.enumerate_pixels() {
+        let (_, direction) = glimpse_tests::pixel_ray(&camera, SIZE, x, y);
+        let expected = (-absorption * (0.3 / -direction.z) as f32).exp();
+        assert!((Vec3::from(pixel.0) - expected).abs().max_element() < 1.0e-4, "({x}, {y}): {:?}", pixel.0);
+    }
+}
+
+/// A black surface under a clear coat mirrors as glass does, and one without dielectric reflection not at all.
+#[test]
+fn coats_and_specular_colours_follow_fresnel() {
+    let black = || Material { roughness: 0.0, ior: 1.5, ..matte(Vec3::ZERO) };
+    let clearcoat = Material { clearcoat: 0.5, specular: 0.0, ..black() };
+    let doubled = Material { specular_color: Vec3::splat(2.0), ..black() };
+    let none = Material { specular: 0.0, ..black() };
+    for (what, material, at_normal) in
+        [("coat", clearcoat, 0.02), ("doubled", doubled, 0.08), ("none", none, 0.0)]
+    {
+        let mut b = Builder::new();
+        wall(&mut b, material);
+        b.environment(Vec3::ONE, Vec3::ZERO);
+        let image = TestScene::new(b.seen_by(front_camera())).full([33, 33]);
+        let found = image.get_pixel(16, 16).0[0];
+        assert!((found - at_normal).abs() < 1.0e-4, "{what}: {found}, expected {at_normal}");
+    }
+}
+
+/// Specular-glossiness factors of a plain dielectric and of a metal are those of their metallic-roughness twins.
+#[test]
+fn specular_glossiness_is_metallic_roughness_in_other_words() {
+    let glossy = |specular: Vec3| Some(SpecularGlossiness { specular, glossiness: 0.7 });
+    let twins = [
+        (
+            Material { specular_glossiness: glossy(Vec3::splat(0.04)), ..matte(0.96 * vec3(0.2, 0.5, 0.3)) },
+            Material { roughness: 0.3, ..matte(0.96 * vec3(0.2, 0.5, 0.3)) },
+        ),
+        (
+            Material { specular_glossiness: glossy(vec3(0.9, 0.7, 0.3)), ..matte(Vec3::ZERO) },
+            Material { roughness: 0.3, metallic: 1.0, ..matte(vec3(0.9, 0.7, 0.3)) },
+        ),
+    ];
+    for (i, (one, other)) in twins.into_iter().enumerate() {
+        let picture = |material: Material| {
+            let mut b = Builder::new();
+            wall(&mut b, Material { ior: 1.5, ..material });
+            directional(&mut b, vec3(0.3, 0.3, 0.9).normalize());
+            b.environment(vec3(0.4, 0.5, 0.6), Vec3::splat(0.2));
+            TestScene::new(b.seen_by(front_camera())).full([17, 17])
+        };
+        let worst = picture(one).pixels().zip(picture(other).pixels()).fold(0.0_f32, |worst, (p, q)| {
+            worst.max((Vec3::from(p.0) - Vec3::from(q.0)).abs().max_element())
+        });
+        assert!(worst < 1.0e-3, "{i}: {worst}");
     }
 }

@@ -53,6 +53,7 @@ fn the_room_needs_nearly_everything() {
         extended_materials: false,
         normal_maps: false,
         slot_coordinates: false,
+        layers: false,
         ..Features::all()
     };
     assert_eq!(Features::of(&scene), expected);

@@ -10,6 +10,7 @@ use json::validation::Checked;
 use super::accessors::Source;
 use super::container::External;
 use super::images::Textures;
+use super::layers;
 use super::normalized::Numbers;
 use super::slots::{self, Reads};
 use super::text::{MAX_NAME, clipped};
@@ -103,7 +104,7 @@ fn factors(json: &json::Material, what: &str, warnings: &mut Vec<String>) -> Res
     let occlusion_strength = json.occlusion_texture.as_ref().map_or(1.0, |t| t.strength.0);
     let occlusion_strength = numbers.share("occlusionTexture.strength", occlusion_strength)?;
     let solid = volume.is_some_and(|v| v.thickness_factor.0 > 0.0);
-    Ok(Material {
+    let mut material = Material {
         name: json.name.as_deref().map_or_else(|| what.to_owned(), |name| clipped(name, MAX_NAME)),
         base_color: base_color.into(),
         metallic,
@@ -119,7 +120,9 @@ fn factors(json: &json::Material, what: &str, warnings: &mut Vec<String>) -> Res
         normal_scale,
         occlusion_strength,
         ..Material::default()
-    })
+    };
+    layers::read(json, &mut material, &mut numbers)?;
+    Ok(material)
 }
 
 fn emission(json: &json::Material, numbers: &mut Numbers<'_>) -> Result<Vec3> {

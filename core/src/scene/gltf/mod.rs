@@ -36,6 +36,7 @@ mod images;
 mod instances;
 #[cfg(feature = "ktx2")]
 mod ktx2;
+mod layers;
 mod materials;
 mod meshes;
 mod meshopt;

@@ -8,6 +8,7 @@ use json::extensions::texture::TextureTransform;
 use json::texture::Info;
 use serde_json::{Map, Value};
 
+use super::layers;
 use super::normalized::flushed2;
 use crate::scene::{Material, SlotCoordinates, TextureSlot};
 use crate::{Error, Result};
@@ -98,9 +99,14 @@ impl Coordinates {
 fn slots(json: &json::Material, what: &str) -> Result<Vec<Slot>> {
     let pbr = &json.pbr_metallic_roughness;
     let mut slots = Vec::new();
-    slots.extend(pbr.base_color_texture.as_ref().map(|i| Slot::of(TextureSlot::BaseColor, i)));
-    slots
-        .extend(pbr.metallic_roughness_texture.as_ref().map(|i| Slot::of(TextureSlot::MetallicRoughness, i)));
+    let diffuse = layers::diffuse_texture(json, what)?;
+    let (base, rough) = if layers::is_glossiness(json) {
+        (diffuse.as_ref(), None)
+    } else {
+        (pbr.base_color_texture.as_ref(), pbr.metallic_roughness_texture.as_ref())
+    };
+    slots.extend(base.map(|i| Slot::of(TextureSlot::BaseColor, i)));
+    slots.extend(rough.map(|i| Slot::of(TextureSlot::MetallicRoughness, i)));
     slots.extend(json.emissive_texture.as_ref().map(|i| Slot::of(TextureSlot::Emissive, i)));
     if let Some(t) = &json.normal_texture {
         let others = t.extensions.as_ref().map(|e| &e.others);
@@ -113,6 +119,7 @@ fn slots(json: &json::Material, what: &str) -> Result<Vec<Slot>> {
     let transmission = json.extensions.as_ref().and_then(|e| e.transmission.as_ref());
     let transmission = transmission.and_then(|t| t.transmission_texture.as_ref());
     slots.extend(transmission.map(|i| Slot::of(TextureSlot::Transmission, i)));
+    slots.extend(layers::textures(json, what)?.iter().map(|(slot, info)| Slot::of(*slot, info)));
     Ok(slots)
 }
 

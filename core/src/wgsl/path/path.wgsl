@@ -57,6 +57,7 @@ fn path_step(path: ptr<function, Path>) -> bool {
     let direction = normalize(ray.direction);
     var s = surface_at(ray, hit);
     let m = surface_material(&s, direction);
+    (*path).throughput *= surface_absorbed(s, ray);
     if COUNTS && (*path).level == 1u {
         (*path).object = s.object + 1u;
         (*path).depth = hit.t;

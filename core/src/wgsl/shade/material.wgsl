@@ -25,14 +25,14 @@ fn material_grazing(cosine: f32) -> f32 {
 fn material_fresnel(m: Material, cosine: f32, inside: bool) -> vec3f {
     let solid_inside = inside && m.transmission > 0.0 && !material_is(m, OBJECT_THIN);
     let ratio = material_ratio(m, solid_inside);
-    var dielectric = fresnel_reflectance(cosine, ratio, fresnel_transmitted(cosine, ratio));
+    var dielectric = material_specular(m, fresnel_reflectance(cosine, ratio, fresnel_transmitted(cosine, ratio)));
     if material_is(m, OBJECT_THIN) {
         // Reflectance of a thin pane: both faces with all internal reflections.
         dielectric = 2.0 * dielectric / (1.0 + dielectric);
     }
     let grazing = material_grazing(cosine);
     let metal = m.base + (1.0 - m.base) * grazing;
-    return mix(vec3f(dielectric), metal, m.metallic);
+    return mix(dielectric, metal, m.metallic);
 }
 
 // Weight of the reflected ray's radiance.
@@ -43,7 +43,8 @@ fn material_mirror(m: Material, cosine: f32, inside: bool) -> vec3f {
     if material_is(m, OBJECT_UNLIT) {
         return vec3f(0.0);
     }
-    return material_fresnel(m, cosine, inside) * material_gloss(m);
+    let under = material_under(m, cosine);
+    return material_coat_mirror(m, cosine) + under * material_fresnel(m, cosine, inside) * material_gloss(m);
 }
 
 // Weight of the refracted ray's radiance, if there is one.
@@ -54,7 +55,8 @@ fn material_refraction(m: Material, cosine: f32, inside: bool) -> vec3f {
     if material_is(m, OBJECT_UNLIT) || m.transmission == 0.0 {
         return vec3f(0.0);
     }
-    return m.base * m.transmission * (1.0 - m.metallic) * (1.0 - material_fresnel(m, cosine, inside));
+    let entering = m.base * m.transmission * (1.0 - m.metallic) * (1.0 - material_fresnel(m, cosine, inside));
+    return material_under(m, cosine) * entering;
 }
 
 // Albedo of the diffuse lobe.
@@ -63,7 +65,7 @@ fn material_diffuse(m: Material, cosine: f32, inside: bool) -> vec3f {
         return m.base * m.weights.x;
     }
     let gloss = material_gloss(m);
-    let diffuse = m.base * ((1.0 - m.metallic) * (1.0 - m.transmission));
+    let diffuse = material_under(m, cosine) * m.base * ((1.0 - m.metallic) * (1.0 - m.transmission));
     if gloss > 0.0 {
         return diffuse * (1.0 - material_fresnel(m, cosine, inside) * gloss);
     }
@@ -94,23 +96,30 @@ fn material_local(m: Material, position: vec3f, normal: vec3f, view: vec3f, insi
     return m.emission + frame.ambient * ambient * material_occlusion(m) + lights_reflected(m, diffuse, position, normal, view, shadow);
 }
 
-// Microfacet lobe for one light (Blinn-Phong distribution, Neumann's visibility term).
+// The specular lobes for one light.
 fn material_lobe(m: Material, normal: vec3f, view: vec3f, light: vec3f) -> vec3f {
+    let coat = material_coat_lobe(m, normal, view, light);
     if m.roughness >= 1.0 || material_is(m, OBJECT_WEIGHTS) {
-        return vec3f(0.0);
+        return coat;
     }
+    let f0 = mix(material_f0(m), m.base, m.metallic);
+    let under = material_under(m, clamp(dot(normal, view), 0.0, 1.0));
+    return coat + under * material_microfacets(f0, material_f90(m), m.roughness, normal, view, light);
+}
+
+// Microfacet lobe for one light (Blinn-Phong distribution, Neumann's visibility term), with its reflectance at normal
+// and at grazing incidence.
+fn material_microfacets(f0: vec3f, f90: vec3f, rough: f32, normal: vec3f, view: vec3f, light: vec3f) -> vec3f {
     // Zero if the light comes from the opposite of the view direction.
     let sum = view + light;
     let half_way = sum * inverseSqrt(max(dot(sum, sum), 1.0e-12));
     // A point light's image in a perfect mirror would have no width; it is shown with at least roughness 0.2.
-    let roughness = max(m.roughness, 0.2);
+    let roughness = max(rough, 0.2);
     let alpha2 = roughness * roughness * roughness * roughness;
     let exponent = max(2.0 / alpha2 - 2.0, 0.0);
     let distribution = (exponent + 2.0) / (2.0 * PI) * pow(max(dot(normal, half_way), 1.0e-6), exponent);
     let grazing = material_grazing(clamp(dot(view, half_way), 0.0, 1.0));
-    let at_normal = (m.ior - 1.0) / (m.ior + 1.0);
-    let f0 = mix(vec3f(at_normal * at_normal), m.base, m.metallic);
-    let fresnel = f0 + (1.0 - f0) * grazing;
+    let fresnel = f0 + (f90 - f0) * grazing;
     let widest = max(max(dot(normal, light), dot(normal, view)), 0.05);
-    return fresnel * ((1.0 - m.roughness) * distribution / (4.0 * widest));
+    return fresnel * ((1.0 - rough) * distribution / (4.0 * widest));
 }

@@ -12,6 +12,9 @@ struct Material {
     occlusion: f32,
     // Averaged normal of the normal map in the tangent frame; zero without one.
     bump: vec3f,
+    // Colour and strength of the dielectric reflection; strength and roughness of the clear coat.
+    specular: vec4f,
+    coat: vec2f,
 }
 
 fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f, maps: Maps) -> Material {
@@ -23,6 +26,7 @@ fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f, map
     m.roughness = 1.0;
     m.ior = 1.5;
     m.occlusion = 1.0;
+    m.specular = vec4f(1.0);
     if !material_is(m, OBJECT_MATTE) {
         if HAS_EMISSION {
             m.emission = object_at(object).emission;
@@ -60,6 +64,9 @@ fn material_extend(m: ptr<function, Material>, record: u32, at: Lookup, maps: Ma
     let hidden = material_lookup(record, SLOT_OCCLUSION, at, maps);
     let open = texture_data(hidden.place, hidden.texcoord, hidden.footprint).r;
     (*m).occlusion = 1.0 + bitcast<f32>(header.w) * (open - 1.0);
+    if HAS_LAYERS {
+        material_layer(m, record, at, maps);
+    }
     if HAS_NORMAL_MAPS && header.x != 0u {
         let bumps = material_lookup(record, SLOT_NORMAL, at, maps);
         let average = 2.0 * texture_data(bumps.place, bumps.texcoord, bumps.footprint).rgb - 1.0;

@@ -40,6 +40,34 @@ fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f, map
     return m;
 }
 
+// Reflectance of the dielectric part, from that of Fresnel's equations.
+fn material_specular(m: Material, dielectric: f32) -> vec3f {
+    return vec3f(dielectric);
+}
+
+// The same at normal incidence.
+fn material_f0(m: Material) -> vec3f {
+    let at_normal = (m.ior - 1.0) / (m.ior + 1.0);
+    return vec3f(at_normal * at_normal);
+}
+
+fn material_f90(m: Material) -> vec3f {
+    return vec3f(1.0);
+}
+
+// Fraction of light that passes the clear coat.
+fn material_under(m: Material, cosine: f32) -> f32 {
+    return 1.0;
+}
+
+fn material_coat_mirror(m: Material, cosine: f32) -> vec3f {
+    return vec3f(0.0);
+}
+
+fn material_coat_lobe(m: Material, normal: vec3f, view: vec3f, light: vec3f) -> vec3f {
+    return vec3f(0.0);
+}
+
 // Fraction of ambient light that reaches the point.
 fn material_occlusion(m: Material) -> f32 {
     return 1.0;

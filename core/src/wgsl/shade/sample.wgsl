@@ -43,10 +43,11 @@ fn sample_follow(ray: Ray) -> Sample {
             } else if state.level == 2u {
                 secondary_hit(state.weight, smooth_surface, shadow);
             }
+            state.weight *= surface_absorbed(s, state.ray);
             gcol += scatter(s, m, state, direction);
         }
         if state.level == 1u {
-            local = arriving;
+            local = state.weight * arriving;
         } else {
             gcol += state.weight * arriving;
         }

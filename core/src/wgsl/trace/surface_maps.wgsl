@@ -27,6 +27,16 @@ fn surface_maps(s: Surface, hit: Hit, corners: array<vec3f, 3>, direction: vec3f
     return maps;
 }
 
+// Transmittance of what the ray has crossed: an absorbing solid that it leaves (Beer-Lambert).
+fn surface_absorbed(s: Surface, ray: Ray) -> vec3f {
+    let record = material_record(s.object);
+    if !HAS_LAYERS || record == 0u || !s.inside {
+        return vec3f(1.0);
+    }
+    let absorption = bitcast<vec3f>(object_part(0u, record + 2u).xyz);
+    return exp(-s.t * length(ray.direction) * absorption);
+}
+
 // The material of a surface, whose normal becomes that of the normal map; `direction` is the unit direction of the
 // incident ray.
 fn surface_material(s: ptr<function, Surface>, direction: vec3f) -> Material {

@@ -87,6 +87,26 @@ fn other_tangents_and_second_coordinates_are_seen() {
     }
 }
 
+#[test]
+fn other_layers_are_seen() {
+    let scene = gallery::layers();
+    type Change = fn(&mut Scene);
+    let changes: [(&str, Change); 5] = [
+        ("specular colour", |s| s.materials.iter_mut().for_each(|m| m.specular_color *= 1.2)),
+        ("specular strength", |s| s.materials.iter_mut().for_each(|m| m.specular *= 0.9)),
+        ("glossiness", |s| {
+            s.materials.iter_mut().flat_map(|m| &mut m.specular_glossiness).for_each(|g| g.glossiness *= 0.9);
+        }),
+        ("clearcoat", |s| s.materials.iter_mut().for_each(|m| m.clearcoat *= 0.9)),
+        ("absorption", |s| s.materials.iter_mut().for_each(|m| m.absorption *= 1.1)),
+    ];
+    let pair = Pair::new(scene.clone(), SIZE, Settings::default());
+    let full = pair.frames(Method::Full);
+    for (what, change) in changes {
+        objects(&full.against(&changed(&scene, change), pair.settings).traced_colors(), 3, what);
+    }
+}
+
 /// Textures sampled at a point where averages are expected.
 #[test]
 fn points_in_place_of_averages_are_seen() {

@@ -48,7 +48,7 @@ pub(super) static EXTENSIONS: [Extension; 56] = [
     ignored_extension("KHR_interactivity"),
     shown_extension("KHR_lights_punctual").object(&LIGHT_OF_NODE),
     not_shown_extension("KHR_materials_anisotropy", |e, _| number(e, "anisotropyStrength", 0.0) != 0.0),
-    not_shown_extension("KHR_materials_clearcoat", |e, _| number(e, "clearcoatFactor", 0.0) != 0.0),
+    shown_extension("KHR_materials_clearcoat").object(&CLEARCOAT),
     not_shown_extension("KHR_materials_diffuse_transmission", |e, _| {
         number(e, "diffuseTransmissionFactor", 0.0) != 0.0
     }),
@@ -56,9 +56,9 @@ pub(super) static EXTENSIONS: [Extension; 56] = [
     shown_extension("KHR_materials_emissive_strength").object(&EMISSIVE_STRENGTH),
     shown_extension("KHR_materials_ior").object(&IOR),
     not_shown_extension("KHR_materials_iridescence", |e, _| number(e, "iridescenceFactor", 0.0) != 0.0),
-    not_shown_extension("KHR_materials_pbrSpecularGlossiness", present),
+    shown_extension("KHR_materials_pbrSpecularGlossiness").object(&SPECULAR_GLOSSINESS),
     not_shown_extension("KHR_materials_sheen", |e, _| differs(e, "sheenColorFactor", 0.0)),
-    not_shown_extension("KHR_materials_specular", has_specular),
+    shown_extension("KHR_materials_specular").object(&SPECULAR),
     not_shown_extension("KHR_materials_subsurface", present),
     shown_extension("KHR_materials_transmission").object(&TRANSMISSION),
     shown_extension("KHR_materials_unlit"),
@@ -87,6 +87,19 @@ pub(super) static EXTENSIONS: [Extension; 56] = [
     not_shown_extension("MSFT_texture_dds", replaces_no_source),
 ];
 
+static CLEARCOAT: Object = object(
+    "KHR_materials_clearcoat",
+    &[
+        shown("clearcoatFactor"),
+        not_shown("clearcoatNormalTexture", |texture, site| {
+            !texture.is_null() && factor(site.owner, "clearcoatFactor", 0.0) != 0.0
+        })
+        .object(&TEXTURE_INFO),
+        shown("clearcoatRoughnessFactor"),
+        shown("clearcoatRoughnessTexture").object(&TEXTURE_INFO),
+        shown("clearcoatTexture").object(&TEXTURE_INFO),
+    ],
+);
 static DRACO: Object =
     object("KHR_draco_mesh_compression", &[shown("attributes"), shown("bufferView").index(&BUFFER_VIEWS)]);
 static EMISSIVE_STRENGTH: Object = object("KHR_materials_emissive_strength", &[shown("emissiveStrength")]);
@@ -138,6 +151,25 @@ static MESHOPT: Object = object(
         shown("mode"),
     ],
 );
+static SPECULAR: Object = object(
+    "KHR_materials_specular",
+    &[
+        shown("specularColorFactor"),
+        shown("specularColorTexture").object(&TEXTURE_INFO),
+        shown("specularFactor"),
+        shown("specularTexture").object(&TEXTURE_INFO),
+    ],
+);
+static SPECULAR_GLOSSINESS: Object = object(
+    "KHR_materials_pbrSpecularGlossiness",
+    &[
+        shown("diffuseFactor"),
+        shown("diffuseTexture").object(&TEXTURE_INFO),
+        shown("glossinessFactor"),
+        shown("specularFactor"),
+        shown("specularGlossinessTexture").object(&TEXTURE_INFO),
+    ],
+);
 static SPOT: Object =
     object("KHR_lights_punctual.light.spot", &[shown("innerConeAngle"), shown("outerConeAngle")]);
 static TEXTURE_SOURCE: Object = object("texture", &[shown("source").index(&IMAGES)]);
@@ -158,12 +190,8 @@ static VISIBILITY: Object = object("KHR_node_visibility", &[shown("visible")]);
 static VOLUME: Object = object(
     "KHR_materials_volume",
     &[
-        not_shown("attenuationColor", |color, site| {
-            color.as_array().is_some_and(|color| color.iter().any(|c| c.as_f64() != Some(1.0)))
-                && site.owner.contains_key("attenuationDistance")
-                && factor(site.owner, "thicknessFactor", 0.0) > 0.0
-        }),
-        ignored("attenuationDistance"),
+        shown("attenuationColor"),
+        shown("attenuationDistance"),
         shown("thicknessFactor"),
         ignored("thicknessTexture"),
     ],
@@ -182,14 +210,6 @@ fn factor(extension: &Map<String, Value>, name: &str, default: f64) -> f64 {
 fn differs(extension: &Value, name: &str, default: f64) -> bool {
     let numbers = extension.get(name).and_then(Value::as_array);
     numbers.is_some_and(|numbers| numbers.iter().any(|n| n.as_f64() != Some(default)))
-}
-
-fn has_specular(specular: &Value, _: &Site<'_>) -> bool {
-    let has_texture =
-        ["specularTexture", "specularColorTexture"].iter().any(|name| specular.get(name).is_some());
-    has_texture
-        || number(specular, "specularFactor", 1.0) != 1.0
-        || differs(specular, "specularColorFactor", 1.0)
 }
 
 /// Whether the texture that has this source has no other.

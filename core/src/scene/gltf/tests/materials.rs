@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::{File, data_uri, png};
 use crate::scene::gltf::NO_LIGHTS;
-use crate::scene::{Material, Scene, Texture, TextureSlot, Wrap, tangent_decode_exact};
+use crate::scene::{Material, Scene, SpecularGlossiness, Texture, TextureSlot, Wrap, tangent_decode_exact};
 
 fn with_material(material: Value) -> File {
     let mut file = File::triangle();
@@ -134,6 +134,53 @@ fn every_slot_keeps_its_own_coordinates() {
     assert!(!material.maps.contains_key(&TextureSlot::Transmission), "a third set");
     assert!(scene.warnings[0].contains("transmission texture is dropped"), "{:?}", scene.warnings);
     assert!(scene.warnings[0].contains("TEXCOORD_2"), "{:?}", scene.warnings);
+}
+
+#[test]
+fn layers_of_extensions() {
+    let specular = json!({
+        "specularFactor": 0.5, "specularColorFactor": [2, 1, 0.5], "specularTexture": { "index": 2 },
+    });
+    let coat = json!({ "clearcoatFactor": 0.75, "clearcoatRoughnessFactor": 0.25, "clearcoatTexture": { "index": 1 } });
+    let volume =
+        json!({ "thicknessFactor": 1, "attenuationDistance": 2, "attenuationColor": [1, 0.5, 0.25] });
+    let scene = textured(json!({ "extensions": {
+        "KHR_materials_specular": specular, "KHR_materials_clearcoat": coat, "KHR_materials_volume": volume,
+        "KHR_materials_transmission": { "transmissionFactor": 1 },
+    } }))
+    .scene();
+    let material = &scene.materials[0];
+    assert_eq!((material.specular, material.specular_color), (0.5, vec3(2.0, 1.0, 0.5)));
+    assert_eq!((material.clearcoat, material.clearcoat_roughness), (0.75, 0.25));
+    let over_two = (-2.0 * material.absorption).exp();
+    assert!((over_two - vec3(1.0, 0.5, 0.25)).abs().max_element() < 1e-6, "{over_two}");
+    assert_eq!(
+        material.maps.keys().copied().collect::<Vec<_>>(),
+        [TextureSlot::Specular, TextureSlot::Clearcoat]
+    );
+
+    let scene = textured(json!({
+        "pbrMetallicRoughness": { "baseColorTexture": { "index": 0 }, "metallicFactor": 0.5 },
+        "extensions": { "KHR_materials_pbrSpecularGlossiness": {
+            "diffuseFactor": [0.1, 0.2, 0.3, 0.4], "diffuseTexture": { "index": 1 },
+            "specularFactor": [0.5, 0.6, 0.7], "glossinessFactor": 0.8,
+            "specularGlossinessTexture": { "index": 2 },
+        } },
+    }))
+    .scene();
+    let material = &scene.materials[0];
+    assert_eq!((material.base_color, material.alpha, material.metallic), (vec3(0.1, 0.2, 0.3), 0.4, 0.0));
+    let glossy = SpecularGlossiness { specular: vec3(0.5, 0.6, 0.7), glossiness: 0.8 };
+    assert_eq!(material.specular_glossiness, Some(glossy));
+    assert_eq!(scene.images.iter().map(|i| i.rgba[0]).collect::<Vec<_>>(), [20, 30]);
+    // Without parameters, the extensions change nothing.
+    let plain =
+        imported(json!({ "extensions": { "KHR_materials_specular": {}, "KHR_materials_clearcoat": {} } }));
+    assert!(!plain.is_extended(), "{plain:?}");
+    with_material(json!({ "extensions": { "KHR_materials_clearcoat": { "clearcoatFactor": "much" } } }))
+        .fails(&["material 0", "clearcoatFactor"]);
+    with_material(json!({ "extensions": { "KHR_materials_volume": { "attenuationDistance": 0 } } }))
+        .fails(&["material 0", "attenuationDistance", "above 0"]);
 }
 
 #[test]

@@ -1,0 +1,113 @@
+//! Reads the material extensions of specular colours, specular-glossiness factors, clear coats and absorption.
+
+use glam::Vec3;
+use gltf::json;
+use json::texture::Info;
+use serde_json::Value;
+
+use super::normalized::Numbers;
+use crate::scene::{MAX_RADIANCE, Material, SpecularGlossiness, TextureSlot};
+use crate::{Error, Result};
+
+const SPECULAR: &str = "KHR_materials_specular";
+const GLOSSINESS: &str = "KHR_materials_pbrSpecularGlossiness";
+const CLEARCOAT: &str = "KHR_materials_clearcoat";
+
+/// The textures of the extensions: slot, extension and property.
+const TEXTURES: [(TextureSlot, &str, &str); 5] = [
+    (TextureSlot::Specular, SPECULAR, "specularTexture"),
+    (TextureSlot::SpecularColor, SPECULAR, "specularColorTexture"),
+    (TextureSlot::SpecularGlossiness, GLOSSINESS, "specularGlossinessTexture"),
+    (TextureSlot::Clearcoat, CLEARCOAT, "clearcoatTexture"),
+    (TextureSlot::ClearcoatRoughness, CLEARCOAT, "clearcoatRoughnessTexture"),
+];
+
+/// The least transmittance of a channel over the attenuation distance.
+const LEAST_TRANSMITTANCE: f32 = 1.0e-6;
+
+fn extension<'a>(json: &'a json::Material, name: &str) -> Option<&'a Value> {
+    json.extensions.as_ref()?.others.get(name)
+}
+
+/// A number or an array of numbers of an extension; `default` where it is absent.
+fn property<T: serde::de::DeserializeOwned>(
+    extension: &Value,
+    name: &str,
+    default: T,
+    what: &str,
+) -> Result<T> {
+    let Some(value) = extension.get(name) else { return Ok(default) };
+    serde_json::from_value(value.clone()).map_err(|e| Error::scene(what, format!("{name}: {e}")))
+}
+
+/// Whether the material is a specular-glossiness one, whose metallic-roughness part does not count.
+pub(super) fn is_glossiness(json: &json::Material) -> bool {
+    extension(json, GLOSSINESS).is_some()
+}
+
+/// The texture of the diffuse colour of a specular-glossiness material.
+pub(super) fn diffuse_texture(json: &json::Material, what: &str) -> Result<Option<Info>> {
+    extension(json, GLOSSINESS).map_or(Ok(None), |e| property(e, "diffuseTexture", None, what))
+}
+
+/// The textures that the extensions have.
+pub(super) fn textures(json: &json::Material, what: &str) -> Result<Vec<(TextureSlot, Info)>> {
+    let mut found = Vec::new();
+    for (slot, name, texture) in TEXTURES {
+        if let Some(e) = extension(json, name) {
+            found.extend(property::<Option<Info>>(e, texture, None, what)?.map(|info| (slot, info)));
+        }
+    }
+    Ok(found)
+}
+
+/// Reads the factors of the extensions into a material.
+pub(super) fn read(json: &json::Material, material: &mut Material, numbers: &mut Numbers<'_>) -> Result<()> {
+    let what = numbers.what;
+    if let Some(e) = extension(json, SPECULAR) {
+        material.specular = numbers.share("specularFactor", property(e, "specularFactor", 1.0, what)?)?;
+        let color = property(e, "specularColorFactor", [1.0_f32; 3], what)?;
+        material.specular_color = within(color, "specularColorFactor", MAX_RADIANCE, numbers)?;
+    }
+    if let Some(e) = extension(json, GLOSSINESS) {
+        let [r, g, b, a] = property(e, "diffuseFactor", [1.0_f32; 4], what)?;
+        material.base_color = within([r, g, b], "diffuseFactor", 1.0, numbers)?;
+        material.alpha = numbers.share("diffuseFactor", a)?;
+        (material.metallic, material.roughness) = (0.0, 1.0);
+        let specular = property(e, "specularFactor", [1.0_f32; 3], what)?;
+        let glossiness = property(e, "glossinessFactor", 1.0, what)?;
+        material.specular_glossiness = Some(SpecularGlossiness {
+            specular: within(specular, "specularFactor", 1.0, numbers)?,
+            glossiness: numbers.share("glossinessFactor", glossiness)?,
+        });
+    }
+    if let Some(e) = extension(json, CLEARCOAT) {
+        let roughness = property(e, "clearcoatRoughnessFactor", 0.0, what)?;
+        material.clearcoat = numbers.share("clearcoatFactor", property(e, "clearcoatFactor", 0.0, what)?)?;
+        material.clearcoat_roughness = numbers.share("clearcoatRoughnessFactor", roughness)?;
+    }
+    material.absorption = absorption(json, numbers)?;
+    Ok(())
+}
+
+fn within(color: [f32; 3], name: &str, most: f32, numbers: &mut Numbers<'_>) -> Result<Vec3> {
+    let mut checked = Vec3::ZERO;
+    for (channel, value) in checked.as_mut().iter_mut().zip(color) {
+        *channel = numbers.within(name, value, 0.0..=most)?;
+    }
+    Ok(checked)
+}
+
+/// Absorption coefficient of KHR_materials_volume: white light becomes the attenuation colour over the attenuation
+/// distance.
+fn absorption(json: &json::Material, numbers: &mut Numbers<'_>) -> Result<Vec3> {
+    let volume = json.extensions.as_ref().and_then(|e| e.volume.as_ref());
+    let Some(volume) = volume.filter(|v| v.attenuation_distance.0.is_finite()) else { return Ok(Vec3::ZERO) };
+    let distance = volume.attenuation_distance.0;
+    if distance <= 0.0 {
+        return numbers.refused("attenuationDistance", "a number above 0", distance);
+    }
+    let color = within(volume.attenuation_color.0, "attenuationColor", 1.0, numbers)?;
+    let transmittance = color.max(Vec3::splat(LEAST_TRANSMITTANCE));
+    Ok((-transmittance.map(f32::ln) / distance).clamp(Vec3::ZERO, Vec3::splat(MAX_RADIANCE)))
+}
