@@ -1,7 +1,7 @@
 //! Reads a scene and uploads it to the device.
 
 use glam::Vec3;
-use glimpse::{Camera, Gpu, GpuScene};
+use glimpse::{Camera, Gpu, GpuScene, Scene};
 
 use crate::{Files, WorkerEvent, worker::EventSender};
 
@@ -30,6 +30,15 @@ pub(crate) struct Loaded {
     pub facts: SceneFacts,
 }
 
+/// What the user is told of a scene.
+fn told(scene: &mut Scene) -> Vec<String> {
+    let mut lines = std::mem::take(&mut scene.warnings);
+    lines.extend(
+        scene.is_lit_by_studio.then(|| "The file brings no light: the built-in studio lights it".to_owned()),
+    );
+    lines
+}
+
 /// Reads the named scene, uploads it, and reports the progress. An error is a message of one line.
 pub(crate) fn load(
     gpu: &Gpu,
@@ -45,7 +54,7 @@ pub(crate) fn load(
         primitives: (scene.triangle_objects.len() + scene.spheres.len()) as u64,
         cameras: scene.cameras.clone(),
         bounds: scene.bounds().unwrap_or_default(),
-        warnings: std::mem::take(&mut scene.warnings),
+        warnings: told(&mut scene),
         not_shown: scene.not_shown.iter().map(ToString::to_string).collect(),
         features,
     };

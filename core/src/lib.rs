@@ -137,7 +137,7 @@ pub use scene::look_at::{Lens, LookAt};
 pub use scene::{Features, Scene};
 pub use settings::{
     Denoise, DirectLight, Filter, Focus, Foveation, Jitter, LightSelection, MAX_CPU_THREADS, MAX_DEPTH,
-    MAX_GAZE, MAX_LIGHT_SAMPLES, MAX_RAYS, MAX_SAMPLING, Method, Mip, Paths, Postcorrect, Preset, Refine,
-    Robustness, Roulette, Sampler, Settings, Specialize, StereoReuse, THRESHOLD_NAMES, Thresholds,
-    Tolerances, Unsampled, options,
+    MAX_EXPOSURE, MAX_GAZE, MAX_LIGHT_SAMPLES, MAX_RAYS, MAX_SAMPLING, Method, Mip, Paths, Postcorrect,
+    Preset, Refine, Robustness, Roulette, Sampler, Settings, Specialize, StereoReuse, THRESHOLD_NAMES,
+    Thresholds, Tolerances, Tonemap, Unsampled, options,
 };

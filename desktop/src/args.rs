@@ -6,6 +6,8 @@ use std::str::FromStr;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use glimpse::{Method, Show};
 
+#[path = "environment_options.rs"]
+mod environment_options;
 #[path = "frame_options.rs"]
 mod frame_options;
 #[path = "look_at.rs"]
@@ -13,6 +15,7 @@ mod look_at;
 #[path = "vary.rs"]
 mod vary;
 
+pub use environment_options::EnvironmentOptions;
 #[cfg(test)]
 pub use frame_options::default_text;
 pub use frame_options::{FrameOptions, Recursion, TypedOptions, method_parser};
@@ -80,6 +83,8 @@ pub struct ViewOptions {
     /// Play the script without a window
     #[arg(long, requires = "script")]
     pub headless: bool,
+    #[command(flatten)]
+    pub environment: EnvironmentOptions,
 }
 
 impl Default for ViewOptions {
@@ -91,6 +96,7 @@ impl Default for ViewOptions {
             phone: None,
             script: None,
             headless: false,
+            environment: EnvironmentOptions::default(),
         }
     }
 }

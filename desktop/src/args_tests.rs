@@ -93,7 +93,7 @@ fn every_option_of_render_arrives() {
         "render builtin:room -o x.EXR --size 640X480 --camera top --method full --t-pos 0.1 --t-norm -0.5 \
          --t-tex 0.2 --t-gcol 0.3 --depth 5 --min-weight 0 --specialize all --show check:tex --frames 7 \
          --reference --stats s.json --sampling 4 --block 8 --postcorrect scans --mip OFF \
-         --preset textures --tau-col 0.25 --tau-ste 1 --focus 3-5 --refine on --unsampled bilinear --jitter on --filter tent --quincunx-threshold 0.3 --seed 9 --refresh-fraction 0.5",
+         --preset textures --tau-col 0.25 --tau-ste 1 --focus 3-5 --refine on --unsampled bilinear --jitter on --filter tent --quincunx-threshold 0.3 --seed 9 --refresh-fraction 0.5 --exposure -1.5 --tonemap neutral",
     );
     let settings = options.frame.settings(options.method).unwrap();
     let mut tolerances = Tolerances::default();
@@ -110,6 +110,8 @@ fn every_option_of_render_arrives() {
             depth: 5,
             min_weight: 0.0,
             refresh_fraction: 0.5,
+            exposure: Some(-1.5),
+            tonemap: glimpse::Tonemap::Neutral,
             specialize: Specialize::All,
             supersample: false,
             thresholds: Thresholds { col: 0.25, ste: 1.0, ..Preset::Textures.thresholds() },

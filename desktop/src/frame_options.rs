@@ -8,7 +8,7 @@ use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
 use glimpse::options::{Choice, Kind, OPTIONS, OptionSpec};
 use glimpse::{Method, Settings};
 
-use super::{LookAtOptions, Size};
+use super::{EnvironmentOptions, LookAtOptions, Size};
 
 /// What every rendering command takes.
 #[derive(Clone, Debug, PartialEq, Args)]
@@ -28,13 +28,22 @@ pub struct FrameOptions {
     #[arg(long)]
     pub strict: bool,
     #[command(flatten)]
+    pub environment: EnvironmentOptions,
+    #[command(flatten)]
     pub typed: TypedOptions<ExceptMethod>,
 }
 
 impl Default for FrameOptions {
     fn default() -> Self {
-        let (look_at, typed) = (LookAtOptions::default(), TypedOptions::default());
-        Self { size: Size([2560, 1440]), camera: None, look_at, variant: None, strict: false, typed }
+        Self {
+            size: Size([2560, 1440]),
+            camera: None,
+            look_at: LookAtOptions::default(),
+            variant: None,
+            strict: false,
+            environment: EnvironmentOptions::default(),
+            typed: TypedOptions::default(),
+        }
     }
 }
 

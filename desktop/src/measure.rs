@@ -55,7 +55,12 @@ impl<'g> Workbench<'g> {
         progress: &Progress,
     ) -> anyhow::Result<Self> {
         progress.doing(&format!("loading {name}"));
-        let (scene, load_ms) = timed(|| scene_file::load_variant(name, options.variant.as_deref()))?;
+        let surroundings = options.environment.surroundings();
+        let (scene, load_ms) = timed(|| {
+            let mut scene = scene_file::load_variant(name, options.variant.as_deref())?;
+            surroundings.apply(&mut scene)?;
+            anyhow::Ok(scene)
+        })?;
         let (camera, camera_name) = chosen_camera(&scene, options).with_context(|| name.to_owned())?;
         let methods =
             requests.iter().map(|request| request.in_scene(&scene.objects)).collect::<glimpse::Result<_>>();
@@ -65,12 +70,13 @@ impl<'g> Workbench<'g> {
         if options.strict {
             scene_file::check_whole(name, &scene)?;
         }
-        let (warnings, not_shown) = (scene.warnings.clone(), scene.not_shown.clone());
+        let (mut warnings, not_shown) = (scene.warnings.clone(), scene.not_shown.clone());
+        warnings.extend(scene.is_lit_by_studio.then(|| scene_file::STUDIO_LIT.to_owned()));
+        let exposure = |request: &FrameRequest| request.settings.exposure.unwrap_or(scene.auto_exposure());
         let cpu_threads: Vec<_> = requests.iter().map(|request| request.settings.paths.cpu_threads).collect();
-        let reference = cpu_threads
-            .iter()
-            .any(|cpu_threads| *cpu_threads > 0)
-            .then(|| Reference::new(&scene).with_wide_tree());
+        let reference = cpu_threads.iter().any(|cpu_threads| *cpu_threads > 0).then(|| {
+            Reference::new(&scene.clone().exposed(requests.first().map_or(0.0, exposure))).with_wide_tree()
+        });
         progress.doing("building the acceleration structure");
         let (scene, build_ms) = timed(|| GpuScene::upload(gpu, scene).with_context(|| name.to_owned()))?;
         Ok(Self {

@@ -42,6 +42,7 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
         ));
     }
     scene_file::check(&options.scene)?;
+    options.frame.environment.surroundings().check()?;
     let outputs = std::iter::once(&options.output.path).chain(&options.stats);
     files::check(outputs.map(PathBuf::as_path), Path::new(&options.scene))?;
 

@@ -45,9 +45,15 @@ fn setup(options: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::R
     let script = options.script.as_deref().map(read_script).transpose()?;
     // The variant is one of the scene that was named with it.
     let (first, variant) = (scene.to_owned(), options.variant.clone());
+    let surroundings = options.environment.surroundings();
+    surroundings.check()?;
     let reader: Files = Arc::new(move |name| {
         let variant = variant.as_deref().filter(|_| name == first);
-        scene_file::load_variant(name, variant).map_err(|error| format!("{error:#}"))
+        let loaded = scene_file::load_variant(name, variant).and_then(|mut scene| {
+            surroundings.apply(&mut scene)?;
+            Ok(scene)
+        });
+        loaded.map_err(|error| format!("{error:#}"))
     });
     let Size(size) = options.size;
     // A script must neither depend on recently opened scenes nor change their list.

@@ -9,6 +9,7 @@ mod gpu {
     mod denoise;
     mod device;
     mod embedding;
+    mod environment;
     mod extended;
     mod eyes;
     mod golden;

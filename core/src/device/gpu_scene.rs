@@ -5,9 +5,10 @@ use std::sync::Arc;
 use glam::Vec3;
 
 use crate::{
-    Error, Features, Gpu, Result,
+    Error, Features, Gpu, Result, Settings, Tonemap,
     acceleration::Bvh,
     device::atlas::Atlas,
+    device::environment::GpuEnvironment,
     device::material_records::Records,
     device::{SceneStorage, Tier, mirror::gpu_struct},
     scene::{self, Emitters, Environment, LightKind, MAX_LIGHTS, Material, Scene, Thinness},
@@ -104,6 +105,8 @@ pub struct GpuScene {
     /// Reciprocal of the sum of strength times area over all emitters; 0 without emitters.
     pub(crate) emitter_scale: f32,
     pub(crate) environment: Environment,
+    environment_map: Option<Arc<GpuEnvironment>>,
+    auto_exposure: f32,
     /// The tier that the scene's data is laid out for.
     pub(crate) tier: Tier,
     features: Features,
@@ -186,6 +189,11 @@ impl GpuScene {
                 probe_points: thinness.probe_points().len() as u32,
             },
             environment: scene.environment,
+            auto_exposure: scene.auto_exposure(),
+            environment_map: match &scene.environment_map {
+                Some(map) => Some(Arc::new(GpuEnvironment::upload(gpu, map)?)),
+                None => None,
+            },
             tier: gpu.tier,
             features,
             thinness: Arc::new(thinness),
@@ -217,6 +225,21 @@ impl GpuScene {
         self.bounds
     }
 
+    /// The exposure of frames with these settings, as a factor on all light.
+    pub(crate) fn exposure(&self, settings: &Settings) -> f32 {
+        settings.exposure.unwrap_or(self.auto_exposure).exp2()
+    }
+
+    /// These settings with the exposure and the tone curve that are meant by `auto`.
+    pub(crate) fn displayed(&self, settings: &Settings) -> Settings {
+        let tonemap = match (settings.tonemap, self.features.environment_map) {
+            (Tonemap::Auto, true) => Tonemap::Neutral,
+            (Tonemap::Auto, false) => Tonemap::None,
+            (chosen, _) => chosen,
+        };
+        Settings { exposure: settings.exposure.or(Some(self.auto_exposure)), tonemap, ..*settings }
+    }
+
     /// Longest side of the bounding box, the unit of the distance tolerance (Kim 2016).
     #[must_use]
     pub fn longest_side(&self) -> f32 {
@@ -225,7 +248,7 @@ impl GpuScene {
 
     /// Names and bindings of all scene resources that shaders read.
     pub(crate) fn resources(&self) -> Vec<(&'static str, wgpu::BindingResource<'_>)> {
-        vec![
+        let mut resources = vec![
             ("nodes", self.nodes.binding()),
             ("primitives", self.primitives.binding()),
             ("shading", self.shading.binding()),
@@ -236,7 +259,9 @@ impl GpuScene {
             ("emitters", self.emitters.as_entire_binding()),
             ("atlas_color", wgpu::BindingResource::TextureView(&self.atlas.color)),
             ("atlas_data", wgpu::BindingResource::TextureView(&self.atlas.data)),
-        ]
+        ];
+        resources.extend(self.environment_map.iter().flat_map(|map| map.resources()));
+        resources
     }
 
     /// Sizes in bytes: everything except the acceleration structure, and the acceleration structure.
@@ -246,7 +271,8 @@ impl GpuScene {
         let words = [&self.primitives, &self.shading, &self.vertices, &self.objects];
         let scene = buffers.iter().map(|b| b.size()).sum::<u64>()
             + words.iter().map(|w| w.bytes()).sum::<u64>()
-            + self.atlas.bytes();
+            + self.atlas.bytes()
+            + self.environment_map.as_ref().map_or(0, |map| map.bytes());
         (scene, self.nodes.bytes())
     }
 }

@@ -2,6 +2,7 @@
 
 mod adapter;
 pub(crate) mod atlas;
+pub(crate) mod environment;
 pub(crate) mod gpu_scene;
 mod health;
 mod kernel;

@@ -54,7 +54,7 @@ gpu_struct! {
         ambient: [f32; 3], depth: u32,
         fallback_radiance: [f32; 3], seed: u32,
         size: [u32; 2], refresh_first: u32, refresh_count: u32,
-        still: u32, padding_x: u32, padding_y: u32, padding_z: u32,
+        still: u32, exposure: f32, padding_y: u32, padding_z: u32,
     }
 }
 
@@ -75,6 +75,7 @@ impl FrameUniform {
     pub fn new(scene: &GpuScene, settings: &Settings, size: [u32; 2], camera: &Camera) -> Self {
         let environment = &scene.environment;
         let t = &settings.thresholds;
+        let exposure = scene.exposure(settings);
         let extent = settings.method.eye(size).map(|side| side as f32);
         let gaze = [0, 1].map(|axis| settings.paths.gaze[axis] * extent[axis]);
         Self {
@@ -112,11 +113,12 @@ impl FrameUniform {
                 emitters: scene.emitter_count,
                 ..Default::default()
             },
-            background: environment.background.into(),
+            background: (exposure * environment.background).into(),
             min_weight: settings.min_weight,
-            ambient: environment.ambient.into(),
+            ambient: (exposure * environment.ambient).into(),
             depth: settings.depth,
-            fallback_radiance: environment.fallback_radiance.into(),
+            fallback_radiance: (exposure * environment.fallback_radiance).into(),
+            exposure,
             seed: settings.seed,
             size,
             ..Default::default()

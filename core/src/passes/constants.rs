@@ -12,7 +12,7 @@ use crate::{
     device::{self, shader::Source},
     frame::counters::{COUNTER_WORDS, GROUPS, Group},
     frame::sequence::{RANK_TILE, RANKS},
-    scene::{OCTAHEDRAL_ERROR, TextureSlot},
+    scene::{self, OCTAHEDRAL_ERROR, TextureSlot},
 };
 
 /// Threads in a workgroup that processes entries of a list.
@@ -27,6 +27,9 @@ pub const REFINE_MOST: u32 = 16;
 pub const REFINE_WORDS: u32 = 15;
 /// Factor on the smallest threshold: cells of a refined pixel get a sample if its subpixels differ by more.
 pub const STRATUM_CONTRAST: f32 = 2.0;
+
+/// Mask of the index of a ray's counter in its kind; the bits above hold the roughness of the surface that it left.
+const RAY_KIND: u32 = 0xff;
 
 /// Margin by which the traversal enlarges bounding boxes on all sides, relative to the distance, so that rounding
 /// never loses a hit inside the box. Let `e = 2^-24` (half a unit in the last place), with WGSL's error of 5 e
@@ -164,6 +167,8 @@ impl FrameSpec {
             ("SET_SECOND", material_records::SET_SECOND),
             ("LIGHT_DIRECTIONAL", gpu_scene::LIGHT_DIRECTIONAL),
             ("LIGHT_CONSTANT", gpu_scene::LIGHT_CONSTANT),
+            ("RAY_KIND", RAY_KIND),
+            ("ENVIRONMENT_FILTERED", scene::FIRST_FILTERED),
             ("REFINE_STEP", REFINE_STEP),
             ("REFINE_MOST", REFINE_MOST),
             ("REFINE_WORDS", REFINE_WORDS),
@@ -186,6 +191,7 @@ impl FrameSpec {
             // With panes, rays pass straight through surfaces and need a strict order of hits, without a
             // tolerance.
             ("SAME_DISTANCE", if self.has_panes { 0.0 } else { SAME_DISTANCE }),
+            ("ENVIRONMENT_LOBE", (scene::FIRST_FILTERED as f32) / scene::WIDEST_LOBE),
             ("STRATUM_CONTRAST", STRATUM_CONTRAST),
             ("SPHERE_MARK", gpu_scene::SPHERE_MARK),
             ("NORMAL_ERROR", OCTAHEDRAL_ERROR),

@@ -71,7 +71,7 @@ impl FrameSpec {
             self.tile_order(),
         ];
         sources.extend(self.path_sums());
-        sources.extend(self.output.sources());
+        sources.extend(self.output_sources(self.output));
         sources.extend(entry);
         sources
     }

@@ -21,7 +21,7 @@ stages! {
         sources: |spec, entry| {
             let mut sources = vec![spec.constants(), wgsl!("wgsl/trace/frame.wgsl"), spec.jitter()];
             sources.extend(spec.path_sums());
-            sources.extend(spec.output_before_noise().sources());
+            sources.extend(spec.output_sources(spec.output_before_noise()));
             sources.push(entry);
             sources
         },
@@ -61,6 +61,11 @@ impl FrameSpec {
                 (DirectLight::Nee | DirectLight::Mis, _) if self.scene.emits => wgsl!("wgsl/path/emitters_nee.wgsl"),
                 _ => wgsl!("wgsl/path/emitters_bsdf.wgsl"),
             },
+            pick(
+                self.samples_environment(),
+                wgsl!("wgsl/path/environment_nee.wgsl"),
+                wgsl!("wgsl/path/environment_bsdf.wgsl"),
+            ),
             self.foveation(),
             self.eyes(),
             wgsl!("wgsl/denoise/gbuffer.wgsl"),
@@ -70,6 +75,14 @@ impl FrameSpec {
         sources.extend(self.path_samples());
         sources.extend([self.tile_order(), entry]);
         sources
+    }
+
+    /// Whether paths draw directions of an environment map.
+    fn samples_environment(&self) -> bool {
+        let paths = &self.settings.paths;
+        self.features.environment_map
+            && paths.direct_light != DirectLight::Bsdf
+            && paths.lights != LightSelection::Punctual
     }
 
     /// Where kernels write colours before the denoiser: nowhere if a denoiser follows, as it writes the pixels.

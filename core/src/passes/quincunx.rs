@@ -56,7 +56,7 @@ stages! {
         name: "quincunx_resolve", wgsl: "passes/quincunx/quincunx_resolve.wgsl", paper: "lecture, \"Adaptive supersampling (3)\"",
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| {
-            let mut end = spec.output.sources();
+            let mut end = spec.output_sources(spec.output);
             end.push(entry);
             spec.quincunx_pixel_sources(wgsl!("wgsl/adaptive/attributes_channels.wgsl"), end)
         },

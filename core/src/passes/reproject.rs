@@ -27,7 +27,7 @@ stages! {
         work: Work::Tiles(INTERPOLATED_TILE), tracing: Tracing::No, clears: [],
         sources: |spec, entry| {
             let mut sources = spec.pixel_sources(wgsl!("wgsl/adaptive/attributes_channels.wgsl"));
-            sources.extend(spec.output.sources());
+            sources.extend(spec.output_sources(spec.output));
             sources.extend([
                 wgsl!("wgsl/adaptive/list.wgsl"),
                 wgsl!("wgsl/adaptive/list_append.wgsl"),

@@ -1,22 +1,28 @@
 //! The WGSL files that kernels of several methods share.
 
 use super::{FrameSpec, Output, wgsl};
-use crate::{Filter, Jitter, Mip, Specialize, Unsampled, device::shader::Source};
-
-impl Output {
-    pub(super) fn sources(self) -> Vec<Source> {
-        match self {
-            Self::Display => vec![wgsl!("wgsl/output/output_display.wgsl")],
-            Self::Linear => vec![wgsl!("wgsl/output/output_linear.wgsl")],
-            Self::Samples => {
-                vec![wgsl!("wgsl/output/samples.wgsl"), wgsl!("wgsl/output/output_samples.wgsl")]
-            }
-            Self::Nowhere => vec![wgsl!("wgsl/output/output_none.wgsl")],
-        }
-    }
-}
+use crate::{Filter, Jitter, Mip, Specialize, Tonemap, Unsampled, device::shader::Source};
 
 impl FrameSpec {
+    /// The sources that write colours to an output.
+    pub(super) fn output_sources(&self, output: Output) -> Vec<Source> {
+        match output {
+            Output::Display => vec![
+                pick(
+                    self.settings.tonemap == Tonemap::Neutral,
+                    wgsl!("wgsl/output/tone_neutral.wgsl"),
+                    wgsl!("wgsl/output/tone_none.wgsl"),
+                ),
+                wgsl!("wgsl/output/output_display.wgsl"),
+            ],
+            Output::Linear => vec![wgsl!("wgsl/output/output_linear.wgsl")],
+            Output::Samples => {
+                vec![wgsl!("wgsl/output/samples.wgsl"), wgsl!("wgsl/output/output_samples.wgsl")]
+            }
+            Output::Nowhere => vec![wgsl!("wgsl/output/output_none.wgsl")],
+        }
+    }
+
     /// The sources of a kernel that compacts a list; `range` selects the part of the list.
     pub(super) fn compact_sources(&self, range: Source, entry: Source) -> Vec<Source> {
         vec![self.constants(), wgsl!("wgsl/adaptive/list.wgsl"), range, entry]
@@ -50,7 +56,7 @@ impl FrameSpec {
             Filter::Box => wgsl!("wgsl/output/filter_box.wgsl"),
             Filter::Tent => wgsl!("wgsl/output/filter_tent.wgsl"),
         });
-        sources.extend(self.output.sources());
+        sources.extend(self.output_sources(self.output));
         sources.push(entry);
         sources
     }
@@ -231,6 +237,11 @@ impl FrameSpec {
         sources.extend([
             wgsl!("wgsl/shade/fresnel.wgsl"),
             pick(
+                f.environment_map,
+                wgsl!("wgsl/shade/environment_map.wgsl"),
+                wgsl!("wgsl/shade/environment_constant.wgsl"),
+            ),
+            pick(
                 f.extended_materials,
                 wgsl!("wgsl/shade/material_maps.wgsl"),
                 wgsl!("wgsl/shade/material_maps_none.wgsl"),
@@ -254,6 +265,13 @@ impl FrameSpec {
         } else {
             wgsl!("wgsl/shade/lights_none.wgsl")
         }]);
+        if f.glossy || f.extended_materials {
+            sources.push(pick(
+                f.environment_map,
+                wgsl!("wgsl/shade/environment_lobes.wgsl"),
+                wgsl!("wgsl/shade/environment_lobes_constant.wgsl"),
+            ));
+        }
         if self.settings.supersamples() {
             sources.extend([
                 wgsl!("wgsl/supersample/pixel_edges.wgsl"),
@@ -263,7 +281,7 @@ impl FrameSpec {
             sources.push(wgsl!("wgsl/supersample/pixel_edges_none.wgsl"));
         }
         let pixels = self.settings.sampling == 1 || self.output == Output::Nowhere;
-        sources.extend(if pixels { self.output } else { Output::Samples }.sources());
+        sources.extend(self.output_sources(if pixels { self.output } else { Output::Samples }));
         sources.extend(rest);
         sources
     }

@@ -97,7 +97,10 @@ impl FrameSpec {
         let (features, scene) = match settings.specialize {
             Specialize::Auto => (needed, scene),
             // Shaders read the number of lights and the vertex layout instead of having them as constants.
-            Specialize::All => (Features::all(), SceneFacts { bvh_stack: MAX_STACK, ..scene }),
+            Specialize::All => {
+                let features = Features { environment_map: needed.environment_map, ..Features::all() };
+                (features, SceneFacts { bvh_stack: MAX_STACK, ..scene })
+            }
         };
         Self {
             settings: *settings,

@@ -21,7 +21,7 @@ stages! {
         sources: |spec, entry| {
             let one = spec.one_sample();
             let mut sources = one.pixel_sources(wgsl!("wgsl/adaptive/attributes_channels.wgsl"));
-            sources.extend(spec.output_before_noise().sources());
+            sources.extend(spec.output_sources(spec.output_before_noise()));
             sources.extend([wgsl!("wgsl/stereo/samples_stereo.wgsl"), entry]);
             sources
         },

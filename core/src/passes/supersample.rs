@@ -83,7 +83,7 @@ impl FrameSpec {
             self.tile_order(),
             entry,
         ]);
-        sources.extend(self.output.sources());
+        sources.extend(self.output_sources(self.output));
         sources
     }
 

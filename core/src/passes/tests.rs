@@ -8,6 +8,7 @@ use super::{
 use crate::{
     Denoise, DirectLight, Features, Filter, Foveation, Jitter, LightSelection, Method, Mip, Paths,
     Postcorrect, Refine, Robustness, Roulette, Sampler, Settings, Specialize, StereoReuse, Unsampled, device,
+    device::environment,
     device::gpu_scene::{self, SceneFacts},
     device::{Tier, mirror::differences, shader::link},
     frame::counters::GROUPS,
@@ -37,6 +38,7 @@ fn features(bits: u32) -> Features {
         normal_maps: bit(0) && bit(1),
         slot_coordinates: bit(0) && bit(1) && bit(2),
         layers: bit(1) && bit(5),
+        environment_map: bit(3),
     }
 }
 
@@ -126,6 +128,7 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
                 recorder::PixelRecord::MIRROR,
                 gpu_scene::Object::MIRROR,
                 gpu_scene::Light::MIRROR,
+                environment::EnvironmentUniform::MIRROR,
             ] {
                 if let Some(found) = differences(&linked.module, &mirror) {
                     assert!(found.is_empty(), "{stage:?}: {found:?}");
@@ -140,7 +143,7 @@ fn every_kernel_links_within_the_limits_of_a_phone() {
     let refining = variants().filter(|variant| variant.settings.refines()).count();
     assert_eq!(kernels, all * (stages().count() - 6) + 2 * supersampling + 4 * refining);
     assert!(supersampling > 100 && refining > 50);
-    assert_eq!(mirrored.len(), 8, "every mirrored struct was compared: {mirrored:?}");
+    assert_eq!(mirrored.len(), 9, "every mirrored struct was compared: {mirrored:?}");
 }
 
 /// The variant with a method that links the stage: stages of paths need a path tracing method, for one eye or

@@ -19,7 +19,7 @@ pub struct Material {
     pub(super) base: DVec3,
     pub(super) emission: DVec3,
     metallic: f64,
-    roughness: f64,
+    pub(super) roughness: f64,
     transmission: f64,
     /// Index of refraction relative to air.
     pub ior: f64,
@@ -34,6 +34,8 @@ pub struct Material {
     specular: DVec4,
     /// Strength and roughness of the clear coat.
     coat: DVec2,
+    /// Determined by its base colour alone.
+    matte: bool,
 }
 
 /// A material with the geometry that shading depends on.
@@ -99,6 +101,7 @@ impl Reference {
             bump: bump.map(|bump| bump * scale),
             specular,
             coat,
+            matte: m.is_matte(),
         }
     }
 
@@ -109,10 +112,27 @@ impl Reference {
             return m.base;
         }
         let cosine = s.normal.dot(s.view).clamp(0.0, 1.0);
-        let (inside, ambient) = (s.inside, self.scene.environment.ambient.as_dvec3());
+        let diffuse = m.diffuse(cosine, s.inside);
         m.emission
-            + m.albedo(cosine, inside) * ambient * m.occlusion
-            + self.lights_reflected(&mut s, m.diffuse(cosine, inside))
+            + self.environment_reflected(&m, diffuse, s.normal, s.view) * m.occlusion
+            + self.lights_reflected(&mut s, diffuse + m.lit_metal())
+    }
+
+    /// Reflected radiance of the environment: the diffuse lobe and, of a map, the part of the specular lobe that is not
+    /// traced as a mirror.
+    fn environment_reflected(&self, m: &Material, diffuse: DVec3, normal: DVec3, view: DVec3) -> DVec3 {
+        let ambient = self.environment_ambient(normal);
+        if !self.has_environment_map() {
+            return ambient * (diffuse + m.rough_metal());
+        }
+        if m.matte || m.weights.is_some() {
+            return diffuse * ambient;
+        }
+        let cosine = normal.dot(view).clamp(0.0, 1.0);
+        let dielectric = m.rough_dielectric(cosine) * (1.0 - m.metallic) * (1.0 - m.gloss());
+        let mirrored = 2.0 * normal.dot(view) * normal - view;
+        let lobe = self.environment_lobe(mirrored, m.roughness);
+        (1.0 - dielectric) * diffuse * ambient + (m.rough_metal() + dielectric) * lobe
     }
 }
 
@@ -140,11 +160,33 @@ impl Material {
     /// rough metal.
     #[must_use]
     pub fn albedo(&self, cosine: f64, inside: bool) -> DVec3 {
-        let rough_metal = match self.weights {
+        self.diffuse(cosine, inside) + self.rough_metal()
+    }
+
+    /// The part of a metal's reflection that is not traced as a mirror.
+    fn rough_metal(&self) -> DVec3 {
+        match self.weights {
             Some(_) => DVec3::ZERO,
             None => self.base * self.metallic * (1.0 - self.gloss()),
-        };
-        self.diffuse(cosine, inside) + rough_metal
+        }
+    }
+
+    /// The part of a metal's reflection of lights that is not in its lobe.
+    fn lit_metal(&self) -> DVec3 {
+        match self.weights {
+            Some(_) => DVec3::ZERO,
+            None => self.base * self.metallic * self.roughness,
+        }
+    }
+
+    /// Reflectance of a rough dielectric for light from all directions (Karis 2014, "Physically Based Shading on
+    /// Mobile").
+    fn rough_dielectric(&self, cosine: f64) -> f64 {
+        let r = self.roughness;
+        let r = [1.0 - r, 0.0425 - 0.0275 * r, 1.04 - 0.572 * r, 0.022 * r - 0.04];
+        let a = (r[0] * r[0]).min((-9.28 * cosine).exp2()) * r[0] + r[1];
+        let at_normal = ((self.ior - 1.0) / (self.ior + 1.0)).powi(2);
+        (at_normal * (r[2] - 1.04 * a) + r[3] + 1.04 * a).clamp(0.0, 1.0)
     }
 
     /// The viewer's index of refraction over that of the other side.

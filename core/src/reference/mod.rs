@@ -6,6 +6,7 @@
 //! | [`Reference::first`], [`Reference::occluded`], [`Reference::shadow_bits`] | `any_hit_*.wgsl`, `shadow_rays.wgsl` |
 //! | [`Reference::surface`], [`Reference::texture`], [`Reference::material`], [`Reference::arrival`] | `surface.wgsl`, `ray_cone.wgsl`, `texture_*.wgsl`, `material.wgsl`, `lights_punctual.wgsl` |
 //! | [`Reference::bumped`] | `surface_maps.wgsl`, `material_maps.wgsl` |
+//! | `Reference::environment_*` | `environment_*.wgsl` |
 //! | [`Reference::sample`] | `sample.wgsl`, `scatter_*.wgsl` |
 //! | [`ReferenceFrame::ray`], [`ReferenceFrame::traced`], [`ReferenceFrame::adaptive`], [`ReferenceFrame::checkerboard`] | `frame.wgsl`, the passes |
 //! | [`ReferenceFrame::failed`], [`ReferenceFrame::interpolated`], [`ReferenceFrame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes_channels.wgsl` |
@@ -36,6 +37,7 @@ mod cone;
 mod contrast;
 mod denoise;
 mod emission;
+mod environment;
 mod frame;
 mod gbuffer;
 mod intersection;
@@ -101,6 +103,7 @@ pub struct Reference {
     features: Features,
     thinness: Thinness,
     emitters: Emitters,
+    surroundings: Option<environment::Surroundings>,
     /// The mip levels of each image, from level 1 on.
     levels: Vec<Vec<Image8>>,
     bounds: (DVec3, DVec3),
@@ -120,6 +123,7 @@ impl Reference {
             features: Features::of(scene),
             thinness: Thinness::of(scene),
             emitters: Emitters::of(scene),
+            surroundings: environment::Surroundings::of(scene),
             levels: levels.collect(),
             bounds: (low.as_dvec3(), high.as_dvec3()),
             srgb: texture::srgb_table(),

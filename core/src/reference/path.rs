@@ -32,6 +32,8 @@ const DIRECTION: u32 = 1;
 const EMITTER: u32 = 2;
 /// Dimension of the point on the emitter.
 const POINT: u32 = 3;
+/// Dimension of the choice of a direction of the environment; the next one is that of the place in its texel.
+const ENVIRONMENT: u32 = 512;
 /// Distance between the dimensions of successive light samples.
 const LIGHT_SAMPLE: u32 = 1024;
 
@@ -126,7 +128,8 @@ impl Path<'_> {
     fn step(&mut self, rounding: &mut Rounding) -> Option<()> {
         let reference = self.frame.reference;
         let Some(intersection) = reference.first(&self.ray, self.left, false, rounding) else {
-            self.radiance += self.throughput * reference.scene.environment.background.as_dvec3();
+            let weight = self.environment_weight();
+            self.radiance += self.throughput * reference.environment_radiance(self.ray.direction) * weight;
             return None;
         };
         let s = reference.surface(&self.ray, &intersection, rounding);
@@ -155,7 +158,9 @@ impl Path<'_> {
         let diffuse = chosen.as_ref().is_some_and(|chosen| chosen.bsdf_sample.is_none());
         self.search.meet((&s, &lobes), diffuse, self.throughput, self.level);
         if lobes.diffuse != DVec3::ZERO {
-            let irradiance = self.punctual(&s, rounding) + self.emitters(&s, &lobes, rounding);
+            let irradiance = self.punctual(&s, rounding)
+                + self.emitters(&s, &lobes, rounding)
+                + self.environment(&s, &lobes, rounding);
             self.radiance += self.throughput * lobes.diffuse / PI * irradiance;
         }
         self.foveate(foveation, rounding)?;
@@ -176,6 +181,42 @@ impl Path<'_> {
                 density / (density + f64::from(paths.light_samples) * drawn)
             }
         }
+    }
+
+    /// Whether next-event estimation draws directions of an environment map.
+    fn draws_environment(&self) -> bool {
+        let paths = &self.frame.settings.paths;
+        self.frame.reference.has_environment_map()
+            && paths.direct_light != DirectLight::Bsdf
+            && paths.lights != LightSelection::Punctual
+    }
+
+    /// Weight of the environment's radiance along a ray that leaves the scene; next-event estimation contributes the
+    /// rest.
+    fn environment_weight(&self) -> f64 {
+        match (self.density, self.frame.settings.paths.direct_light) {
+            (Some(_), DirectLight::Nee) if self.draws_environment() => 0.0,
+            (Some(density), DirectLight::Mis) if self.draws_environment() => {
+                density / (density + self.frame.reference.environment_density(self.ray.direction))
+            }
+            _ => 1.0,
+        }
+    }
+
+    /// Estimate of the irradiance from an environment map, without the part that is left to paths that leave the scene.
+    fn environment(&self, s: &Surface, lobes: &Lobes, rounding: &mut Rounding) -> DVec3 {
+        if !self.draws_environment() {
+            return DVec3::ZERO;
+        }
+        let ([number, _], place) = (self.pair(ENVIRONMENT), self.pair(ENVIRONMENT + 1));
+        let Some(light) = self.frame.reference.environment_drawn(s, number as f32, place, rounding) else {
+            return DVec3::ZERO;
+        };
+        let met = match self.frame.settings.paths.direct_light {
+            DirectLight::Mis => light.cosine / PI * lobes.chance_of_diffuse(),
+            _ => 0.0,
+        };
+        light.radiance * light.cosine / (light.density + met)
     }
 
     /// Irradiance of a surface from the punctual lights that are not shadowed.

@@ -75,13 +75,17 @@ impl Reference {
     /// Traces and shades one primary ray by Whitted's model.
     #[must_use]
     pub fn sample(&self, ray: &Ray, limits: &Limits, rounding: &mut Rounding) -> Sample {
-        self.follow(&PathState { ray: *ray, left: None, weight: DVec3::ONE, level: 1 }, limits, rounding)
+        self.follow(
+            &PathState { ray: *ray, left: None, weight: DVec3::ONE, level: 1, roughness: 0.0 },
+            limits,
+            rounding,
+        )
     }
 
     pub(super) fn follow(&self, state: &PathState, limits: &Limits, rounding: &mut Rounding) -> Sample {
         let ray = &state.ray;
         let Some(intersection) = self.first(ray, state.left, false, rounding) else {
-            let color = state.weight * self.scene.environment.background.as_dvec3();
+            let color = state.weight * self.environment_lobe(ray.direction, state.roughness);
             return Sample { attributes: Attributes::miss(), secondary: None, color };
         };
         let smooth = self.surface(ray, &intersection, rounding);

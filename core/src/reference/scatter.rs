@@ -14,6 +14,8 @@ pub(super) struct PathState {
     pub weight: DVec3,
     /// Recursion level: 1 for the primary ray.
     pub level: u32,
+    /// Roughness of the surface that the ray leaves, in steps of 1/255; 0 for primary rays.
+    pub roughness: f64,
 }
 
 /// A reflected or refracted ray that leaves a surface.
@@ -65,7 +67,7 @@ impl Reference {
         let mut heaviest = (0.0, None);
         for bsdf_sample in rays.into_iter().flatten() {
             let weight = from.weight * bsdf_sample.share;
-            let (color, hit) = self.followed(s, &bsdf_sample, weight, from.level, limits, rounding);
+            let (color, hit) = self.followed((s, m), &bsdf_sample, weight, from.level, limits, rounding);
             sum += color;
             if hit.is_some() && weight.max_element() > heaviest.0 {
                 heaviest = (weight.max_element(), hit);
@@ -76,7 +78,7 @@ impl Reference {
 
     fn followed(
         &self,
-        s: &Surface,
+        (s, m): (&Surface, &Material),
         bsdf_sample: &BsdfSample,
         weight: DVec3,
         level: u32,
@@ -92,7 +94,8 @@ impl Reference {
             return (weight * self.scene.environment.fallback_radiance.as_dvec3(), None);
         }
         let ray = s.spawn(bsdf_sample.direction, bsdf_sample.cone, rounding);
-        let state = PathState { ray, left: Some(s.primitive), weight, level: level + 1 };
+        let roughness = (m.roughness.clamp(0.0, 1.0) * 255.0 + 0.5).floor() / 255.0;
+        let state = PathState { ray, left: Some(s.primitive), weight, level: level + 1, roughness };
         let seen = self.follow(&state, limits, rounding);
         (seen.color, seen.attributes.object.map(|_| seen.attributes))
     }

@@ -95,7 +95,7 @@ impl ReferenceFrame<'_> {
     #[must_use]
     pub fn shaded(&self, pixel: [u32; 2], a: &Attributes, rounding: &mut Rounding) -> DVec3 {
         let Some(object) = a.object else {
-            return self.reference.scene.environment.background.as_dvec3();
+            return self.reference.environment_radiance(self.ray(pixel).0.direction);
         };
         let (ray, _) = self.ray(pixel);
         let footprint = attributes::moments(a.footprint);

@@ -34,6 +34,8 @@ pub struct Features {
     pub refraction: bool,
     /// Some thin surfaces transmit light without refraction.
     pub panes: bool,
+    /// The environment is a map instead of constant radiances.
+    pub environment_map: bool,
     /// There are punctual lights: shadow rays and check SH are linked.
     pub lights: bool,
     /// There is more than one punctual light.
@@ -67,6 +69,7 @@ impl Features {
             reflection: used().any(|m| m.reflects()),
             refraction: used().any(|m| m.refracts()),
             panes: used().any(|m| m.thin && m.refracts()),
+            environment_map: scene.environment_map.is_some(),
             lights: !scene.lights.is_empty(),
             several_lights: scene.lights.len() > 1,
             extended_materials: used().any(Material::is_extended),
@@ -93,6 +96,8 @@ impl Features {
             reflection: true,
             refraction: true,
             panes: true,
+            // Its textures exist only where there is one.
+            environment_map: false,
             lights: true,
             several_lights: true,
             extended_materials: true,
@@ -104,7 +109,7 @@ impl Features {
 
     /// All features with their names in the statistics.
     #[must_use]
-    pub fn list(&self) -> [(&'static str, bool); 19] {
+    pub fn list(&self) -> [(&'static str, bool); 20] {
         [
             ("textures", self.textures),
             ("glossy", self.glossy),
@@ -119,6 +124,7 @@ impl Features {
             ("reflection", self.reflection),
             ("refraction", self.refraction),
             ("panes", self.panes),
+            ("environment_map", self.environment_map),
             ("lights", self.lights),
             ("several_lights", self.several_lights),
             ("extended_materials", self.extended_materials),

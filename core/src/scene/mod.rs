@@ -7,6 +7,8 @@ mod build;
 mod builtin;
 pub(crate) mod camera;
 mod emitters;
+mod environment_map;
+mod exposure;
 mod features;
 #[cfg(feature = "gltf")]
 mod gltf;
@@ -25,6 +27,10 @@ use glam::{Vec2, Vec3};
 
 pub use builtin::{BUILTIN_NAMES, builtin};
 pub use emitters::Emitters;
+pub(crate) use environment_map::bilinear;
+pub use environment_map::{
+    EnvironmentDistribution, EnvironmentMap, FIRST_FILTERED, FilteredLevel, Harmonics, WIDEST_LOBE,
+};
 pub use features::Features;
 pub use material::{Material, SpecularGlossiness, Weights};
 pub use not_shown::NotShown;
@@ -93,6 +99,12 @@ pub struct Scene {
     pub environment: Environment,
     /// Names of the file's variants of materials (KHR_materials_variants).
     pub variants: Vec<String>,
+    /// Radiance by direction in place of the environment's background and ambient radiance; set by
+    /// [`Scene::surround`].
+    pub environment_map: Option<EnvironmentMap>,
+    /// Whether the map is [`EnvironmentMap::studio`] because the file brings neither a light nor surroundings,
+    /// whatever else glows in it.
+    pub is_lit_by_studio: bool,
     /// Parts of the file that the import left out: one sentence each that names the element.
     pub warnings: Vec<String>,
     /// Features of the file that the scene does not show as the file's specification has it.
@@ -248,6 +260,23 @@ impl Scene {
         variant: &str,
     ) -> crate::Result<Self> {
         gltf::read(bytes, resolve, Some(variant))
+    }
+
+    /// Surrounds the scene by a map instead of what surrounded it; rays that are cut off by a limit have its mean
+    /// radiance.
+    pub fn surround(&mut self, map: EnvironmentMap) {
+        self.is_lit_by_studio = false;
+        let mean = map.mean();
+        self.environment = Environment { background: mean, ambient: mean, fallback_radiance: mean };
+        self.environment_map = Some(map);
+    }
+
+    /// Removes the studio of a file without a light, which is left dark but for its ambient radiance.
+    pub fn leave_studio(&mut self) {
+        if std::mem::take(&mut self.is_lit_by_studio) {
+            self.environment_map = None;
+            self.environment = Environment::default();
+        }
     }
 
     /// The axis-aligned bounding box of all primitives, `(low, high)`; `None` for an empty scene.

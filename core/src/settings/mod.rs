@@ -54,6 +54,19 @@ pub use paths::{
 pub use supersampling::{Filter, Focus, Jitter, Preset, Refine, THRESHOLD_NAMES, Thresholds, Unsampled};
 
 choices! {
+    /// The tone curve, from radiance to what is displayed.
+    pub enum Tonemap {
+        /// [`Tonemap::Neutral`] for scenes with an environment map, [`Tonemap::None`] for others.
+        Auto = "auto": "Neutral where an environment map lights the scene",
+        /// Radiance above 1 is displayed as 1.
+        None = "none": "Radiance as it is, cut off above 1",
+        /// Khronos PBR Neutral: colours up to 0.8 stay nearly as they are; above, they are compressed and lose
+        /// saturation.
+        Neutral = "neutral": "Khronos PBR Neutral: highlights are compressed",
+    }
+}
+
+choices! {
     /// The rendering method of a frame.
     pub enum Method {
         /// Full ray tracing: a ray through every sample. The reference for the other methods.
@@ -255,6 +268,10 @@ pub struct Settings {
     /// Fraction of the pixels that a frame of a method with history traces, above 0 and at most 1. Larger
     /// fractions cost more time, smaller ones keep outdated pixels longer: up to `1 / refresh_fraction` frames.
     pub refresh_fraction: f32,
+    /// Exposure in EV: all light is multiplied by 2 to this power; `None` for [`crate::Scene::auto_exposure`].
+    pub exposure: Option<f32>,
+    /// How radiance is compressed for display.
+    pub tonemap: Tonemap,
     /// Which parts of the shaders are linked.
     pub specialize: Specialize,
     /// Whether adaptive frames also get extra samples where pixels differ from their neighbours.
@@ -282,6 +299,9 @@ pub struct Settings {
 /// Largest ray depth, which the ray stack of the refraction kernels is sized for.
 pub const MAX_DEPTH: u32 = 64;
 
+/// Largest absolute exposure in EV.
+pub const MAX_EXPOSURE: f32 = 30.0;
+
 /// Largest sampling: 16 x 16 = 256 samples per pixel.
 pub const MAX_SAMPLING: u32 = 16;
 
@@ -301,6 +321,8 @@ impl Default for Settings {
             depth: 3,
             min_weight: 0.05,
             refresh_fraction: 0.1,
+            exposure: None,
+            tonemap: Tonemap::Auto,
             specialize: Specialize::Auto,
             supersample: false,
             thresholds: Thresholds::default(),

@@ -9,7 +9,10 @@ mod wrong;
 use std::sync::OnceLock;
 
 use glimpse::{
-    Method, Mip, Preset, Refine, Scene, Settings, probe::ProbeRay, reference::Reference, scene::builtin,
+    Method, Mip, Preset, Refine, Scene, Settings,
+    probe::ProbeRay,
+    reference::Reference,
+    scene::{EnvironmentMap, builtin},
 };
 use glimpse_tests::{TestScene, gallery, note};
 
@@ -157,6 +160,13 @@ fn room() {
 }
 
 /// The height is odd: otherwise the corners of the box lie on the diagonals of the pixels.
+#[test]
+fn room_in_a_studio() {
+    let mut scene = built_in("room");
+    scene.surround(EnvironmentMap::studio().rotated(0.7));
+    agree("studio", scene, [97, 61], Settings { exposure: Some(0.0), ..Settings::default() });
+}
+
 #[test]
 fn cornell() {
     agree("cornell", built_in("cornell"), [96, 61], Settings::default());

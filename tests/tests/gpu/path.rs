@@ -6,7 +6,7 @@ use glimpse::{
     DirectLight, Foveation, LightSelection, LinearImage, Method, Renderer, Roulette, Sampler, Settings,
     Specialize,
     reference::{Reference, ReferenceFrame, Rounding},
-    scene::builtin,
+    scene::{EnvironmentMap, builtin},
 };
 use glimpse_tests::{
     TestScene,
@@ -62,10 +62,16 @@ fn a_sample_is_that_of_the_reference() {
         with(|paths| (paths.foveation, paths.gaze) = (Foveation::Paper, [2.0, -1.0])),
     ];
     // Weights of texels have few bits in f32, and a path meets several.
-    for (name, tolerance, ways) in
-        [("cornell", 1e-3, &ways[..]), ("room", 1e-2, &ways[..2]), ("minray", 1e-3, &ways[4..5])]
-    {
-        let scene = builtin(name).expect("built in");
+    for (name, tolerance, ways) in [
+        ("cornell", 1e-3, &ways[..]),
+        ("room", 1e-2, &ways[..2]),
+        ("minray", 1e-3, &ways[4..5]),
+        ("furnace", 1e-2, &ways[..3]),
+    ] {
+        let mut scene = builtin(name).expect("built in");
+        if name == "furnace" {
+            scene.surround(EnvironmentMap::studio().rotated(0.3));
+        }
         let (reference, test_scene) = (Reference::new(&scene).with_srgb(*srgb()), TestScene::new(scene));
         for &settings in ways {
             let found = mean(&test_scene, &settings, 1);

@@ -56,7 +56,7 @@ mod vertices;
 use glam::Vec3;
 use gltf::json;
 
-use super::{Environment, Light, LightKind, MAX_RADIANCE, Material, Scene};
+use super::{Environment, EnvironmentMap, MAX_RADIANCE, Scene};
 use crate::scene::camera::Camera;
 use crate::{Error, Result};
 use accessors::Source;
@@ -98,8 +98,9 @@ fn import(bytes: &[u8], resolve: &mut Resolve<'_>, variant: Option<&str>) -> Res
     if scene.cameras.is_empty() {
         scene.cameras.push(("framing".to_owned(), Camera::framing(low, high)));
     }
-    if scene.lights.is_empty() {
-        light_from_the_camera(&mut scene);
+    if scene.lights.is_empty() && !shown.is_some_and(|index| states_surroundings(&source, index)) {
+        scene.surround(EnvironmentMap::studio());
+        scene.is_lit_by_studio = true;
     }
     for light in &mut scene.lights {
         light.radius = FIXTURE * (high - low).max_element();
@@ -109,21 +110,6 @@ fn import(bytes: &[u8], resolve: &mut Resolve<'_>, variant: Option<&str>) -> Res
     }
     scene.validate()?;
     Ok(scene)
-}
-
-const NO_LIGHTS: &str = "the file has no lights: a directional one from behind the first camera is added";
-
-/// Adds a directional light to a scene without any light: from behind the first camera, above its left shoulder.
-fn light_from_the_camera(scene: &mut Scene) {
-    let lit = |m: &Material| m.unlit || m.emission != Vec3::ZERO;
-    let Some((_, camera)) = scene.cameras.first().filter(|_| !scene.materials.iter().any(lit)) else {
-        return;
-    };
-    let [forward, right, up] = [camera.forward, camera.right, camera.up].map(Vec3::normalize_or_zero);
-    let direction = (forward + 0.5 * right - 0.7 * up).normalize_or_zero();
-    let kind = LightKind::Directional { direction };
-    scene.lights.push(Light { kind, intensity: Vec3::splat(std::f32::consts::PI), radius: 0.0 });
-    scene.warnings.push(NO_LIGHTS.to_owned());
 }
 
 /// Radius of an imported light in units of the scene's longest side. Files place lights inside fixtures and flush
@@ -148,6 +134,12 @@ fn orphans(root: &json::Root) -> Vec<json::Index<json::Node>> {
         }
     }
     (0..).zip(has_parent).filter(|(_, child)| !child).map(|(i, _)| json::Index::new(i)).collect()
+}
+
+/// Whether a scene states what surrounds it, in `extras`.
+fn states_surroundings(source: &Source<'_>, scene: usize) -> bool {
+    let stated = |name| source.document.pointer(&format!("/scenes/{scene}/extras/{name}")).is_some();
+    ["background", "ambient"].into_iter().any(stated)
 }
 
 /// Reads `extras.background` and `extras.ambient` of the scene: radiance in linear RGB.

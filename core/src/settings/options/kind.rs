@@ -5,8 +5,8 @@ use std::str::FromStr;
 use super::Value;
 use crate::{Focus, Settings};
 
-/// The textual form of an absent value.
-pub(super) const NONE: &str = "none";
+/// The word for an absent value.
+const NONE: &str = "none";
 
 /// Type of an option's value.
 #[derive(Debug)]
@@ -31,12 +31,14 @@ pub enum Kind {
         /// Its control in user interfaces.
         control: Control,
     },
-    /// A floating-point number or `none`.
+    /// A floating-point number or a word for none.
     OptionalNumber {
         /// The field of the settings that holds it.
         field: fn(&mut Settings) -> &mut Option<f32>,
         /// Its allowed values.
         allowed: Numbers,
+        /// The word.
+        absent: &'static str,
     },
     /// One of several names.
     Choice {
@@ -160,7 +162,7 @@ impl Kind {
             Self::Flag(_) => "true or false".to_owned(),
             Self::Integer { allowed, .. } => allowed.expected(),
             Self::Number { allowed, .. } => allowed.expected(),
-            Self::OptionalNumber { allowed, .. } => format!("{} or {NONE}", allowed.expected()),
+            Self::OptionalNumber { allowed, absent, .. } => format!("{} or {absent}", allowed.expected()),
             Self::Choice { choices, .. } => {
                 choices.iter().map(|choice| choice.name).collect::<Vec<_>>().join(", ")
             }
@@ -194,8 +196,8 @@ impl Kind {
         match self {
             Self::Flag(_) => vec!["true".to_owned(), "false".to_owned()],
             Self::Integer { control, .. } | Self::Number { control, .. } => controlled(control),
-            Self::OptionalNumber { allowed, .. } => {
-                vec![1_f32.min(allowed.high).to_string(), NONE.to_owned()]
+            Self::OptionalNumber { allowed, absent, .. } => {
+                vec![1_f32.min(allowed.high).to_string(), (*absent).to_owned()]
             }
             Self::Choice { choices, .. } => choices.iter().map(|choice| choice.name.to_owned()).collect(),
             Self::Point { .. } => vec!["0.25,-0.5".to_owned()],
@@ -209,13 +211,15 @@ impl Kind {
             Self::Flag(field) => Value::Flag(*field(settings)),
             Self::Integer { field, .. } => Value::Integer(*field(settings)),
             Self::Number { field, .. } => Value::Number(*field(settings)),
-            Self::OptionalNumber { field, .. } => field(settings).map_or(Value::None, Value::Number),
+            Self::OptionalNumber { field, absent, .. } => {
+                field(settings).map_or(Value::Absent(absent), Value::Number)
+            }
             Self::Choice { choices, get, .. } => {
                 let chosen = get(settings).and_then(|index| choices.get(index));
-                chosen.map_or(Value::None, |choice| Value::Name(choice.name))
+                chosen.map_or(Value::Absent(NONE), |choice| Value::Name(choice.name))
             }
             Self::Point { field, .. } => Value::Point(*field(settings)),
-            Self::Objects(field) => field(settings).map_or(Value::None, Value::from),
+            Self::Objects(field) => field(settings).map_or(Value::Absent(NONE), Value::from),
         }
     }
 
@@ -225,7 +229,7 @@ impl Kind {
             Self::Flag(field) => *field(settings) = flag(text)?,
             Self::Integer { field, .. } => *field(settings) = text.parse().ok()?,
             Self::Number { field, .. } => *field(settings) = text.parse().ok()?,
-            Self::OptionalNumber { field, .. } => *field(settings) = optional(text)?,
+            Self::OptionalNumber { field, absent, .. } => *field(settings) = optional(text, absent)?,
             Self::Choice { choices, set, .. } => {
                 set(settings, choices.iter().position(|choice| choice.is(text))?);
             }
@@ -233,7 +237,7 @@ impl Kind {
                 let (x, y) = text.split_once(',')?;
                 *field(settings) = [x.trim().parse().ok()?, y.trim().parse().ok()?];
             }
-            Self::Objects(field) => *field(settings) = optional(text)?,
+            Self::Objects(field) => *field(settings) = optional(text, NONE)?,
         }
         Some(())
     }
@@ -287,8 +291,8 @@ fn flag(text: &str) -> Option<bool> {
     }
 }
 
-fn optional<T: FromStr>(text: &str) -> Option<Option<T>> {
-    if text == NONE { Some(None) } else { text.parse().ok().map(Some) }
+fn optional<T: FromStr>(text: &str, absent: &str) -> Option<Option<T>> {
+    if text == absent { Some(None) } else { text.parse().ok().map(Some) }
 }
 
 /// Parses `FIRST-LAST`, or a single index as both.

@@ -95,8 +95,10 @@ impl Group {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Value {
-    /// `none`; also the value of a choice that no name describes, such as thresholds that are not a preset.
-    None,
+    /// No value of its own, with the word for it; also that of a choice that no name describes, such as thresholds that
+    /// are not a preset.
+    #[serde(serialize_with = "null")]
+    Absent(&'static str),
     /// `true` or `false`.
     Flag(bool),
     /// An integer.
@@ -111,14 +113,17 @@ pub enum Value {
     Indices([u32; 2]),
 }
 
+fn null<S: Serializer>(_: &&'static str, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+    serializer.serialize_none()
+}
+
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::None => f.write_str(kind::NONE),
             Self::Flag(flag) => flag.fmt(f),
             Self::Integer(integer) => integer.fmt(f),
             Self::Number(number) => number.fmt(f),
-            Self::Name(name) => f.write_str(name),
+            Self::Name(name) | Self::Absent(name) => f.write_str(name),
             Self::Point([x, y]) => write!(f, "{x},{y}"),
             Self::Indices([first, last]) => write!(f, "{first}-{last}"),
         }
@@ -296,7 +301,7 @@ impl Settings {
         }
         for option in OPTIONS {
             let value = option.get(self);
-            if value != Value::None && value != option.get(&reached) {
+            if !matches!(value, Value::Absent(_)) && value != option.get(&reached) {
                 option.kind.copy(self, &mut reached);
                 differing.push((option, value));
             }

@@ -9,9 +9,9 @@ use super::applicability::{
 use super::{Control, Group, Kind, Numbers, OptionSpec, conflicts};
 use crate::scene::MAX_COORDINATE;
 use crate::{
-    Denoise, DirectLight, Filter, Foveation, Jitter, LightSelection, MAX_CPU_THREADS, MAX_DEPTH, MAX_GAZE,
-    MAX_LIGHT_SAMPLES, MAX_SAMPLING, Method, Mip, Postcorrect, Preset, Refine, Roulette, Sampler, Specialize,
-    StereoReuse, Unsampled,
+    Denoise, DirectLight, Filter, Foveation, Jitter, LightSelection, MAX_CPU_THREADS, MAX_DEPTH,
+    MAX_EXPOSURE, MAX_GAZE, MAX_LIGHT_SAMPLES, MAX_SAMPLING, Method, Mip, Postcorrect, Preset, Refine,
+    Roulette, Sampler, Specialize, StereoReuse, Tonemap, Unsampled,
 };
 
 /// A [`Kind::Choice`] between the variants of an enum in a field of the settings.
@@ -120,6 +120,11 @@ pub static OPTIONS: &[OptionSpec] = &[
     frame("refresh-fraction", "refresh fraction", number!(refresh_fraction, above(0.0, 1.0), slider(0.01, 1.0, 0.01)),
         "Share of the pixels that methods which keep frames trace anew in each; no pixel is older than 1 / this many frames.")
         .formerly("share").with(&KEPT_PIXELS),
+    frame("exposure", "exposure",
+        Kind::OptionalNumber { field: |settings| &mut settings.exposure, allowed: between(-MAX_EXPOSURE, MAX_EXPOSURE), absent: "auto" },
+        "Factor on all light, as a power of two (EV); auto exposes scenes whose lights have photometric strengths, and leaves others as they are."),
+    frame("tonemap", "tone curve", choice!(Tonemap in tonemap),
+        "How radiance above what a display can show is compressed."),
     frame("specialize", "specialised kernels", choice!(Specialize in specialize),
         "Which pieces of the shaders are linked.").formerly("features"),
     adaptive("block", "block", integer!(block, OneOf(&[2, 4, 8]), Sides(&[2, 4, 8])),
@@ -204,6 +209,6 @@ pub static OPTIONS: &[OptionSpec] = &[
         number!(paths.eye_distance, between(0.0, MAX_COORDINATE), slider(0.0, 0.2, 0.001)),
         "From one eye to the other, in the scene's units."),
     stereo("convergence", "convergence",
-        Kind::OptionalNumber { field: |settings| &mut settings.paths.convergence, allowed: above(0.0, MAX_COORDINATE) },
+        Kind::OptionalNumber { field: |settings| &mut settings.paths.convergence, allowed: above(0.0, MAX_COORDINATE), absent: "none" },
         "From the eyes to where both see the same in the middle, in the scene's units; none for eyes that look in parallel."),
 ];

@@ -221,5 +221,5 @@ fn statistics_have_every_option_by_its_present_name() {
     assert_eq!(json["foveation"], "paper");
     assert_eq!(json["stereo_reuse"], "weighted");
     assert_eq!(json["gaze"], serde_json::json!([0.5, 0.5]));
-    assert!(json["convergence"].is_null() && json["supersample"] == false);
+    assert!(json["convergence"].is_null() && json["exposure"].is_null() && json["supersample"] == false);
 }

@@ -78,7 +78,7 @@ fn similarity_interpolate(a: Attributes, b: Attributes) -> Attributes {
 // Shades an attribute vector.
 fn similarity_shade(pixel: vec2u, a: Attributes) -> vec3f {
     if a.object == 0u {
-        return frame.background;
+        return environment_radiance(frame_ray(pixel).direction);
     }
     let ray = frame_ray(pixel);
     let m = material_at(a.object - 1u, a.texcoord, attributes_moments(a.footprint), a.color, a.maps);

@@ -92,7 +92,7 @@ fn emitters_sample(s: Surface, chance_of_diffuse: f32, which: f32, place: vec2f)
         return vec3f(0.0);
     }
     let object = shading_at(primitive).w & SURFACE_OBJECT;
-    var emission = object_at(object).emission;
+    var emission = frame.exposure * object_at(object).emission;
     if HAS_EMISSIVE_TEXTURES || sphere_is(primitive) {
         let arrived = surface_at(ray, hit);
         // From outside, a ray hits the near side of a sphere, which hides points on the far side.

@@ -50,7 +50,8 @@ fn path_step(path: ptr<function, Path>) -> bool {
     inspect_ray((*path).kind);
     let hit = bvh_traverse(ray, false);
     if hit.primitive == MISS {
-        (*path).radiance += (*path).throughput * frame.background;
+        (*path).radiance +=
+            (*path).throughput * environment_radiance(ray.direction) * environment_weight((*path).density, ray.direction);
         return false;
     }
     stereo_reuse_record(path, hit.primitive);
@@ -86,7 +87,9 @@ fn path_step(path: ptr<function, Path>) -> bool {
     }
     if lobes.chances.x > 0.0 {
         let chance = lobes.chances.x / lobes.sum;
-        let irradiance = punctual_irradiance(s) + emitters_irradiance(s, chance, pixel, dimension);
+        let irradiance = punctual_irradiance(s)
+            + emitters_irradiance(s, chance, pixel, dimension)
+            + environment_irradiance(s, chance, pixel, dimension);
         (*path).radiance += (*path).throughput * lobes.diffuse * (1.0 / PI) * irradiance;
     }
     if (*path).level >= FOVEATION_LEVEL {

@@ -41,7 +41,7 @@ struct Arrival {
 fn lights_arrival(index: u32, position: vec3f) -> Arrival {
     let light = lights.list[index];
     if light.kind == LIGHT_DIRECTIONAL {
-        return Arrival(-light.direction, FAR, light.intensity);
+        return Arrival(-light.direction, FAR, frame.exposure * light.intensity);
     }
     let to_light = light.position - position;
     let distance2 = max(dot(to_light, to_light), 1.0e-30);
@@ -49,13 +49,13 @@ fn lights_arrival(index: u32, position: vec3f) -> Arrival {
     let distance = distance2 * inverse;
     let direction = to_light * inverse;
     if light.kind == LIGHT_CONSTANT {
-        return Arrival(direction, distance, light.intensity);
+        return Arrival(direction, distance, frame.exposure * light.intensity);
     }
     let range_share = min(distance2 * light.inverse_range2, 1.0);
     let window = 1.0 - range_share * range_share;
     let cone = clamp(-dot(direction, light.direction) * light.cone_scale + light.cone_offset, 0.0, 1.0);
     let falloff = min(window * cone * cone * inverse * inverse, light.limit);
-    return Arrival(direction, distance, light.intensity * falloff);
+    return Arrival(direction, distance, frame.exposure * light.intensity * falloff);
 }
 
 fn lights_reflected(m: Material, diffuse: vec3f, position: vec3f, normal: vec3f, view: vec3f, shadow: u32) -> vec3f {

@@ -80,6 +80,14 @@ fn material_rough_metal(m: Material) -> vec3f {
     return m.base * (m.metallic * (1.0 - material_gloss(m)));
 }
 
+// The part of a metal's reflection of lights that is not in its lobe, as if it were diffuse.
+fn material_lit_metal(m: Material) -> vec3f {
+    if material_is(m, OBJECT_WEIGHTS) {
+        return vec3f(0.0);
+    }
+    return m.base * (m.metallic * m.roughness);
+}
+
 // Sum of the albedos of the diffuse and the specular lobe.
 fn material_albedo(m: Material, cosine: f32, inside: bool) -> vec3f {
     return material_diffuse(m, cosine, inside) + material_rough_metal(m);
@@ -92,8 +100,9 @@ fn material_local(m: Material, position: vec3f, normal: vec3f, view: vec3f, insi
         return m.base;
     }
     let diffuse = material_diffuse(m, clamp(dot(normal, view), 0.0, 1.0), inside);
-    let ambient = diffuse + material_rough_metal(m);
-    return m.emission + frame.ambient * ambient * material_occlusion(m) + lights_reflected(m, diffuse, position, normal, view, shadow);
+    let lit = diffuse + material_lit_metal(m);
+    return m.emission + environment_reflected(m, diffuse, normal, view) * material_occlusion(m)
+        + lights_reflected(m, lit, position, normal, view, shadow);
 }
 
 // The specular lobes for one light.

@@ -29,7 +29,7 @@ fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f, map
     m.specular = vec4f(1.0);
     if !material_is(m, OBJECT_MATTE) {
         if HAS_EMISSION {
-            m.emission = object_at(object).emission;
+            m.emission = frame.exposure * object_at(object).emission;
         }
         if HAS_EMISSIVE_TEXTURES {
             let glow = material_lookup(record, SLOT_EMISSIVE, Lookup(object_at(object).emissive_texture, texcoord, footprint), maps);

@@ -9,7 +9,7 @@ fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f, map
 }
 
 fn material_local(m: Material, position: vec3f, normal: vec3f, view: vec3f, inside: bool, shadow: u32) -> vec3f {
-    return frame.ambient * m.base + lights_reflected(m, m.base, position, normal, view, shadow);
+    return environment_ambient(normal) * m.base + lights_reflected(m, m.base, position, normal, view, shadow);
 }
 
 fn material_lobe(m: Material, normal: vec3f, view: vec3f, light: vec3f) -> vec3f {

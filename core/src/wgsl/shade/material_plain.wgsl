@@ -19,7 +19,7 @@ fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f, map
     m.ior = 1.5;
     if !material_is(m, OBJECT_MATTE) {
         if HAS_EMISSION {
-            m.emission = object_at(object).emission;
+            m.emission = frame.exposure * object_at(object).emission;
         }
         if HAS_EMISSIVE_TEXTURES {
             m.emission *= texture_color(object_at(object).emissive_texture, texcoord, footprint).rgb;

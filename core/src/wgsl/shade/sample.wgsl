@@ -20,11 +20,13 @@ fn sample_follow(ray: Ray) -> Sample {
     var gcol = vec3f(0.0);
     var state = PathState(ray, vec3f(1.0), 1u, RAY_PRIMARY);
     loop {
-        inspect_ray(state.kind);
+        inspect_ray(state.kind & RAY_KIND);
         let hit = bvh_traverse(state.ray, false);
-        var arriving = frame.background;
-        if hit.primitive != MISS {
-            let direction = normalize(state.ray.direction);
+        let direction = normalize(state.ray.direction);
+        var arriving = vec3f(0.0);
+        if hit.primitive == MISS {
+            arriving = environment_missed(state.kind, direction);
+        } else {
             let smooth_surface = surface_at(state.ray, hit);
             var s = smooth_surface;
             let m = surface_material(&s, direction);

@@ -49,11 +49,11 @@ fn scatter(s: Surface, m: Material, state: PathState, direction: vec3f) -> vec3f
         let ratio = material_ratio(m, s.inside);
         let beyond = fresnel_transmitted(cosine, ratio);
         if material_is(m, OBJECT_THIN) {
-            sum += scatter_push(surface_pass(s, state.ray), transmitted, level, RAY_REFRACTION);
+            sum += scatter_push(surface_pass(s, state.ray), transmitted, level, RAY_REFRACTION | environment_kind(m));
         } else if beyond > 0.0 {
             let refracted = fresnel_refracted(direction, s.normal, cosine, ratio, beyond);
             let cone = cone_bent(s, ratio, ratio * cosine - beyond);
-            sum += scatter_push(surface_spawn(s, refracted, FAR, cone), transmitted, level, RAY_REFRACTION);
+            sum += scatter_push(surface_spawn(s, refracted, FAR, cone), transmitted, level, RAY_REFRACTION | environment_kind(m));
         }
     }
     let mirrored = state.weight * material_mirror(m, cosine, s.inside);
@@ -61,5 +61,5 @@ fn scatter(s: Surface, m: Material, state: PathState, direction: vec3f) -> vec3f
         return sum;
     }
     let reflected = surface_spawn(s, normalize(reflect(direction, s.normal)), FAR, cone_bent(s, 1.0, 2.0));
-    return sum + scatter_push(reflected, mirrored, level, RAY_REFLECTION);
+    return sum + scatter_push(reflected, mirrored, level, RAY_REFLECTION | environment_kind(m));
 }

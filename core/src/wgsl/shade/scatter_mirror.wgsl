@@ -30,7 +30,7 @@ fn scatter(s: Surface, m: Material, state: PathState, direction: vec3f) -> vec3f
         return weight * frame.fallback_radiance;
     }
     let ray = surface_spawn(s, normalize(reflect(direction, s.normal)), FAR, cone_bent(s, 1.0, 2.0));
-    scatter_pending = PathState(ray, weight, state.level + 1u, RAY_REFLECTION);
+    scatter_pending = PathState(ray, weight, state.level + 1u, RAY_REFLECTION | environment_kind(m));
     scatter_is_pending = true;
     return vec3f(0.0);
 }

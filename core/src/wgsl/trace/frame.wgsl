@@ -90,7 +90,8 @@ struct FrameUniform {
     refresh_count: u32,
     // Not 0 if the camera is the same as in the frame before.
     still: u32,
-    padding_x: u32,
+    // Factor on the light of all sources.
+    exposure: f32,
     padding_y: u32,
     padding_z: u32,
 }

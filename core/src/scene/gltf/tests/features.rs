@@ -6,8 +6,7 @@ use glam::{Vec3, vec2, vec3};
 use serde_json::json;
 
 use super::{File, data_uri, import};
-use crate::scene::gltf::NO_LIGHTS;
-use crate::scene::{Light, LightKind, Scene, octahedral_decode};
+use crate::scene::{EnvironmentMap, LightKind, Scene, octahedral_decode};
 
 fn face(scene: &Scene, triangle: usize) -> Vec3 {
     let [a, b, c] = scene.positions[triangle];
@@ -28,8 +27,7 @@ fn gltf_and_glb_give_the_same_triangle() {
     assert_eq!(normal(&a, 0), Vec3::Z);
     assert_eq!(a.cameras[0].0, "framing");
     assert!(a.texcoords.is_empty() && a.colors.is_empty());
-    assert_eq!(a.warnings, [NO_LIGHTS]);
-    assert!(matches!(a.lights[..], [Light { kind: LightKind::Directional { .. }, .. }]), "{:?}", a.lights);
+    assert!(a.warnings.is_empty(), "{:?}", a.warnings);
     let default = &a.materials[0];
     assert_eq!((default.metallic, default.roughness, default.base_color), (1.0, 1.0, Vec3::ONE));
 }
@@ -227,11 +225,11 @@ fn triangles_without_area_are_counted_once() {
     file.primitive()["indices"] = json!(indices);
     let scene = file.scene();
     assert_eq!(scene.positions.len(), 1);
-    assert_eq!(scene.warnings, ["2 triangles without area are left out", NO_LIGHTS]);
+    assert_eq!(scene.warnings, ["2 triangles without area are left out"]);
     file.json["nodes"] =
         json!([{ "children": [1] , "mesh": 0}, { "name": "flat", "mesh": 0, "scale": [1, 0, 0] }]);
     let scene = file.scene();
-    assert_eq!((scene.objects.len(), scene.warnings.len()), (1, 3));
+    assert_eq!((scene.objects.len(), scene.warnings.len()), (1, 2));
     assert!(scene.warnings.iter().any(|w| w.contains("flat/m[0]")), "{:?}", scene.warnings);
 }
 
@@ -283,6 +281,7 @@ fn lights_shine_along_minus_z_of_their_nodes() {
 #[test]
 fn extras_give_the_environment() {
     let mut file = File::triangle();
+    file.json["scenes"][0]["extras"] = json!({ "background": [0, 0, 0] });
     assert_eq!(file.scene().environment.ambient, Vec3::splat(0.05));
     file.json["scenes"][0]["extras"] = json!({ "background": [1, 2, 4], "author": "me" });
     let environment = file.scene().environment;
@@ -291,7 +290,7 @@ fn extras_give_the_environment() {
     file.json["scenes"][0]["extras"]["ambient"] = json!([0, 0, 0]);
     assert_eq!(file.scene().environment.ambient, Vec3::ZERO);
     file.json["scenes"][0]["extras"] = json!("only words");
-    assert_eq!(file.scene().environment.background, Vec3::ZERO);
+    assert!(file.scene().is_lit_by_studio);
 }
 
 #[test]
@@ -348,4 +347,26 @@ fn variants_choose_materials_by_name() {
         error.contains("variant") && error.contains("day, night, dawn") && error.contains("noon"),
         "{error}"
     );
+}
+
+#[test]
+fn a_file_without_light_stands_in_the_studio_whatever_glows_in_it() {
+    let studio = |file: &File| {
+        let scene = file.scene();
+        assert_eq!(scene.is_lit_by_studio, scene.environment_map == Some(EnvironmentMap::studio()));
+        scene.is_lit_by_studio
+    };
+    let mut file = File::triangle();
+    assert!(studio(&file));
+    file.json["materials"] = json!([{ "emissiveFactor": [0.001, 0, 0] }]);
+    file.primitive()["material"] = json!(0);
+    assert!(studio(&file), "a speck that glows is no light");
+    file.json["scenes"][0]["extras"] = json!({ "background": [0, 0, 0] });
+    assert!(!studio(&file), "the file states its surroundings");
+    file.json["scenes"][0]["extras"] = json!({ "author": "somebody" });
+    assert!(studio(&file));
+    let mut scene = file.scene();
+    scene.leave_studio();
+    assert!(!scene.is_lit_by_studio && scene.environment_map.is_none());
+    assert_eq!(scene.environment, crate::scene::Environment::default());
 }

@@ -1,0 +1,108 @@
+//! The environment map on the device.
+
+use glam::Vec3;
+use wgpu::{TextureFormat, TextureUsages};
+
+use crate::{
+    Gpu, Result,
+    device::mirror::gpu_struct,
+    scene::{EnvironmentDistribution, EnvironmentMap, Harmonics},
+};
+
+gpu_struct! {
+    /// The map's irradiance and rotation, as shaders read them.
+    pub struct EnvironmentUniform {
+        harmonics: [[f32; 4]; 9], rotation: [f32; 2], padding: [f32; 2],
+    }
+}
+
+/// Images of radiance and of the distribution of directions, 32-bit floating point, and the constants of the map.
+pub struct GpuEnvironment {
+    map: wgpu::TextureView,
+    levels: wgpu::TextureView,
+    shares: wgpu::TextureView,
+    uniform: wgpu::Buffer,
+    bytes: u64,
+}
+
+impl GpuEnvironment {
+    /// Filters and uploads a map.
+    ///
+    /// # Errors
+    /// [`crate::Error::Missing`] if the device cannot hold it.
+    pub fn upload(gpu: &Gpu, map: &EnvironmentMap) -> Result<Self> {
+        let rgba =
+            |texels: &[Vec3]| texels.iter().map(|texel| texel.extend(1.0).to_array()).collect::<Vec<_>>();
+        let levels: Vec<_> = map.filtered().iter().map(|level| (level.side, rgba(&level.texels))).collect();
+        let levels: Vec<_> =
+            levels.iter().map(|(side, texels)| (*side, bytemuck::cast_slice(texels))).collect();
+        let whole = rgba(map.texels());
+        let whole = [(map.side(), bytemuck::cast_slice(&whole))];
+        let distribution = EnvironmentDistribution::of(map);
+        let shares = [(distribution.side, bytemuck::cast_slice(&distribution.shares))];
+        let (sine, cosine) = map.rotation().sin_cos();
+        let uniform = EnvironmentUniform {
+            harmonics: Harmonics::of(map).0.map(|c| c.extend(0.0).to_array()),
+            rotation: [cosine, sine],
+            padding: [0.0; 2],
+        };
+        let bytes =
+            [&whole[..], &levels, &shares].concat().iter().map(|(_, texels)| texels.len() as u64).sum();
+        Ok(Self {
+            map: texture(gpu, "environment_map", TextureFormat::Rgba32Float, &whole)?,
+            levels: texture(gpu, "environment_levels", TextureFormat::Rgba32Float, &levels)?,
+            shares: texture(gpu, "environment_shares", TextureFormat::Rg32Float, &shares)?,
+            uniform: gpu.filled("environment", bytemuck::bytes_of(&uniform), wgpu::BufferUsages::UNIFORM)?,
+            bytes,
+        })
+    }
+
+    /// Names and bindings of the resources that shaders read.
+    pub fn resources(&self) -> [(&'static str, wgpu::BindingResource<'_>); 4] {
+        [
+            ("environment", self.uniform.as_entire_binding()),
+            ("environment_map", wgpu::BindingResource::TextureView(&self.map)),
+            ("environment_levels", wgpu::BindingResource::TextureView(&self.levels)),
+            ("environment_shares", wgpu::BindingResource::TextureView(&self.shares)),
+        ]
+    }
+
+    /// Size in bytes.
+    pub fn bytes(&self) -> u64 {
+        self.bytes
+    }
+}
+
+/// A square image with mip levels, each with its width in texels and its bytes.
+fn texture(
+    gpu: &Gpu,
+    label: &str,
+    format: TextureFormat,
+    levels: &[(u32, &[u8])],
+) -> Result<wgpu::TextureView> {
+    let size = |side: u32| wgpu::Extent3d { width: side, height: side, depth_or_array_layers: 1 };
+    let side = levels.first().map_or(1, |(side, _)| *side);
+    let bytes = levels.iter().map(|(_, texels)| texels.len() as u64).sum();
+    gpu.checked(&format!("image `{label}`"), Some(bytes), |device| {
+        let texture = device.create_texture(&wgpu::TextureDescriptor {
+            label: Some(label),
+            size: size(side),
+            mip_level_count: levels.len() as u32,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format,
+            usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
+            view_formats: &[],
+        });
+        for (level, (side, texels)) in (0..).zip(levels) {
+            let row = texels.len() as u32 / side;
+            gpu.queue.write_texture(
+                wgpu::TexelCopyTextureInfo { mip_level: level, ..texture.as_image_copy() },
+                texels,
+                wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None },
+                size(*side),
+            );
+        }
+        texture.create_view(&wgpu::TextureViewDescriptor::default())
+    })
+}

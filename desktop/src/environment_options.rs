@@ -1,0 +1,28 @@
+//! `--environment` and `--environment-rotation`: what surrounds the scene.
+
+use clap::Args;
+use glimpse_measure::surroundings::{EnvironmentChoice, Surroundings};
+
+/// What surrounds the scene instead of what its file states.
+#[derive(Clone, Debug, Default, PartialEq, Args)]
+pub struct EnvironmentOptions {
+    /// Light from all around: a .hdr or .exr file (equirectangular), builtin:studio, or none [default: what the file
+    /// states; the studio if it brings no light]
+    #[arg(long, value_name = "FILE", value_parser = str::parse::<EnvironmentChoice>)]
+    pub environment: Option<EnvironmentChoice>,
+    /// Turns the environment about the vertical axis, counter-clockwise seen from above
+    #[arg(long, value_name = "DEGREES", default_value_t = 0.0, allow_negative_numbers = true, value_parser = degrees)]
+    pub environment_rotation: f32,
+}
+
+impl EnvironmentOptions {
+    /// The choice to apply to a scene.
+    pub fn surroundings(&self) -> Surroundings {
+        Surroundings { environment: self.environment.clone(), rotation: self.environment_rotation }
+    }
+}
+
+fn degrees(text: &str) -> Result<f32, String> {
+    let angle = text.parse().ok().filter(|angle: &f32| angle.is_finite());
+    angle.ok_or_else(|| format!("expected a finite number of degrees, found {text}"))
+}
