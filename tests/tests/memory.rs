@@ -19,11 +19,21 @@ struct Case {
     texels: usize,
     /// Bytes that compressed buffer views and meshes decode to.
     decoded: usize,
+    /// Triangles of the largest object whose tangents are computed.
+    tangents: usize,
 }
 
 impl Case {
     fn new(name: &'static str, file: Vec<u8>) -> Self {
-        Self { name, file, external: Vec::new(), triangles_and_objects: 0, texels: 0, decoded: 0 }
+        Self {
+            name,
+            file,
+            external: Vec::new(),
+            triangles_and_objects: 0,
+            texels: 0,
+            decoded: 0,
+            tangents: 0,
+        }
     }
 
     /// Upper bound on the memory, as stated in `core/src/scene/gltf/mod.rs`.
@@ -33,7 +43,8 @@ impl Case {
             _ => self.file.len(),
         };
         let all_else = self.file.len() - json + self.external.len();
-        let shown = 256 * self.triangles_and_objects + 16 * self.texels + 4 * self.decoded;
+        let shown =
+            256 * self.triangles_and_objects + 16 * self.texels + 4 * self.decoded + 1024 * self.tangents;
         (8 << 20) + 1024 * json + 8 * all_else + shown
     }
 
@@ -286,13 +297,29 @@ fn honest() -> Vec<Case> {
     );
     let triangles = 10 * indices.len() / 12;
     let (side, image) = (2048, encoded(2048));
-    let file = with(&grid, &[corners, indices].concat());
-    vec![Case {
-        external: image,
+    let bumpy = grid.replace(
+        r#""pbrMetallicRoughness":{"baseColorTexture":{"index":0}}"#,
+        r#""normalTexture":{"index":0}"#,
+    );
+    assert_ne!(bumpy, grid);
+    let binary = [corners, indices].concat();
+    let (file, bumpy) = (with(&grid, &binary), with(&bumpy, &binary));
+    let mapped = Case {
+        external: image.clone(),
         triangles_and_objects: triangles + 10,
         texels: side * side,
-        ..Case::new("ten grids with a texture", file)
-    }]
+        tangents: triangles / 10,
+        ..Case::new("ten grids with a normal map", bumpy)
+    };
+    vec![
+        mapped,
+        Case {
+            external: image,
+            triangles_and_objects: triangles + 10,
+            texels: side * side,
+            ..Case::new("ten grids with a texture", file)
+        },
+    ]
 }
 
 fn encoded(side: u32) -> Vec<u8> {

@@ -255,7 +255,7 @@ fn unused_materials_and_images_are_not_read() {
 #[test]
 fn what_cannot_be_shown_is_said() {
     let mut file = textured(json!({ "pbrMetallicRoughness": { "baseColorTexture": { "index": 0 } } }));
-    file.json["textures"][0] = json!({ "extensions": { "KHR_texture_basisu": { "source": 0 } } });
+    file.json["textures"][0] = json!({ "extensions": { "EXT_texture_avif": { "source": 0 } } });
     let scene = file.scene();
     assert_eq!(scene.materials[0].base_color_texture, None);
     assert!(scene.warnings[0].contains("no PNG or JPEG"), "{:?}", scene.warnings);
