@@ -5,8 +5,8 @@ use std::f32::consts::FRAC_1_SQRT_2 as HALF;
 use glam::{Vec3, vec3};
 use serde_json::{Value, json};
 
-use super::File;
-use crate::scene::{Scene, octahedral_decode};
+use super::{File, data_uri, png};
+use crate::scene::{Scene, octahedral_decode, tangent_decode_exact};
 
 fn near(found: Vec3, expected: Vec3) {
     assert!(found.distance(expected) < 1e-4, "{found} instead of {expected}");
@@ -268,4 +268,33 @@ fn what_deforms_is_limited_before_it_is_computed() {
     file.json["nodes"][0]["extensions"] =
         json!({ "EXT_mesh_gpu_instancing": { "attributes": { "TRANSLATION": zeros } } });
     file.fails(&["expected at most 59652323 triangles, instances counted each"]);
+}
+
+#[test]
+fn tangents_follow_morph_targets_and_joints() {
+    let mut file = skinned(json!([{ "rotation": [0, 0, HALF, HALF] }]), [1.0, 0.0, 0.0, 0.0]);
+    file.json["materials"] = json!([{ "normalTexture": { "index": 0 } }]);
+    file.primitive()["material"] = json!(0);
+    file.json["textures"] = json!([{ "source": 0 }]);
+    file.json["images"] = json!([{ "uri": data_uri("image/png", &png(1, 1, [127, 127, 255, 255])) }]);
+    let texcoords = file.floats("VEC2", &[0.0; 6]);
+    file.attribute("TEXCOORD_0", texcoords);
+    let normals = file.floats("VEC3", &[0.0, 0.0, 1.0].repeat(3));
+    file.attribute("NORMAL", normals);
+    let tangents = file.floats("VEC4", &[1.0, 0.0, 0.0, -1.0].repeat(3));
+    file.attribute("TANGENT", tangents);
+    let turned = file.floats("VEC3", &[0.0, 1.0, 0.0].repeat(3));
+    file.primitive()["targets"] = json!([{ "TANGENT": turned }]);
+    let frame = |file: &File| {
+        let (tangent, sign) = tangent_decode_exact(file.scene().tangents[0][0]);
+        (tangent.as_vec3(), sign)
+    };
+    let is = |(tangent, sign): (Vec3, f64), expected: Vec3, expected_sign: f64| {
+        assert!(tangent.distance(expected) < 2e-4 && sign == expected_sign, "{tangent} {sign}");
+    };
+    is(frame(&file), Vec3::Y, -1.0);
+    file.json["meshes"][0]["weights"] = json!([1]);
+    is(frame(&file), vec3(-HALF, HALF, 0.0), -1.0);
+    file.json["nodes"][1] = json!({ "scale": [1, -1, 1] });
+    is(frame(&file), vec3(HALF, -HALF, 0.0), 1.0);
 }
