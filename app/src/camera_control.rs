@@ -175,17 +175,25 @@ impl CameraControl {
     }
 
     /// Options of the command line for exactly this camera: `--eye=X,Y,Z --target=X,Y,Z --up=X,Y,Z` with
-    /// `--fov=DEGREES` or `--ortho=HEIGHT`; `None` while it is the scene's camera that was chosen last.
+    /// `--fov=DEGREES` or `--ortho=HEIGHT`, in the coordinates of a file where the scene's origin is at `origin`; `None`
+    /// while it is the scene's camera that was chosen last.
     #[must_use]
-    pub fn command_line(&self) -> Option<String> {
+    pub fn command_line(&self, origin: DVec3) -> Option<String> {
         let triple = |v: Vec3| format!("{},{},{}", v.x, v.y, v.z);
+        let point = |v: Vec3| {
+            if origin == DVec3::ZERO {
+                return triple(v);
+            }
+            let v = v.as_dvec3() + origin;
+            format!("{},{},{}", v.x, v.y, v.z)
+        };
         self.moved.then(|| {
             let LookAt { eye, target, up, lens } = self.orbit_state.look_at();
             let lens = match lens {
                 Lens::Perspective { vertical_fov_degrees } => format!("--fov={vertical_fov_degrees}"),
                 Lens::Orthographic { height } => format!("--ortho={height}"),
             };
-            format!("--eye={} --target={} --up={} {lens}", triple(eye), triple(target), triple(up))
+            format!("--eye={} --target={} --up={} {lens}", point(eye), point(target), triple(up))
         })
     }
 

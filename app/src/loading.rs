@@ -1,6 +1,6 @@
 //! Reads a scene and uploads it to the device.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use glimpse::{Camera, Gpu, GpuScene, Scene};
 
 use crate::{Files, WorkerEvent, worker::EventSender};
@@ -14,6 +14,8 @@ pub struct SceneFacts {
     pub primitives: u64,
     /// Cameras of the scene with their names; at least one.
     pub cameras: Vec<(String, Camera)>,
+    /// The point of the file's coordinates where the scene's are zero.
+    pub origin: DVec3,
     /// Lowest and highest corner of the bounding box, in world space.
     pub bounds: (Vec3, Vec3),
     /// One line for each element that the importer left out or replaced.
@@ -53,6 +55,7 @@ pub(crate) fn load(
         name: name.to_owned(),
         primitives: (scene.triangle_objects.len() + scene.spheres.len()) as u64,
         cameras: scene.cameras.clone(),
+        origin: scene.origin,
         bounds: scene.bounds().unwrap_or_default(),
         warnings: told(&mut scene),
         not_shown: scene.not_shown.iter().map(ToString::to_string).collect(),

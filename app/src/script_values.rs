@@ -1,5 +1,6 @@
 //! Values of the app that scripts can read, and the command line of the current frame.
 
+use glam::DVec3;
 use glimpse::options;
 
 use crate::{App, command::command, script::Value};
@@ -33,7 +34,8 @@ impl App {
             "late" => number(self.pacing.tally().late.into()),
             "rays" => counts.map(|counts| Value::Number(counts.rays.total as f64)),
             "moved" => {
-                let moved = self.control.as_ref().is_some_and(|control| control.command_line().is_some());
+                let moved =
+                    self.control.as_ref().is_some_and(|control| control.command_line(DVec3::ZERO).is_some());
                 number(f64::from(u8::from(moved)))
             }
             _ => options::find(name).ok().map(|option| option.get(&self.choices.settings).into()),
@@ -44,11 +46,12 @@ impl App {
     #[must_use]
     pub fn command(&self) -> Option<String> {
         let job = self.still_job()?;
-        let moved = self.control.as_ref()?.command_line();
+        let scene = self.scenes.shown()?;
+        let moved = self.control.as_ref()?.command_line(scene.origin);
         let camera = moved.unwrap_or_else(|| match self.hud_state.camera {
             0 => String::new(),
             index => format!("--camera {index}"),
         });
-        Some(command(&self.scenes.shown()?.name, &camera, &job))
+        Some(command(&scene.name, &camera, &job))
     }
 }

@@ -2,6 +2,7 @@
 
 use clap::CommandFactory;
 use clap::error::ErrorKind;
+use glimpse::glam::DVec3;
 use glimpse::options::OPTIONS;
 use glimpse::{
     Filter, Focus, Jitter, Mip, Postcorrect, Preset, Refine, Settings, Specialize, Thresholds, Tolerances,
@@ -241,7 +242,7 @@ fn reports_have_smaller_frames() {
 #[test]
 fn a_camera_of_ones_own_has_an_eye_and_a_target() {
     let look_at = render("render a.glb -o a.png --eye=-1,2e-3,3 --target 0,0,-1").frame.look_at;
-    let camera = look_at.camera().unwrap().unwrap();
+    let camera = look_at.camera(DVec3::ZERO).unwrap().unwrap();
     assert_eq!(camera.origin.to_array(), [-1.0, 2e-3, 3.0]);
     assert!(!camera.orthographic && camera.forward.z < 0.0);
     for wrong in [

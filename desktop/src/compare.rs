@@ -45,7 +45,11 @@ fn not_usage(error: Error) -> anyhow::Error {
 
 fn read(path: &Path) -> anyhow::Result<Picture> {
     let bytes = files::read(path)?;
-    Picture::decode(&bytes).with_context(|| format!("{}: expected a PNG or an EXR", path.display()))
+    let name = path.display();
+    Picture::decode(&bytes).map_err(|error| match error {
+        Error::Image(_) => anyhow::Error::new(error).context(format!("{name}: expected a PNG or an EXR")),
+        error => not_usage(error).context(name.to_string()),
+    })
 }
 
 #[cfg(test)]
@@ -75,6 +79,12 @@ mod tests {
         let small = write("small.png", to_png(&DisplayImage::new(2, 3)).unwrap());
         let message = format!("{:#}", measure(&small, &png).unwrap_err());
         assert!(message.contains("small.png against") && message.contains("2x3 and 9x9"), "{message}");
+        let nan = LinearImage::from_raw(9, 9, vec![f32::NAN; 243]).unwrap();
+        let nan = write("nan.exr", to_exr(&nan).unwrap());
+        for (a, b) in [(&nan, &png), (&png, &nan), (&nan, &white)] {
+            let message = format!("{:#}", measure(a, b).unwrap_err());
+            assert!(message.contains("nan.exr: expected finite radiance, found"), "{message}");
+        }
         let text = write("text.png", b"no picture".to_vec());
         let message = format!("{:#}", measure(&text, &png).unwrap_err());
         assert!(message.contains("text.png: expected a PNG or an EXR"), "{message}");

@@ -29,7 +29,12 @@ pub fn is_usage(error: &anyhow::Error) -> bool {
 /// Formats the error with its causes as one line, with a suggestion if there is one.
 pub fn told(error: &anyhow::Error) -> String {
     let causes = error.chain().map(|cause| cause.downcast_ref().map_or_else(|| cause.to_string(), of_core));
-    let text = causes.collect::<Vec<_>>().join(": ");
+    // Some errors have their causes in their own text.
+    let text = causes.fold(String::new(), |text, cause| match text.as_str() {
+        "" => cause,
+        _ if text.contains(&cause) => text,
+        _ => format!("{text}: {cause}"),
+    });
     let advice = error.chain().find_map(|cause| cause.downcast_ref().and_then(advice));
     let text = advice.map_or_else(|| text.clone(), |advice| format!("{text}: try {advice}"));
     let lines: Vec<_> = text.lines().map(str::trim).filter(|line| !line.is_empty()).collect();

@@ -1,5 +1,6 @@
 //! `glimpse info`: the contents of a scene and what specialization leaves out of its kernels.
 
+use glimpse::glam::{DVec3, Vec3};
 use glimpse::scene::{Light, LightKind, Material, NotShown};
 use glimpse::{Linked, Scene, Specialize};
 use glimpse_measure::statistics::SceneStatistics;
@@ -45,15 +46,15 @@ struct Saved {
 
 #[derive(Serialize)]
 struct Bounds {
-    low: [f32; 3],
-    high: [f32; 3],
+    low: [f64; 3],
+    high: [f64; 3],
 }
 
 #[derive(Serialize)]
 struct CameraInfo {
     index: usize,
     name: String,
-    origin: [f32; 3],
+    origin: [f64; 3],
     forward: [f32; 3],
     orthographic: bool,
 }
@@ -61,7 +62,7 @@ struct CameraInfo {
 #[derive(Serialize)]
 struct LightInfo {
     kind: &'static str,
-    position: Option<[f32; 3]>,
+    position: Option<[f64; 3]>,
     direction: Option<[f32; 3]>,
     intensity: [f32; 3],
 }
@@ -98,7 +99,9 @@ impl Info {
         let count = |is: fn(&Material) -> bool| scene.materials.iter().filter(|m| is(m)).count();
         Ok(Self {
             saved: Saved::of(&scene)?,
-            bounds: scene.bounds().map(|(low, high)| Bounds { low: low.into(), high: high.into() }),
+            bounds: scene
+                .bounds()
+                .map(|(low, high)| Bounds { low: in_file(&scene, low), high: in_file(&scene, high) }),
             cameras: scene
                 .cameras
                 .iter()
@@ -106,12 +109,12 @@ impl Info {
                 .map(|(index, (name, camera))| CameraInfo {
                     index,
                     name: name.clone(),
-                    origin: camera.origin.into(),
+                    origin: in_file(&scene, camera.origin),
                     forward: camera.forward.into(),
                     orthographic: camera.orthographic,
                 })
                 .collect(),
-            light_list: scene.lights.iter().map(LightInfo::of).collect(),
+            light_list: scene.lights.iter().map(|light| LightInfo::of(&scene, light)).collect(),
             materials: MaterialSummary {
                 total: scene.materials.len(),
                 textured: count(|m| m.textures().next().is_some()),
@@ -205,13 +208,13 @@ impl Saved {
 
 impl Bounds {
     fn text(&self) -> String {
-        let sides: [f32; 3] = std::array::from_fn(|i| self.high[i] - self.low[i]);
+        let sides: [f64; 3] = std::array::from_fn(|i| self.high[i] - self.low[i]);
         format!("{} to {}, sides {}", vector(self.low), vector(self.high), vector(sides))
     }
 }
 
 impl LightInfo {
-    fn of(light: &Light) -> Self {
+    fn of(scene: &Scene, light: &Light) -> Self {
         let (kind, position, direction) = match &light.kind {
             LightKind::Point { position, .. } => ("point", Some(position), None),
             LightKind::Spot { position, direction, .. } => ("spot", Some(position), Some(direction)),
@@ -219,7 +222,7 @@ impl LightInfo {
         };
         Self {
             kind,
-            position: position.map(|p| p.to_array()),
+            position: position.map(|p| in_file(scene, *p)),
             direction: direction.map(|d| d.to_array()),
             intensity: light.intensity.into(),
         }
@@ -227,12 +230,21 @@ impl LightInfo {
 
     fn text(&self) -> String {
         let at = self.position.map_or_else(String::new, |p| format!(" at {}", vector(p)));
-        let along = self.direction.map_or_else(String::new, |d| format!(" along {}", vector(d)));
-        format!("{}{at}{along}, intensity {}", self.kind, vector(self.intensity))
+        let along =
+            self.direction.map_or_else(String::new, |d| format!(" along {}", vector(d.map(f64::from))));
+        format!("{}{at}{along}, intensity {}", self.kind, vector(self.intensity.map(f64::from)))
     }
 }
 
-fn vector(v: [f32; 3]) -> String {
+/// A point in the file's coordinates. Where the scene has the same, the digits are those of its f32.
+fn in_file(scene: &Scene, point: Vec3) -> [f64; 3] {
+    if scene.origin == DVec3::ZERO {
+        return point.to_array().map(|c| c.to_string().parse().unwrap_or(f64::from(c)));
+    }
+    scene.in_file(point).to_array()
+}
+
+fn vector(v: [f64; 3]) -> String {
     // Adding zero turns -0 into 0.
     let [x, y, z] = v.map(|c| format!("{}", (c * 1000.0).round() / 1000.0 + 0.0));
     format!("({x}, {y}, {z})")

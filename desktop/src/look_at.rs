@@ -3,6 +3,7 @@
 use std::str::FromStr;
 
 use clap::Args;
+use glimpse::glam::DVec3;
 use glimpse::{Camera, Lens, LookAt};
 
 /// A camera of one's own instead of one of the scene.
@@ -33,29 +34,32 @@ pub struct LookAtOptions {
 }
 
 impl LookAtOptions {
-    /// Makes the camera, if `--eye` was given.
-    pub fn camera(&self) -> glimpse::Result<Option<Camera>> {
+    /// Makes the camera, if `--eye` was given, in a scene whose origin is this point of its file.
+    pub fn camera(&self, origin: DVec3) -> glimpse::Result<Option<Camera>> {
         let (Some(Point(eye)), Some(Point(target))) = (self.eye, self.target) else { return Ok(None) };
         let lens = match self.ortho {
             Some(height) => Lens::Orthographic { height },
             None => Lens::Perspective { vertical_fov_degrees: self.fov.unwrap_or(45.0) },
         };
-        let up = self.up.map_or([0.0, 1.0, 0.0], |Point(up)| up);
-        LookAt { eye: eye.into(), target: target.into(), up: up.into(), lens }.camera().map(Some)
+        let up = self.up.map_or(DVec3::Y, |Point(up)| up);
+        let [eye, target] = [eye, target].map(|point| (point - origin).as_vec3());
+        LookAt { eye, target, up: up.as_vec3(), lens }.camera().map(Some)
     }
 }
 
 /// A point or direction in world space, typed as `X,Y,Z`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point(pub [f32; 3]);
+pub struct Point(pub DVec3);
 
 impl FromStr for Point {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let numbers: Option<Vec<f32>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+        let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
         match numbers.as_deref() {
-            Some(&[x, y, z]) if [x, y, z].iter().all(|c| c.is_finite()) => Ok(Self([x, y, z])),
+            Some(&[x, y, z]) if [x, y, z].iter().all(|c| (*c as f32).is_finite()) => {
+                Ok(Self(DVec3::new(x, y, z)))
+            }
             _ => Err("expected three numbers X,Y,Z".to_owned()),
         }
     }

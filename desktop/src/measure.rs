@@ -1,6 +1,8 @@
 //! Measures methods on one scene: all are warmed up, then take turns frame by frame, so that changes in the
 //! device's load affect them alike.
 
+use std::path::{Path, PathBuf};
+
 use anyhow::Context;
 use glimpse::scene::NotShown;
 use glimpse::{
@@ -37,6 +39,8 @@ pub struct Workbench<'g> {
     pub reference: Option<Reference>,
     /// Warnings of the import.
     pub warnings: Vec<String>,
+    /// The files that the scene was read from.
+    pub inputs: Vec<PathBuf>,
     /// Features of the file that the frames do not show.
     pub not_shown: Vec<NotShown>,
     /// Time to load the scene, in milliseconds.
@@ -56,8 +60,10 @@ impl<'g> Workbench<'g> {
     ) -> anyhow::Result<Self> {
         progress.doing(&format!("loading {name}"));
         let surroundings = options.environment.surroundings();
+        let mut inputs = Vec::new();
+        let mut seen = |path: &Path, _: &[u8]| inputs.push(path.to_owned());
         let (scene, load_ms) = timed(|| {
-            let mut scene = scene_file::load_variant(name, options.variant.as_deref())?;
+            let mut scene = scene_file::load_seen(name, options.variant.as_deref(), &mut seen)?;
             surroundings.apply(&mut scene)?;
             anyhow::Ok(scene)
         })?;
@@ -89,6 +95,7 @@ impl<'g> Workbench<'g> {
             cpu_threads,
             reference,
             warnings,
+            inputs,
             not_shown,
             load_ms,
             build_ms,
@@ -217,7 +224,7 @@ impl Plan {
 
 /// Camera given by `--eye` or `--camera`, and its name in the output.
 fn chosen_camera(scene: &Scene, options: &FrameOptions) -> glimpse::Result<(Camera, String)> {
-    if let Some(camera) = options.look_at.camera()? {
+    if let Some(camera) = options.look_at.camera(scene.origin)? {
         return Ok((camera, "--eye".to_owned()));
     }
     let camera = scene.camera(options.camera.as_deref())?;

@@ -43,8 +43,9 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
     }
     scene_file::check(&options.scene)?;
     options.frame.environment.surroundings().check()?;
-    let outputs = std::iter::once(&options.output.path).chain(&options.stats);
-    files::check(outputs.map(PathBuf::as_path), Path::new(&options.scene))?;
+    let outputs: Vec<_> =
+        std::iter::once(&options.output.path).chain(&options.stats).map(PathBuf::as_path).collect();
+    files::check(&outputs, &[Path::new(&options.scene)])?;
 
     let mut requests = vec![request];
     if options.reference && options.method != Method::Full {
@@ -56,6 +57,7 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
     let progress = Progress::new(plan.steps(requests.len()));
     let gpu = Gpu::headless(adapter)?;
     let workbench = Workbench::set(&gpu, &options.scene, &options.frame, &requests, &progress)?;
+    files::check(&outputs, &workbench.inputs.iter().map(PathBuf::as_path).collect::<Vec<_>>())?;
     let runs = plan.measure(&workbench, &progress)?;
 
     progress.doing("writing");

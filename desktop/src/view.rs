@@ -49,7 +49,7 @@ fn setup(options: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::R
     surroundings.check()?;
     let reader: Files = Arc::new(move |name| {
         let variant = variant.as_deref().filter(|_| name == first);
-        let loaded = scene_file::load_variant(name, variant).and_then(|mut scene| {
+        let loaded = scene_file::load_seen(name, variant, &mut |_, _| ()).and_then(|mut scene| {
             surroundings.apply(&mut scene)?;
             Ok(scene)
         });

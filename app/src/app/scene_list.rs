@@ -76,7 +76,7 @@ impl SceneList {
 
 #[cfg(test)]
 mod tests {
-    use glam::Vec3;
+    use glam::{DVec3, Vec3};
 
     use super::*;
 
@@ -85,6 +85,7 @@ mod tests {
             name: name.to_owned(),
             primitives: 0,
             cameras: Vec::new(),
+            origin: DVec3::ZERO,
             bounds: (Vec3::ZERO, Vec3::ONE),
             warnings: Vec::new(),
             not_shown: Vec::new(),

@@ -64,7 +64,7 @@ fn the_camera_is_the_scenes_own_until_it_is_moved() {
         control.advance(Duration::from_secs(1));
         control.reset();
         control.advance(Duration::from_secs(1));
-        assert_eq!((bits(&control.camera()), control.command_line()), (bits(&home), None));
+        assert_eq!((bits(&control.camera()), control.command_line(DVec3::ZERO)), (bits(&home), None));
         assert!(!control.is_moving());
     }
 }
@@ -75,7 +75,7 @@ fn the_first_motion_does_not_jump() {
         let mut control = CameraControl::new(home, BOUNDS);
         control.apply(Motion::Turn { by: Vec2::X * 1e-6 }, Navigation::Orbit);
         control.advance(Duration::from_millis(16));
-        assert!(control.command_line().is_some());
+        assert!(control.command_line(DVec3::ZERO).is_some());
         assert!(distance(&control.camera(), &home) < 2e-5, "{:?}", control.camera());
     }
 }
@@ -91,7 +91,7 @@ fn the_way_back_ends_at_the_very_camera() {
         for camera in [orthographic(), home] {
             control.go_to(camera);
             settle(&mut control);
-            assert_eq!((bits(&control.camera()), control.command_line()), (bits(&camera), None));
+            assert_eq!((bits(&control.camera()), control.command_line(DVec3::ZERO)), (bits(&camera), None));
         }
     }
 }
@@ -105,7 +105,7 @@ fn a_hand_on_the_way_back_stops_it() {
     control.advance(Duration::from_millis(50));
     control.apply(Motion::Turn { by: Vec2::X * 0.01 }, Navigation::Orbit);
     settle(&mut control);
-    assert!(control.command_line().is_some());
+    assert!(control.command_line(DVec3::ZERO).is_some());
     assert!(distance(&control.camera(), &perspective()) > 0.1);
 }
 
@@ -192,7 +192,9 @@ fn what_is_not_finite_asks_for_nothing() {
         }
         control.focus(by.extend(0.5));
         assert!(
-            !control.is_moving() && control.command_line().is_none() && control.speed_exponent == 0.0,
+            !control.is_moving()
+                && control.command_line(DVec3::ZERO).is_none()
+                && control.speed_exponent == 0.0,
             "{strange}"
         );
     }
@@ -406,7 +408,7 @@ fn no_motion_makes_a_camera_that_cannot_be_said() {
                     _ => {}
                 }
                 control.advance(Duration::from_millis(random.bits() % 40));
-                let Some(options) = control.command_line() else { continue };
+                let Some(options) = control.command_line(DVec3::ZERO) else { continue };
                 let said = parse(&options).camera();
                 let said = said.unwrap_or_else(|error| panic!("{bounds:?}, step {step}: {error}: {options}"));
                 assert_eq!(bits(&said), bits(&control.camera()), "{options}");

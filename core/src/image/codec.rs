@@ -40,13 +40,20 @@ impl Picture {
     /// Reads the bytes of a PNG or OpenEXR file.
     ///
     /// # Errors
-    /// [`crate::Error::Image`] for anything else.
+    /// [`crate::Error::Image`] for anything else; [`crate::Error::Setting`] where a radiance is not finite.
     pub fn decode(bytes: &[u8]) -> crate::Result<Self> {
         let image = image::load_from_memory(bytes)?;
-        Ok(match image {
-            DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => Self::Linear(image.into_rgb32f()),
-            _ => Self::Display(image.into_rgba8()),
-        })
+        if !matches!(image, DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_)) {
+            return Ok(Self::Display(image.into_rgba8()));
+        }
+        let image = image.into_rgb32f();
+        match image.enumerate_pixels().find(|(.., p)| !p.0.iter().all(|v| v.is_finite())) {
+            Some((x, y, pixel)) => {
+                let found = format!("{:?} at ({x}, {y})", pixel.0);
+                Err(crate::Error::setting("images", "finite radiance", found))
+            }
+            None => Ok(Self::Linear(image)),
+        }
     }
 
     /// The display-encoded picture; linear radiance is encoded as sRGB.
@@ -70,5 +77,9 @@ mod tests {
         let shown = encode_display(&linear);
         assert_eq!(Picture::decode(&to_png(&shown).unwrap()).unwrap(), Picture::Display(shown));
         assert!(Picture::decode(b"GIF89a").is_err());
+        let damaged =
+            LinearImage::from_fn(3, 2, |x, _| image::Rgb([1.0, if x == 2 { f32::NAN } else { 0.0 }, 0.0]));
+        let error = Picture::decode(&to_exr(&damaged).unwrap()).unwrap_err().to_string();
+        assert!(error.contains("finite radiance") && error.contains("(2, 0)"), "{error}");
     }
 }

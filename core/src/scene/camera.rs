@@ -19,6 +19,9 @@ pub struct Camera {
     pub orthographic: bool,
 }
 
+/// Angle of a framing camera above the horizon in radians: 15 degrees.
+const ELEVATION: f32 = std::f32::consts::PI / 12.0;
+
 impl Camera {
     /// A perspective camera from a camera-to-world matrix (glTF: looks along -Z, Y up) and a vertical field of
     /// view in radians.
@@ -99,13 +102,14 @@ impl Camera {
         Self::perspective(&matrix, vertical_fov)
     }
 
-    /// A camera with a field of view of 45 degrees that sees the whole box from the front, slightly above.
+    /// A camera with a field of view of 45 degrees that sees the whole box from its front (glTF: +Z), slightly from
+    /// above.
     #[must_use]
     pub fn framing(low: Vec3, high: Vec3) -> Self {
         let center = 0.5 * (low + high);
         let radius = (0.5 * (high - low).length()).max(f32::MIN_POSITIVE.sqrt());
         let half_fov = 22.5_f32.to_radians();
-        let back = Vec3::new(0.35, 0.3, 0.886_942);
+        let back = Vec3::new(0.0, ELEVATION.sin(), ELEVATION.cos());
         let eye = center + back * (radius / half_fov.sin());
         Self::look_at(eye, center, 2.0 * half_fov).unwrap_or(Self {
             origin: center + Vec3::Z,

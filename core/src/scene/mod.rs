@@ -23,7 +23,7 @@ mod validate;
 
 use std::ops::Range;
 
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 
 pub use builtin::{BUILTIN_NAMES, builtin};
 pub use emitters::Emitters;
@@ -107,6 +107,9 @@ pub struct Scene {
     pub is_lit_by_studio: bool,
     /// Parts of the file that the import left out: one sentence each that names the element.
     pub warnings: Vec<String>,
+    /// The point of the file's coordinates where the scene's are zero. An import moves scenes that lie far from the
+    /// origin of their file, where f32 would not resolve them; it is zero for all others.
+    pub origin: DVec3,
     /// Features of the file that the scene does not show as the file's specification has it.
     pub not_shown: Vec<NotShown>,
 }
@@ -236,7 +239,8 @@ impl Environment {
 }
 
 impl Scene {
-    /// Reads glTF 2.0: `.glb`, or `.gltf`; `resolve` returns the bytes of an external URI.
+    /// Reads glTF 2.0: `.glb`, or `.gltf`; `resolve` returns the bytes of an external URI, a relative reference as the
+    /// file has it (RFC 3986), or why there are none.
     ///
     /// # Errors
     /// [`crate::Error::Scene`] names the element of the file, what was expected and what was found.
@@ -285,6 +289,12 @@ impl Scene {
         let corners = self.positions.iter().flatten().map(|p| (*p, *p));
         let spheres = self.spheres.iter().map(|s| (s.center - s.radius, s.center + s.radius));
         corners.chain(spheres).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+    }
+
+    /// A point of the scene in the coordinates of its file.
+    #[must_use]
+    pub fn in_file(&self, point: Vec3) -> DVec3 {
+        self.origin + point.as_dvec3()
     }
 
     /// Finds a camera by name or index; `None` selects the first.

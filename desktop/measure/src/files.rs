@@ -12,9 +12,9 @@ use tempfile::NamedTempFile;
 const MAX_BYTES: u64 = u32::MAX as u64;
 
 /// Checks before long work that [`write()`] can succeed for each output. Fails if a path cannot be written, if
-/// two outputs are the same file, or if an output is `input`.
-pub fn check<'p>(outputs: impl IntoIterator<Item = &'p Path>, input: &Path) -> anyhow::Result<()> {
-    let mut taken = vec![resolved(input)];
+/// two outputs are the same file, or if an output is one of the inputs.
+pub fn check(outputs: &[&Path], inputs: &[&Path]) -> anyhow::Result<()> {
+    let mut taken: Vec<_> = inputs.iter().map(|input| resolved(input)).collect();
     for path in outputs {
         let resolved = resolved(path);
         writable(&resolved)?;
@@ -124,7 +124,7 @@ mod tests {
     fn writing_replaces_and_leaves_nothing_else_behind() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.png");
-        check([path.as_path()], Path::new("builtin:room")).unwrap();
+        check(&[&path], &[Path::new("builtin:room")]).unwrap();
         assert!(names(folder.path()).is_empty(), "checking leaves nothing");
         write(&path, b"one").unwrap();
         write(&path, b"two").unwrap();
@@ -148,16 +148,17 @@ mod tests {
     #[test]
     fn no_file_is_written_twice_nor_over_the_input() {
         let folder = tempfile::tempdir().unwrap();
-        let [scene, picture, new] = ["scene.glb", "a.png", "new.json"].map(|n| folder.path().join(n));
+        let [scene, other, picture, new] =
+            ["scene.glb", "tex.png", "a.png", "new.json"].map(|n| folder.path().join(n));
         fs::write(&scene, b"").unwrap();
         fs::write(&picture, b"").unwrap();
-        check([picture.as_path(), &new], &scene).unwrap();
+        check(&[&picture, &new], &[&scene]).unwrap();
         let around = folder.path().join("../").join(folder.path().file_name().unwrap()).join("new.json");
         for outputs in [[&picture, &scene], [&picture, &picture], [&new, &new], [&new, &around]] {
-            let message = check(outputs.map(PathBuf::as_path), &scene).unwrap_err().to_string();
+            let message = check(&outputs.map(PathBuf::as_path), &[&other, &scene]).unwrap_err().to_string();
             assert!(message.contains("twice"), "{message}");
         }
-        check([Path::new("/dev/null"), Path::new("/dev/null")], &scene).unwrap();
+        check(&[Path::new("/dev/null"), Path::new("/dev/null")], &[&scene]).unwrap();
     }
 
     #[test]

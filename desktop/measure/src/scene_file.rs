@@ -1,6 +1,6 @@
 //! Loads a scene by its name on the command line: `builtin:NAME` or a glTF file.
 
-use std::path::{Component, Path};
+use std::path::{Component, Path, PathBuf};
 
 use anyhow::Context;
 use glimpse::Scene;
@@ -26,35 +26,34 @@ pub fn check(name: &str) -> anyhow::Result<()> {
 
 /// Loads `builtin:NAME`, a `.glb`, or a `.gltf` with the files that it names beside it.
 pub fn load(name: &str) -> anyhow::Result<Scene> {
-    load_seen(name, &mut |_| ())
+    load_seen(name, None, &mut |_, _| ())
 }
 
-/// Loads a scene as [`load`] does, with the materials of the file's variant of this name.
-pub fn load_variant(name: &str, variant: Option<&str>) -> anyhow::Result<Scene> {
-    read(name, variant, &mut |_| ())
-}
-
-/// Loads a scene as [`load`] does, and passes the bytes of every file read to `seen`; for a built-in scene,
-/// its name.
-pub fn load_seen(name: &str, seen: &mut dyn FnMut(&[u8])) -> anyhow::Result<Scene> {
-    read(name, None, seen)
-}
-
-fn read(name: &str, variant: Option<&str>, seen: &mut dyn FnMut(&[u8])) -> anyhow::Result<Scene> {
+/// Loads a scene as [`load`] does, with the materials of the file's variant of this name, and passes the path and the
+/// bytes of every file read to `seen`; for a built-in scene, its name.
+pub fn load_seen(
+    name: &str,
+    variant: Option<&str>,
+    seen: &mut dyn FnMut(&Path, &[u8]),
+) -> anyhow::Result<Scene> {
     check(name)?;
+    let path = Path::new(name);
     if let Some(scene) = name.strip_prefix("builtin:").and_then(builtin) {
         if let Some(variant) = variant {
             let expected = "none, as built-in scenes have no variants";
             return Err(glimpse::Error::setting("variant", expected, variant).into());
         }
-        seen(name.as_bytes());
+        seen(path, name.as_bytes());
         return Ok(scene);
     }
-    let path = Path::new(name);
     let bytes = files::read(path)?;
-    seen(&bytes);
+    seen(path, &bytes);
     let folder = path.parent().unwrap_or(Path::new(""));
-    let mut resolve = |uri: &str| read_beside(folder, uri).inspect(|bytes| seen(bytes));
+    let mut resolve = |uri: &str| {
+        let (path, bytes) = read_beside(folder, uri)?;
+        seen(&path, &bytes);
+        Ok(bytes)
+    };
     let scene = match variant {
         Some(variant) => Scene::from_gltf_variant(&bytes, &mut resolve, variant),
         None => Scene::from_gltf(&bytes, &mut resolve),
@@ -80,25 +79,39 @@ fn check_builtin(name: &str) -> anyhow::Result<()> {
     Err(glimpse::Error::setting("scene", expected, format!("builtin:{name}")).into())
 }
 
-/// Reads the file of a relative URI (RFC 3986: percent-encoded, though not every exporter encodes it). Files
-/// outside the scene's folder and other machines are refused, as scenes may come from untrusted sources.
-fn read_beside(folder: &Path, uri: &str) -> Result<Vec<u8>, String> {
+/// Reads the file of a relative URI (RFC 3986), whose percent codes are decoded once; not every exporter encodes names,
+/// so that a file of the very name counts too. Files outside the scene's folder and other machines are refused, as
+/// scenes may come from untrusted sources.
+fn read_beside(folder: &Path, uri: &str) -> Result<(PathBuf, Vec<u8>), String> {
     let decoded = percent_decoded(uri);
-    let literal = folder.join(uri);
-    let name = if is_below(uri) && literal.exists() { uri } else { decoded.as_str() };
-    if !is_below(name) {
-        return Err(format!("expected a file in the scene's folder or below it, found `{name}`"));
-    }
-    files::read(&folder.join(name)).map_err(|error| format!("{error:#}"))
+    let paths = [decoded.as_str(), uri].map(|name| below(name).map(|path| folder.join(path)));
+    let there = paths.iter().flatten().find(|path| path.exists());
+    let path = there
+        .or(paths[0].as_ref())
+        .ok_or_else(|| format!("expected a file in the scene's folder or below it, found `{decoded}`"))?;
+    let bytes = files::read(path).map_err(|error| format!("{error:#}"))?;
+    Ok((path.clone(), bytes))
 }
 
-/// Whether a name stays below a folder: no scheme, no root and no `..`.
-fn is_below(name: &str) -> bool {
+/// The path below a folder that a name leads to, without its dot segments (RFC 3986, section 5.2.4); `None` where it
+/// leads elsewhere: by a scheme, a root or more `..` than folders.
+fn below(name: &str) -> Option<PathBuf> {
     let scheme = name.split_once(':').map(|(scheme, _)| scheme);
     let has_scheme = scheme
         .is_some_and(|s| !s.is_empty() && s.chars().all(|c| c.is_ascii_alphanumeric() || "+-.".contains(c)));
-    let down = |c: Component<'_>| matches!(c, Component::Normal(_) | Component::CurDir);
-    !has_scheme && !name.contains('\0') && Path::new(name).components().all(down)
+    if has_scheme || name.contains('\0') {
+        return None;
+    }
+    let mut path = PathBuf::new();
+    for component in Path::new(name).components() {
+        match component {
+            Component::Normal(name) => path.push(name),
+            Component::CurDir => {}
+            Component::ParentDir if path.pop() => {}
+            _ => return None,
+        }
+    }
+    Some(path)
 }
 
 fn percent_decoded(uri: &str) -> String {
@@ -137,10 +150,32 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join("a b.bin"), b"spaced").unwrap();
         fs::write(folder.path().join("c%20d.bin"), b"literal").unwrap();
-        assert_eq!(read_beside(folder.path(), "a%20b.bin").unwrap(), b"spaced");
-        assert_eq!(read_beside(folder.path(), "a b.bin").unwrap(), b"spaced");
-        assert_eq!(read_beside(folder.path(), "c%20d.bin").unwrap(), b"literal");
+        assert_eq!(read_beside(folder.path(), "a%20b.bin").unwrap().1, b"spaced");
+        assert_eq!(read_beside(folder.path(), "a b.bin").unwrap().1, b"spaced");
+        assert_eq!(read_beside(folder.path(), "c%20d.bin").unwrap().1, b"literal");
         assert!(read_beside(folder.path(), "gone.bin").unwrap_err().contains("gone.bin"));
+    }
+
+    #[test]
+    fn codes_are_decoded_once_and_dots_lead_through_folders() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir(folder.path().join("sub dir")).unwrap();
+        for name in ["wood 10%.png", "a%20b.png", "a b.png", "sub dir/c.png", "d.png"] {
+            fs::write(folder.path().join(name), name).unwrap();
+        }
+        for (uri, expected) in [
+            ("wood 10%.png", "wood 10%.png"),
+            ("wood%2010%25.png", "wood 10%.png"),
+            ("a%20b.png", "a b.png"),
+            ("a%2520b.png", "a%20b.png"),
+            ("sub%20dir/c.png", "sub dir/c.png"),
+            ("sub%20dir/../d.png", "d.png"),
+            ("gone/../d.png", "d.png"),
+            ("./gone/%2e%2E/./d.png", "d.png"),
+        ] {
+            let (path, bytes) = read_beside(folder.path(), uri).unwrap();
+            assert_eq!((path, bytes), (folder.path().join(expected), expected.into()), "{uri}");
+        }
     }
 
     #[test]
@@ -151,7 +186,7 @@ mod tests {
         fs::write(folder.path().join("secret.bin"), b"secret").unwrap();
         fs::write(scene.join("textures/a.png"), b"inside").unwrap();
         for inside in ["textures/a.png", "./textures/a.png", "textures/./a.png", "textures%2Fa.png"] {
-            assert_eq!(read_beside(&scene, inside).unwrap(), b"inside", "{inside}");
+            assert_eq!(read_beside(&scene, inside).unwrap().1, b"inside", "{inside}");
         }
         let absolute = folder.path().join("secret.bin").display().to_string();
         for outside in [

@@ -71,7 +71,7 @@ pub fn run(options: &Options, adapter: Option<&str>) -> anyhow::Result<()> {
     let stems = stems(&names);
     let outputs: Vec<_> =
         outputs(&stems, &options.tables).into_iter().map(|name| options.output.join(name)).collect();
-    files::check(outputs.iter().map(AsRef::as_ref), Path::new(""))?;
+    files::check(&outputs.iter().map(AsRef::as_ref).collect::<Vec<_>>(), &[])?;
     let gpu = Gpu::headless(adapter)?;
     let header = header(&options.program, &gpu);
     let bench = Bench {

@@ -32,7 +32,7 @@ impl Store {
         }
         fs::create_dir_all(&folder)
             .with_context(|| format!("cannot make the folder {}", folder.display()))?;
-        files::check([folder.join("probe.json").as_path()], Path::new(""))?;
+        files::check(&[&folder.join("probe.json")], &[])?;
         Ok(Self { folder })
     }
 

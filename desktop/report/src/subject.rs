@@ -45,7 +45,7 @@ impl Prepared {
     /// Fails if the scene cannot be loaded or has no camera of that name.
     pub fn new(name: &str, camera: Option<&str>) -> anyhow::Result<Self> {
         let mut content = Fingerprint::new();
-        let scene = scene_file::load_seen(name, &mut |bytes| content = content.and(bytes))?;
+        let scene = scene_file::load_seen(name, None, &mut |_, bytes| content = content.and(bytes))?;
         let camera = *scene.camera(camera).with_context(|| name.to_owned())?;
         let statistics = SceneStatistics::of(name, &scene, Specialize::Auto);
         Ok(Self { name: name.to_owned(), content, camera, statistics })

@@ -28,7 +28,7 @@ pub(super) struct Accessor<'b> {
     pub components: usize,
     component: ComponentType,
     normalized: bool,
-    /// Bytes from the first element on; empty for an accessor of zeros with sparse values.
+    /// Bytes from the first element on; empty for an accessor of zeros.
     bytes: &'b [u8],
     stride: usize,
     sparse: Option<Sparse<'b>>,
@@ -98,9 +98,6 @@ impl<'b> Source<'b> {
                 }
                 let bytes = slice(all, json.byte_offset.unwrap_or_default().0, count, stride, size);
                 (bytes.map_err(&fail)?, stride)
-            }
-            None if json.sparse.is_none() => {
-                return Err(fail("expected a buffer view or sparse values, found neither".to_owned()));
             }
             None if count > MAX_SPARSE_ONLY => {
                 return Err(fail(format!(
@@ -234,6 +231,11 @@ impl<'b> Accessor<'b> {
             };
         }
         values
+    }
+
+    /// Whether the components are floats.
+    pub fn is_float(&self) -> bool {
+        self.component == ComponentType::F32
     }
 
     /// Whether the components are unsigned integers, as indices must be.

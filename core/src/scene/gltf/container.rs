@@ -1,5 +1,6 @@
 //! Reads the bytes of a file: the chunks of a `.glb`, buffers, data URIs and external URIs.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 use base64::Engine as _;
@@ -33,7 +34,8 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<Chunks<'_>> {
     };
     let version = word(4)?;
     if version != 2 {
-        return Err(Error::scene(".glb header", format!("expected version 2, found {version}")));
+        let old = if version == 1 { ": glTF 1.0 is not read" } else { "" };
+        return Err(Error::scene(".glb header", format!("expected version 2, found {version}{old}")));
     }
     let end = word(8)? as usize;
     let whole =
@@ -51,10 +53,16 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<Chunks<'_>> {
             b"BIN\0" if binary.is_none() => binary = Some(chunk),
             _ => {}
         }
-        at += 8 + length.next_multiple_of(4);
+        let end = at + 8 + length;
+        at = if is_binary_chunk(&whole[end..]) { end } else { end.next_multiple_of(4) };
     }
     let json = json.ok_or_else(|| Error::scene(".glb file", "expected a JSON chunk, found none"))?;
     Ok(Chunks { json, binary })
+}
+
+/// Whether the bytes start with a header of a binary chunk. Some exporters do not pad the chunk before it, as they must.
+fn is_binary_chunk(bytes: &[u8]) -> bool {
+    bytes.get(4..8) == Some(b"BIN\0")
 }
 
 fn truncated(wanted: String, length: usize) -> Error {
@@ -72,18 +80,12 @@ impl<'r> External<'r> {
         Self { resolve, fetched: 0 }
     }
 
-    /// The bytes of a URI: decoded if it is a data URI, else requested from the caller by its percent-decoded
-    /// name.
+    /// The bytes of a URI: decoded if it is a data URI, else requested from the caller.
     pub fn fetch(&mut self, uri: &str, what: &str) -> Result<Vec<u8>> {
-        let bytes = match uri.strip_prefix("data:") {
+        let bytes = match data_of(uri) {
             Some(data) => decoded(data, what)?,
-            None => {
-                let name = percent_decoded(uri).ok_or_else(|| {
-                    Error::scene(what, format!("its URI `{uri}` is not percent-encoded UTF-8"))
-                })?;
-                (self.resolve)(&name)
-                    .map_err(|reason| Error::scene(what, format!("cannot read `{name}`: {reason}")))?
-            }
+            None => (self.resolve)(uri)
+                .map_err(|reason| Error::scene(what, format!("cannot read `{uri}`: {reason}")))?,
         };
         self.fetched += bytes.len() as u64;
         if self.fetched > MAX_FETCHED {
@@ -130,13 +132,13 @@ pub(super) fn buffers<'b>(
             Some(uri) => fetched.get(uri.as_str()).map(Vec::as_slice),
             None => binary.filter(|_| i == 0),
         };
-        if bytes.is_none() && !read[i] {
+        let expected = buffer.byte_length.0;
+        if bytes.is_none() && (!read[i] || expected == 0) {
             return Ok(&[][..]);
         }
         let bytes = bytes.ok_or_else(|| {
             Error::scene(what(), "expected a URI or the binary chunk of a .glb, found neither")
         })?;
-        let expected = buffer.byte_length.0;
         usize::try_from(expected).ok().and_then(|length| bytes.get(..length)).ok_or_else(|| {
             Error::scene(what(), format!("it is truncated: expected {expected} bytes, found {}", bytes.len()))
         })
@@ -175,35 +177,55 @@ pub(super) fn view<'b>(root: &json::Root, buffers: &[&'b [u8]], index: usize) ->
     })
 }
 
+/// A data URI without its scheme, whose letters may be of either case; `None` for other URIs.
+pub(super) fn data_of(uri: &str) -> Option<&str> {
+    let (scheme, data) = uri.split_at_checked("data:".len())?;
+    scheme.eq_ignore_ascii_case("data:").then_some(data)
+}
+
 /// Decodes a data URI (RFC 2397) without its scheme.
 fn decoded(data: &str, what: &str) -> Result<Vec<u8>> {
     let (header, payload) = data
         .split_once(',')
         .ok_or_else(|| Error::scene(what, "expected a comma in its data URI, found none"))?;
-    if !header.ends_with(";base64") {
-        return Err(Error::scene(what, format!("expected a base64 data URI, found `data:{header:.40}`")));
+    let payload = percent_decoded(payload);
+    let ends = |ending: &str| header.len().checked_sub(ending.len()).and_then(|start| header.get(start..));
+    if !ends(";base64").is_some_and(|end| end.eq_ignore_ascii_case(";base64")) {
+        return Ok(payload.into_owned());
     }
-    // Files in use often leave out the padding.
+    // Files in use often leave out the padding, or break lines.
     let engine = base64::engine::GeneralPurpose::new(
         &base64::alphabet::STANDARD,
         base64::engine::general_purpose::PAD
             .with_decode_padding_mode(base64::engine::DecodePaddingMode::Indifferent),
     );
-    engine.decode(payload).map_err(|e| Error::scene(what, format!("its data URI is not base64: {e}")))
+    let payload = if payload.iter().any(u8::is_ascii_whitespace) {
+        payload.iter().copied().filter(|byte| !byte.is_ascii_whitespace()).collect()
+    } else {
+        payload
+    };
+    engine.decode(&payload).map_err(|e| Error::scene(what, format!("its data URI is not base64: {e}")))
 }
 
-fn percent_decoded(uri: &str) -> Option<String> {
-    let mut bytes = Vec::with_capacity(uri.len());
-    let mut rest = uri.as_bytes();
-    while let Some((&first, tail)) = rest.split_first() {
-        rest = tail;
-        if first != b'%' {
-            bytes.push(first);
-            continue;
-        }
-        let digits = rest.get(..2).filter(|d| d.iter().all(u8::is_ascii_hexdigit))?;
-        bytes.push(u8::from_str_radix(std::str::from_utf8(digits).ok()?, 16).ok()?);
-        rest = &rest[2..];
+/// Replaces percent codes by their bytes (RFC 3986, section 2.1); what is no code stays.
+fn percent_decoded(text: &str) -> Cow<'_, [u8]> {
+    if !text.contains('%') {
+        return Cow::Borrowed(text.as_bytes());
     }
-    String::from_utf8(bytes).ok()
+    let mut bytes = Vec::with_capacity(text.len());
+    let mut rest = text.as_bytes();
+    while let Some((&first, tail)) = rest.split_first() {
+        let digit = |i: usize| tail.get(i).and_then(|byte| char::from(*byte).to_digit(16));
+        match (first, digit(0), digit(1)) {
+            (b'%', Some(high), Some(low)) => {
+                bytes.push((16 * high + low) as u8);
+                rest = &tail[2..];
+            }
+            _ => {
+                bytes.push(first);
+                rest = tail;
+            }
+        }
+    }
+    Cow::Owned(bytes)
 }

@@ -7,6 +7,7 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
+use super::json_text;
 use super::support::Survey;
 use super::text::{MAX_NAME, clipped};
 use crate::scene::NotShown;
@@ -33,10 +34,9 @@ impl Document {
         if matches!(text, Cow::Owned(_)) {
             warnings.push("what of its JSON is not UTF-8 is replaced by U+FFFD".to_owned());
         }
-        let mut whole = serde_json::from_str(&text).map_err(|e| other_data(&text, &e))?;
+        let mut whole = json_text::read(&text).map_err(|e| other_data(&text, &e))?;
         drop(text);
         version(&whole)?;
-        integers(&mut whole);
         hide(&mut whole);
         let (value, not_shown) = Survey::of(&whole)?;
         drop(whole);
@@ -94,22 +94,6 @@ fn version(document: &Value) -> Result<()> {
         }
     }
     Ok(())
-}
-
-/// Turns numbers like `4.0` into integers, which they are in JSON.
-fn integers(value: &mut Value) {
-    match value {
-        Value::Array(all) => all.iter_mut().for_each(integers),
-        Value::Object(members) => members.values_mut().for_each(integers),
-        Value::Number(number) => {
-            const EXACT: f64 = (1_u64 << 53) as f64;
-            let whole = number.as_f64().filter(|x| number.is_f64() && x.fract() == 0.0 && x.abs() < EXACT);
-            if let Some(whole) = whole.filter(|x| x.is_sign_positive() || *x != 0.0) {
-                *number = (whole as i64).into();
-            }
-        }
-        _ => {}
-    }
 }
 
 /// Takes meshes and lights from nodes that KHR_node_visibility hides, and from those below them.

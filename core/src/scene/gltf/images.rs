@@ -9,7 +9,8 @@ use json::texture::{MagFilter, WrappingMode};
 use json::validation::Checked;
 
 use super::accessors::Source;
-use super::container::External;
+use super::container::{self, External};
+use super::jpeg;
 #[cfg(feature = "ktx2")]
 use super::ktx2;
 use crate::scene::{Image8, Texture, Wrap};
@@ -63,21 +64,23 @@ enum Origin {
 pub(super) struct Textures {
     pub textures: Vec<Texture>,
     pub images: Vec<Image8>,
+    /// A sentence for each image whose file is missing.
+    pub warnings: Vec<String>,
     /// Number of texels that may still be decoded.
     room: u64,
     texture_of: HashMap<usize, Option<u32>>,
-    image_of: HashMap<Origin, u32>,
+    image_of: HashMap<Origin, Option<u32>>,
 }
 
 impl Textures {
     /// No textures yet, with a limit of `room` texels.
     pub fn new(room: u64) -> Self {
-        let (textures, images) = (Vec::new(), Vec::new());
-        Self { textures, images, room, texture_of: HashMap::new(), image_of: HashMap::new() }
+        let (textures, images, warnings) = (Vec::new(), Vec::new(), Vec::new());
+        Self { textures, images, warnings, room, texture_of: HashMap::new(), image_of: HashMap::new() }
     }
 
-    /// The scene's texture for a texture of the file, loaded on first use; `None` if no supported image is its
-    /// source (some extensions define other sources).
+    /// The scene's texture for a texture of the file, loaded on first use; `None` if it has no image that is there, of a
+    /// format that is read (some extensions define other sources).
     pub fn load(
         &mut self,
         source: &Source<'_>,
@@ -92,20 +95,26 @@ impl Textures {
         let json = root.textures.get(index).ok_or_else(|| {
             Error::scene(&what, format!("no such texture; the file has {}", root.textures.len()))
         })?;
-        let loaded = match image_of(json, &what)? {
+        let image = match image_of(json, &what)? {
             None => None,
-            Some(index) => {
-                let image = self.image(source, external, index)?;
-                let texture = sampler(root, json, &what)?;
-                self.textures.push(Texture { image, ..texture });
-                Some((self.textures.len() - 1) as u32)
-            }
+            Some(index) => self.image(source, external, index)?,
         };
+        let texture = sampler(root, json, &what)?;
+        let loaded = image.map(|image| {
+            self.textures.push(Texture { image, ..texture });
+            (self.textures.len() - 1) as u32
+        });
         self.texture_of.insert(index, loaded);
         Ok(loaded)
     }
 
-    fn image(&mut self, source: &Source<'_>, external: &mut External<'_>, index: usize) -> Result<u32> {
+    /// The scene's image for an image of the file; `None`, with a warning, if its file is missing.
+    fn image(
+        &mut self,
+        source: &Source<'_>,
+        external: &mut External<'_>,
+        index: usize,
+    ) -> Result<Option<u32>> {
         let images = &source.root.images;
         let what = format!("image {index}");
         let json = images
@@ -121,12 +130,25 @@ impl Textures {
         if let Some(known) = self.image_of.get(&origin) {
             return Ok(*known);
         }
-        let image = match &origin {
-            Origin::View(view) => self.decode(source.view(*view)?, &what)?,
-            Origin::Uri(uri) => self.decode(&external.fetch(uri, &what)?, &what)?,
+        let fetched;
+        let bytes = match &origin {
+            Origin::View(view) => Some(source.view(*view)?),
+            Origin::Uri(uri) => {
+                fetched = match external.fetch(uri, &what) {
+                    Err(error) if container::data_of(uri).is_none() => {
+                        self.warnings.push(error.to_string());
+                        None
+                    }
+                    fetched => Some(fetched?),
+                };
+                fetched.as_deref()
+            }
         };
-        self.images.push(image);
-        let place = (self.images.len() - 1) as u32;
+        let image = bytes.map(|bytes| self.decode(bytes, &what)).transpose()?;
+        let place = image.map(|image| {
+            self.images.push(image);
+            (self.images.len() - 1) as u32
+        });
         self.image_of.insert(origin, place);
         Ok(place)
     }
@@ -156,9 +178,13 @@ impl Textures {
             image::guess_format(bytes).ok().filter(|format| FORMATS.contains(format)).ok_or_else(|| {
                 fail(format!("cannot be decoded: expected one of {NAMES}, found another format"))
             })?;
-        if format == ImageFormat::Jpeg && !jpeg_ends(bytes) {
-            return Err(fail("cannot be decoded: the JPEG is truncated, it has no end marker".to_owned()));
-        }
+        let bytes = match format {
+            // Decoders fill in truncated data silently.
+            ImageFormat::Jpeg => jpeg::whole(bytes).ok_or_else(|| {
+                fail("cannot be decoded: the JPEG is truncated, it has no end marker".to_owned())
+            })?,
+            _ => bytes,
+        };
         let held = bytes.len() as u64 * TEXELS_PER_BYTE;
         let mut limits = image::Limits::no_limits();
         limits.max_image_width = Some(MAX_SIDE);
@@ -208,12 +234,6 @@ fn image_of(json: &json::Texture, what: &str) -> Result<Option<usize>> {
     }
     // The `gltf` crate's placeholder for a missing source.
     Ok(Some(json.source.value()).filter(|index| *index != u32::MAX as usize))
-}
-
-/// Whether an EOI marker follows the last SOS (ITU T.81, annex B), as decoders fill in truncated data silently.
-fn jpeg_ends(bytes: &[u8]) -> bool {
-    let last = |code: u8| bytes.windows(2).rposition(|marker| marker == [0xff, code]);
-    last(0xd9).is_some_and(|end| last(0xda).is_none_or(|scan| scan < end))
 }
 
 fn sampler(root: &json::Root, json: &json::Texture, what: &str) -> Result<Texture> {

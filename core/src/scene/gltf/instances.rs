@@ -236,6 +236,7 @@ pub(super) fn add<'b>(
     }
     told.warn(&mut scene.warnings);
     let Opener { materials, textures, .. } = opener;
+    scene.warnings.extend(textures.warnings);
     (scene.materials, scene.textures, scene.images) =
         (materials.materials, textures.textures, textures.images);
     Ok(())

@@ -66,6 +66,10 @@ impl Materials {
                 let mut material = factors(json, &what, warnings)?;
                 let mut load = |texture: usize| textures.load(source, external, texture);
                 let reads = slots::read(json, &what, &mut material, warnings, &mut load)?;
+                if json.emissive_texture.is_some() && material.emissive_texture.is_none() {
+                    // Without its texture, all of the surface would glow.
+                    material.emission = Vec3::ZERO;
+                }
                 (material, reads)
             }
         };

@@ -216,6 +216,15 @@ impl<'b> Mesh<'b> {
     ) -> Result<Added> {
         let vertices = Vertices::of(self, placement)?;
         let unnormalized = vertices.unnormalized;
+        let without = vertices.normals.iter().filter(|normal| normal.is_none()).count();
+        if without > 0 {
+            let warning =
+                format!("{}: {without} of its normals have no direction, the faces' count", self.what);
+            // Instances have the same.
+            if scene.warnings.last() != Some(&warning) {
+                scene.warnings.push(warning);
+            }
+        }
         let before = scene.positions.len();
         let object = scene.objects.len() as u32;
         for i in 0..self.triangles() {

@@ -34,14 +34,18 @@ mod document;
 mod draco;
 mod images;
 mod instances;
+mod jpeg;
+mod json_text;
 #[cfg(feature = "ktx2")]
 mod ktx2;
 mod layers;
+mod lights;
 mod materials;
 mod meshes;
 mod meshopt;
 mod nodes;
 mod normalized;
+mod origin;
 mod pose;
 mod slots;
 mod support;
@@ -86,14 +90,15 @@ fn import(bytes: &[u8], resolve: &mut Resolve<'_>, variant: Option<&str>) -> Res
     }
     let orphans = orphans(&root);
     let roots = shown.and_then(|index| root.scenes.get(index)).map_or(&orphans, |scene| &scene.nodes);
-    let placed = nodes::placed(&root, roots)?;
+    let mut placed = nodes::placed(&root, roots)?;
+    scene.origin = origin::recentre(&source, &mut placed);
     for node in &placed {
         nodes::equip(&root, node, &mut scene)?;
     }
     instances::add(&source, &placed, variant, &mut external, &mut scene)?;
 
     let Some((low, high)) = scene.bounds() else {
-        return Err(Error::scene("file", "the scene holds no triangles that have an area"));
+        return Err(Error::scene("file", nothing(&placed)));
     };
     if scene.cameras.is_empty() {
         scene.cameras.push(("framing".to_owned(), Camera::framing(low, high)));
@@ -102,9 +107,7 @@ fn import(bytes: &[u8], resolve: &mut Resolve<'_>, variant: Option<&str>) -> Res
         scene.surround(EnvironmentMap::studio());
         scene.is_lit_by_studio = true;
     }
-    for light in &mut scene.lights {
-        light.radius = FIXTURE * (high - low).max_element();
-    }
+    lights::complete(&mut scene.lights, &mut scene.warnings, (low, high));
     for warning in &mut scene.warnings {
         *warning = text::sentence(warning);
     }
@@ -112,9 +115,17 @@ fn import(bytes: &[u8], resolve: &mut Resolve<'_>, variant: Option<&str>) -> Res
     Ok(scene)
 }
 
-/// Radius of an imported light in units of the scene's longest side. Files place lights inside fixtures and flush
-/// with ceilings, and the extension defines no size.
-const FIXTURE: f32 = 0.01;
+/// Why there is nothing to show.
+fn nothing(placed: &[nodes::Placed<'_>]) -> String {
+    let what = "the scene holds no triangles that have an area";
+    if placed.is_empty() {
+        return format!("{what}: it is empty, it has no nodes");
+    }
+    match placed.iter().any(|node| node.json.mesh.is_some()) {
+        true => what.to_owned(),
+        false => format!("{what}: none of its nodes has a mesh"),
+    }
+}
 
 /// Index of the scene that is shown; `None` if the file has no scenes.
 fn shown(root: &json::Root) -> Result<Option<usize>> {

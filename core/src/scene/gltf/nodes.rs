@@ -8,7 +8,7 @@ use json::validation::Checked;
 use super::normalized::flushed3;
 use super::text::{MAX_NAME, clipped};
 use crate::scene::camera::Camera;
-use crate::scene::{Light, LightKind, MAX_COORDINATE, MAX_LIGHTS, MAX_RADIANCE, MIN_RANGE, Scene};
+use crate::scene::{Light, LightKind, MAX_COORDINATE, MAX_RADIANCE, MIN_RANGE, Scene};
 use crate::{Error, Result};
 
 /// Tolerance for the last row of a matrix, which exporters may round and which is not used.
@@ -90,12 +90,6 @@ pub(super) fn equip(root: &json::Root, node: &Placed<'_>, scene: &mut Scene) -> 
     }
     let light = node.json.extensions.as_ref().and_then(|e| e.khr_lights_punctual.as_ref());
     if let Some(light) = light {
-        if scene.lights.len() == MAX_LIGHTS {
-            return Err(Error::scene(
-                format!("light of node {}", node.index),
-                format!("expected at most {MAX_LIGHTS} lights, found more"),
-            ));
-        }
         scene.lights.push(import_light(root, node, light.light.value())?);
     }
     Ok(())

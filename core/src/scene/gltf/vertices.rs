@@ -110,7 +110,7 @@ impl Vertices {
                 positions = used.map(|i| position(mesh, i, world.transform_point3(local(i))))?;
                 let cofactors = cofactors(&world);
                 normals =
-                    used.all(&mesh.normals, |a, i| normal(mesh, a, placement.weights, &cofactors, i))?;
+                    used.all(&mesh.normals, |a, i| Ok(normal(mesh, a, placement.weights, &cofactors, i)))?;
                 tangents =
                     used.all(&mesh.tangents, |a, i| Ok(tangent(mesh, a, placement.weights, &world, i)))?;
             }
@@ -123,7 +123,7 @@ impl Vertices {
                 })?;
                 normals = used.all(&mesh.normals, |a, i| {
                     let blend = mesh.deformation.blend(&mesh.what, joints, i)?;
-                    normal(mesh, a, placement.weights, &cofactors(&blend.matrix), i)
+                    Ok(normal(mesh, a, placement.weights, &cofactors(&blend.matrix), i))
                 })?;
                 tangents = used.all(&mesh.tangents, |a, i| {
                     let blend = mesh.deformation.blend(&mesh.what, joints, i)?;
@@ -184,21 +184,22 @@ fn position(mesh: &Mesh<'_>, i: usize, world: DVec3) -> Result<Vec3> {
     Err(bad(mesh, format_args!("POSITION"), i, &found, expected))
 }
 
+/// The encoded normal of a vertex; `None`, which stands for the face's, where it has no direction.
 fn normal(
     mesh: &Mesh<'_>,
     accessor: &Accessor<'_>,
     weights: &[f32],
     cofactors: &DMat3,
     i: usize,
-) -> Result<Option<u32>> {
+) -> Option<u32> {
     let stored = accessor.floats::<3>(i);
     let displacement = mesh.deformation.displacement(Displaced::Normal, weights, i);
     let n = DVec3::from(stored.map(f64::from)) + displacement;
     if !n.is_finite() {
-        return Err(bad(mesh, format_args!("NORMAL"), i, &n.to_array(), format_args!("a finite vector")));
+        return None;
     }
     let n = (*cofactors * n).normalize_or_zero();
-    Ok((n != DVec3::ZERO).then(|| octahedral_encode(n.as_vec3())))
+    (n != DVec3::ZERO).then(|| octahedral_encode(n.as_vec3()))
 }
 
 /// Checks transformed texture coordinates.

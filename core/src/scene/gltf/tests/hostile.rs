@@ -31,7 +31,7 @@ fn what_a_file_says_is_quoted_short_and_without_control_characters() {
     file.json["cameras"] =
         json!([{ "name": loud, "type": "perspective", "perspective": { "yfov": 1, "znear": 1 } }]);
     file.json["nodes"][0]["camera"] = json!(0);
-    file.json["materials"] = json!([{ "name": loud, "alphaMode": "BLEND" }]);
+    file.json["materials"] = json!([{ "name": loud, "alphaCutoff": -1, "alphaMode": "MASK" }]);
     file.primitive()["material"] = json!(0);
     let scene = file.scene();
     let said = [&scene.objects[0].name, &scene.cameras[0].0, &scene.materials[0].name, &scene.warnings[0]];

@@ -8,6 +8,7 @@ mod hostile;
 mod materials;
 mod pictures;
 mod poses;
+mod valid;
 
 use base64::Engine as _;
 use serde_json::{Value, json};
