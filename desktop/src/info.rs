@@ -286,7 +286,7 @@ mod tests {
             "scene     ball.glb: 0 triangles, 1 sphere, 1 object, 1 light, 0 textures",
             "linked    glossy, spheres, reflection, lights",
             "texture_atlas, texture_mip, vertex_attributes, vertex_buffers, ",
-            "), 4 of 14 bindings (atlas_color, atlas_data, probe_points, vertices), 28 of 44 bytes of attributes every two samples",
+            "), 4 of 14 bindings (atlas_color, atlas_data, probe_points, vertices), 28 of 72 bytes of attributes every two samples",
             "bounds    (0, 1, 2) to (2, 3, 4), sides (2, 2, 2)",
             "camera    0 (front) at",
             "light     directional along (0, -1, 0), intensity (1, 0.5, 0.25)",

@@ -5,7 +5,7 @@ use glimpse::{
     Camera, Scene,
     scene::{
         Environment, Image8, Light, LightKind, Material, SlotCoordinates, SpecularGlossiness, Texture,
-        TextureSlot, Weights, Wrap, octahedral_encode,
+        TextureSlot, WHITE, Weights, Wrap, octahedral_encode,
     },
 };
 
@@ -281,12 +281,65 @@ fn bend_normals(scene: &mut Scene, object: u32) {
 
 /// Sets vertex colours of all triangles, most of them white.
 fn paint_corners(scene: &mut Scene) {
-    let word = |c: Vec4| u32::from_le_bytes(c.to_array().map(|x| (255.0 * x).round() as u8));
-    let white = [u32::MAX; 3];
+    let word = |c: Vec4| c.to_array().map(|x| (65535.0 * x).round() as u16);
     let bright =
         [Vec4::new(1.0, 0.4, 0.3, 1.0), Vec4::new(0.2, 1.0, 0.5, 1.0), Vec4::new(0.3, 0.5, 1.0, 1.0)];
     scene.colors =
-        (0..scene.positions.len()).map(|i| if i % 5 == 3 { bright.map(word) } else { white }).collect();
+        (0..scene.positions.len()).map(|i| if i % 5 == 3 { bright.map(word) } else { [WHITE; 3] }).collect();
+}
+
+/// Layers that cover in part, by factor, texture and vertices, matte and reflecting, seen directly, in a mirror and
+/// through glass, with shadows through them; single-sided surfaces, and an emitter behind a layer.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn coverage() -> Scene {
+    let mut b = Builder::new();
+    let image = b.image(noise(8, 8, 5));
+    let texture = b.texture(Texture { image, wrap: [Wrap::Repeat, Wrap::MirroredRepeat], nearest: false });
+    let floor = b.object(Material { roughness: 0.4, ..matte(vec3(0.6, 0.55, 0.5)) });
+    b.quad(floor, vec3(-3.0, 0.0, 2.0), 6.0 * Vec3::X, -5.0 * Vec3::Z);
+    let back = b.object(matte(vec3(0.3, 0.5, 0.8)));
+    b.quad(back, vec3(-3.0, 0.0, -2.0), 6.0 * Vec3::X, 3.0 * Vec3::Y);
+    let layer = |alpha: f32, m: Material| Material { blends: true, alpha, ..m };
+    let leaf = b.object(layer(0.9, Material { base_color_texture: Some(texture), ..matte(Vec3::ONE) }));
+    b.textured_quad(
+        leaf,
+        [vec3(-1.6, 0.2, 0.3), vec3(1.0, 0.0, -0.2), vec3(0.0, 1.2, -0.1)],
+        [vec2(-0.2, 0.1), vec2(0.7, 0.8)],
+    );
+    let tinted = b.object(layer(0.35, Material { roughness: 0.2, ..matte(vec3(0.9, 0.2, 0.1)) }));
+    b.quad(tinted, vec3(-0.9, 0.1, 0.6), vec3(1.1, 0.0, 0.3), 0.9 * Vec3::Y);
+    let faded = b.object(layer(1.0, matte(vec3(0.2, 0.8, 0.3))));
+    b.quad(faded, vec3(-0.3, 0.3, -0.4), vec3(1.3, 0.0, 0.2), 1.1 * Vec3::Y);
+    let bubble = b.object(layer(0.3, Material { roughness: 0.1, ..matte(vec3(0.4, 0.4, 0.9)) }));
+    b.sphere(bubble, vec3(1.4, 0.6, 0.4), 0.45);
+    let silver = b.object(mirror(vec3(0.9, 0.9, 0.85)));
+    b.quad(silver, vec3(2.2, 0.1, -1.8), vec3(0.0, 0.0, 3.0), 2.0 * Vec3::Y);
+    let pane = b.object(Material { thin: true, ..glass(1.5) });
+    b.quad(pane, vec3(-2.2, 0.1, 1.2), 0.9 * Vec3::X, 1.3 * Vec3::Y);
+    for (i, (u, v)) in
+        [(0.5 * Vec3::X, 0.7 * Vec3::Y), (0.7 * Vec3::Y, 0.5 * Vec3::X)].into_iter().enumerate()
+    {
+        let screen = b.object(Material { double_sided: false, ..matte(vec3(0.9, 0.8, 0.2)) });
+        b.quad(screen, vec3(-2.6 + 0.7 * i as f32, 0.9, -1.2), u, v);
+    }
+    let glow = b.object(Material { emission: vec3(3.0, 2.5, 2.0), ..matte(Vec3::ZERO) });
+    b.quad(glow, vec3(-0.6, 1.9, -1.2), 0.8 * Vec3::X, 0.4 * Vec3::Z);
+    let gauze = b.object(layer(0.5, matte(vec3(0.8, 0.8, 0.8))));
+    b.quad(gauze, vec3(-1.0, 1.7, -1.5), 1.6 * Vec3::X, 1.0 * Vec3::Z);
+    b.point_light(vec3(0.2, 2.6, 1.4), vec3(7.0, 6.5, 6.0));
+    b.point_light(vec3(-1.5, 2.4, -0.4), vec3(2.0, 2.5, 3.0));
+    b.environment(vec3(0.2, 0.3, 0.4), vec3(0.06, 0.06, 0.07));
+    let camera = Camera::look_at(vec3(0.1, 1.1, 3.8), vec3(-0.1, 0.8, 0.0), 0.8).expect("a valid camera");
+    let mut scene = b.seen_by(camera);
+    let fading = |p: Vec3| [u16::MAX, 40_000, 50_000, (65_535.0 * (p.y - 0.3).clamp(0.0, 1.0)) as u16];
+    let corners = scene.positions.iter().zip(&scene.triangle_objects);
+    scene.colors = corners
+        .map(|(corners, object)| if *object == faded { corners.map(fading) } else { [WHITE; 3] })
+        .collect();
+    scene
 }
 
 /// A fine pattern behind a glass ball and a pane, and in a mirror ball: it appears magnified and reduced.

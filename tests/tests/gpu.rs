@@ -5,6 +5,7 @@ mod gpu {
     mod agreement;
     mod checks;
     mod closed_forms;
+    mod coverage;
     mod cpu_tracer;
     mod denoise;
     mod device;
@@ -20,6 +21,7 @@ mod gpu {
     mod renderer;
     mod scenes;
     mod sequences;
+    mod sides;
     mod stress;
     mod supersample;
     mod traversal;

@@ -11,7 +11,7 @@ use crate::{
     device::environment::GpuEnvironment,
     device::material_records::Records,
     device::{SceneStorage, Tier, mirror::gpu_struct},
-    scene::{self, Emitters, Environment, LightKind, MAX_LIGHTS, Material, Scene, Thinness},
+    scene::{self, Emitters, Environment, LightKind, MAX_LIGHTS, Material, Scene, Thinness, WHITE},
 };
 
 /// Coordinate that marks a sphere among the primitives; coordinates of triangles are at most
@@ -19,18 +19,23 @@ use crate::{
 pub const SPHERE_MARK: f32 = 3.0e38;
 /// Mask of the object index in a primitive's surface word; the bits above hold flags.
 pub const SURFACE_OBJECT: u32 = 0x00ff_ffff;
+/// Surface flag: alpha is the share that the primitive covers.
+pub const SURFACE_BLEND: u32 = 0x1000_0000;
+/// Surface flag: rays other than shadow rays pass through the back of the triangle.
+pub const SURFACE_SINGLE_SIDED: u32 = 0x2000_0000;
 /// Surface flag: shadow rays ignore the primitive.
 pub const SURFACE_NO_SHADOW: u32 = 0x4000_0000;
 /// Surface flag: the alpha of the primitive's texture cuts holes.
 pub const SURFACE_ALPHA: u32 = 0x8000_0000;
 const MAX_OBJECTS: usize = SURFACE_OBJECT as usize + 1;
 
-/// Flags of an object's material: unlit, thin-walled, with vertex weights, matte (only the base colour is read),
-/// extended (the bits of `weights[0]` are the place of its record).
+/// Flags of an object's material: unlit, thin-walled, with explicit weights, matte (only the base colour is read),
+/// with alpha as its coverage, extended (the bits of `weights[0]` are the place of its record).
 pub const OBJECT_UNLIT: u32 = 1;
 pub const OBJECT_THIN: u32 = 2;
 pub const OBJECT_WEIGHTS: u32 = 4;
 pub const OBJECT_MATTE: u32 = 8;
+pub const OBJECT_BLEND: u32 = 16;
 pub const OBJECT_EXTENDED: u32 = 32;
 
 /// Kinds of lights: the irradiance of a point light falls off with the square of the distance, that of a
@@ -85,6 +90,18 @@ pub struct SceneFacts {
     pub objects: u32,
     /// Number of probe points on thin features.
     pub probe_points: u32,
+}
+
+impl SceneFacts {
+    /// Words of vertex attributes a primitive: six of texture coordinates, then six of colours. Without colours
+    /// there are none, without either there is nothing.
+    pub fn vertex_stride(texcoords: bool, colors: bool) -> u32 {
+        match (texcoords, colors) {
+            (false, false) => 0,
+            (true, false) => 6,
+            (_, true) => 12,
+        }
+    }
 }
 
 /// A scene on the device: geometry, acceleration structure, materials, lights and textures. Clones share the same
@@ -152,7 +169,7 @@ impl GpuScene {
         scene.normals = Vec::new();
         let has_texcoords = !scene.texcoords.is_empty();
         let has_colors = !scene.colors.is_empty();
-        let vertices = gpu.vertices("vertices", &vertices(&scene, &order), has_texcoords, has_colors)?;
+        let vertices = gpu.vertices("vertices", &vertices(&scene, &order), order.len())?;
         let records = Records::of(&scene, &order, &atlas, (OBJECT_PARTS * scene.objects.len()) as u32);
         let objects = scene.objects.iter().map(|o| {
             let place = records.places[o.material as usize];
@@ -306,27 +323,36 @@ fn shading(scene: &Scene, order: &[u32]) -> Vec<[u32; 4]> {
         let material = &scene.materials[scene.objects[object as usize].material as usize];
         let alpha = if material.alpha_cutoff.is_some() { SURFACE_ALPHA } else { 0 };
         let shadow = if material.casts_shadow { 0 } else { SURFACE_NO_SHADOW };
-        object | alpha | shadow
+        let sides = if material.is_single_sided() { SURFACE_SINGLE_SIDED } else { 0 };
+        let blend = if material.blends { SURFACE_BLEND } else { 0 };
+        object | alpha | shadow | sides | blend
     };
     let place = |&index: &u32| match scene.normals.get(index as usize) {
         Some(&[a, b, c]) => [a, b, c, flags(scene.triangle_objects[index as usize])],
-        None => [0, 0, 0, flags(scene.spheres[index as usize - scene.normals.len()].object)],
+        None => {
+            let object = scene.spheres[index as usize - scene.normals.len()].object;
+            [0, 0, 0, flags(object) & !SURFACE_SINGLE_SIDED]
+        }
     };
     order.iter().map(place).collect()
 }
 
-/// Vertex attributes by primitive: texture coordinates, then colours, if the scene has them. All primitives have
-/// the same stride.
+/// Vertex attributes by primitive: texture coordinates, then colours, two channels a word. All primitives have the
+/// same stride; colours come with coordinates.
 fn vertices(scene: &Scene, order: &[u32]) -> Vec<u32> {
     let (textured, colored) = (!scene.texcoords.is_empty(), !scene.colors.is_empty());
-    let mut words = Vec::with_capacity(order.len() * (6 * usize::from(textured) + 3 * usize::from(colored)));
+    let stride = SceneFacts::vertex_stride(textured, colored) as usize;
+    let mut words = Vec::with_capacity(order.len() * stride);
     for &index in order {
-        if textured {
+        if stride > 0 {
             let corners = scene.texcoords.get(index as usize).copied().unwrap_or_default();
             words.extend(corners.iter().flat_map(|t| [t.x.to_bits(), t.y.to_bits()]));
         }
         if colored {
-            words.extend(scene.colors.get(index as usize).copied().unwrap_or([u32::MAX; 3]));
+            let corners = scene.colors.get(index as usize).copied().unwrap_or([WHITE; 3]);
+            words.extend(
+                corners.as_flattened().chunks_exact(2).map(|two| u32::from(two[0]) | u32::from(two[1]) << 16),
+            );
         }
     }
     words
@@ -353,6 +379,7 @@ fn object(m: &Material, atlas: &Atlas, record: u32) -> Object {
             | flag(m.thin, OBJECT_THIN)
             | flag(m.weights.is_some(), OBJECT_WEIGHTS)
             | flag(m.is_matte(), OBJECT_MATTE)
+            | flag(m.blends, OBJECT_BLEND)
             | flag(record != 0, OBJECT_EXTENDED),
         base_color_texture: atlas.place(m.base_color_texture),
         metallic_roughness_texture: atlas.place(first.or(m.metallic_roughness_texture)),

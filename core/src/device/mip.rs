@@ -14,7 +14,7 @@ pub enum Content {
     Normal,
     /// sRGB colour, averaged in linear light; alpha is linear and is not a weight.
     Color,
-    /// sRGB colour with alpha cutouts, weighted by alpha, as the colour of holes is never visible. Fully
+    /// sRGB colour with alpha cutouts or coverage, weighted by alpha, as the colour of holes is never visible. Fully
     /// transparent texels take the colour of the next smaller level, since filters reach across the edges of
     /// holes.
     CutColor,
@@ -25,7 +25,7 @@ impl Content {
     pub fn of_images(scene: &Scene) -> Vec<Self> {
         let mut contents = vec![Self::Data; scene.images.len()];
         for m in &scene.materials {
-            let base = if m.alpha_cutoff.is_some() { Self::CutColor } else { Self::Color };
+            let base = if m.alpha_cutoff.is_some() || m.blends { Self::CutColor } else { Self::Color };
             for slot in TextureSlot::ALL {
                 let content = match slot {
                     TextureSlot::BaseColor => base,

@@ -59,29 +59,24 @@ impl Gpu {
         }
     }
 
-    /// Stores vertex attributes by primitive, like [`Gpu::words`]: six words of texture coordinates and three of
-    /// colours, each if present. In an image they take two texels and one, whose fourth word is 1.
-    pub(crate) fn vertices(
-        &self,
-        label: &str,
-        content: &[u32],
-        texcoords: bool,
-        colors: bool,
-    ) -> Result<SceneStorage> {
+    /// Stores vertex attributes by primitive, like [`Gpu::words`]. In an image they take three texels: the
+    /// coordinates of two corners, those of the third with its colour, and the colours of the first two. Colours are
+    /// inverted there, so that zeros, which stand where there is nothing, are white.
+    pub(crate) fn vertices(&self, label: &str, content: &[u32], primitives: usize) -> Result<SceneStorage> {
         if !self.tier.stores_images() {
             return self.words(label, content);
         }
-        let coordinates = 6 * usize::from(texcoords);
-        let stride = coordinates + 3 * usize::from(colors);
+        let stride = content.len() / primitives.max(1);
         let texels: Vec<_> = content
             .chunks_exact(stride.max(1))
             .flat_map(|words| {
-                let mut texels = [[0; 4]; 3];
-                texels.as_flattened_mut()[..coordinates].copy_from_slice(&words[..coordinates]);
-                if let [a, b, c] = words[coordinates..] {
-                    texels[2] = [a, b, c, 1];
-                }
-                texels
+                let at = |i: usize| words.get(i).copied().unwrap_or_default();
+                let color = |i: usize| words.get(6 + i).map_or(0, |word| !word);
+                [
+                    [at(0), at(1), at(2), at(3)],
+                    [at(4), at(5), color(4), color(5)],
+                    [color(0), color(1), color(2), color(3)],
+                ]
             })
             .collect();
         self.words(label, &texels)

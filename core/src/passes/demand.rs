@@ -59,8 +59,14 @@ impl AddAssign for Demand {
 /// Functions that a traversal calls only in a few of its primitive tests, so they are left out: edge signs that
 /// rounding does not decide, triangles beyond the range of f32, and the handling of hits, of which a ray has one
 /// or two.
-const RARE: [&str; 5] =
-    ["triangle_edge_sign", "triangle_scaled_edges", "bvh_ahead", "bvh_nearer", "any_hit_accepts"];
+const RARE: [&str; 6] = [
+    "triangle_edge_sign",
+    "triangle_scaled_edges",
+    "bvh_ahead",
+    "bvh_nearer",
+    "side_stops",
+    "any_hit_accepts",
+];
 /// Functions that average textures and have loops of their own. The model assumes three rows of three points
 /// each, on level 2 of one texture.
 const AVERAGES: [&str; 2] = ["texture_points", "texture_level"];

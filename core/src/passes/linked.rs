@@ -66,7 +66,7 @@ mod tests {
         let spared: Vec<_> = all.bindings.difference(&auto.bindings).map(String::as_str).collect();
         assert_eq!(spared, ["atlas_color", "atlas_data", "vertices"]);
         assert!(auto.bindings.is_subset(&all.bindings));
-        assert_eq!((auto.attribute_bytes, all.attribute_bytes), (16, 68));
+        assert_eq!((auto.attribute_bytes, all.attribute_bytes), (16, 72));
         for file in [
             "wgsl/scene/texture_atlas.wgsl",
             "wgsl/trace/ray_cone.wgsl",

@@ -66,6 +66,7 @@ impl FrameSpec {
                 wgsl!("wgsl/path/environment_nee.wgsl"),
                 wgsl!("wgsl/path/environment_bsdf.wgsl"),
             ),
+            pick(f.coverage, wgsl!("wgsl/path/layers_coverage.wgsl"), wgsl!("wgsl/path/layers_none.wgsl")),
             self.foveation(),
             self.eyes(),
             wgsl!("wgsl/denoise/gbuffer.wgsl"),

@@ -9,7 +9,10 @@ fn similarity_step(pixel: vec2u, a_pixel: vec2u, b_pixel: vec2u) {
     }
     let a = attributes_load(a_pixel);
     let b = attributes_load(b_pixel);
-    let failed = similarity_failed(a, a_pixel, b, b_pixel);
+    var failed = similarity_failed(a, a_pixel, b, b_pixel);
+    if failed == 0u {
+        failed = similarity_coverage_failed(a, b);
+    }
     if failed != 0u {
         list_append(pixel);
         inspect_failed(pixel, failed);

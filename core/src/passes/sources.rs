@@ -41,6 +41,11 @@ impl FrameSpec {
                     wgsl!("wgsl/adaptive/similarity_maps.wgsl"),
                     wgsl!("wgsl/adaptive/similarity_maps_none.wgsl"),
                 ),
+                pick(
+                    self.features.coverage,
+                    wgsl!("wgsl/adaptive/similarity_coverage.wgsl"),
+                    wgsl!("wgsl/adaptive/similarity_coverage_none.wgsl"),
+                ),
                 wgsl!("passes/similarity_step.wgsl"),
                 self.tile_order(),
                 entry,
@@ -91,7 +96,11 @@ impl FrameSpec {
     }
 
     pub(super) fn hit(&self) -> Source {
-        match (self.features.alpha_mask, self.features.shadow_filter) {
+        let f = &self.features;
+        if f.coverage || f.vertex_alpha {
+            return wgsl!("wgsl/trace/any_hit_coverage.wgsl");
+        }
+        match (f.alpha_mask, f.shadow_filter) {
             (true, _) => wgsl!("wgsl/trace/any_hit_alpha.wgsl"),
             (false, true) => wgsl!("wgsl/trace/any_hit_shadow.wgsl"),
             (false, false) => wgsl!("wgsl/trace/any_hit_opaque.wgsl"),
@@ -121,7 +130,12 @@ impl FrameSpec {
                 wgsl!("wgsl/supersample/secondary_hit.wgsl"),
                 wgsl!("wgsl/supersample/secondary_hit_none.wgsl"),
             ),
-            match (f.reflection, f.refraction) {
+            pick(
+                f.coverage,
+                wgsl!("wgsl/shade/straight_coverage.wgsl"),
+                wgsl!("wgsl/shade/straight_none.wgsl"),
+            ),
+            match (f.reflection, f.refraction || f.coverage) {
                 (_, true) => wgsl!("wgsl/shade/scatter_dielectric.wgsl"),
                 (true, false) => wgsl!("wgsl/shade/scatter_mirror.wgsl"),
                 (false, false) => wgsl!("wgsl/shade/scatter_none.wgsl"),
@@ -155,6 +169,11 @@ impl FrameSpec {
                     wgsl!("wgsl/trace/sphere_analytic.wgsl"),
                     wgsl!("wgsl/trace/sphere_none.wgsl"),
                 ),
+                pick(
+                    f.single_sided,
+                    wgsl!("wgsl/trace/sides_single.wgsl"),
+                    wgsl!("wgsl/trace/sides_both.wgsl"),
+                ),
                 hit,
                 pick(
                     self.averages_textures(),
@@ -167,7 +186,11 @@ impl FrameSpec {
                     wgsl!("wgsl/trace/surface_maps.wgsl"),
                     wgsl!("wgsl/trace/surface_maps_none.wgsl"),
                 ),
-                pick(f.lights, wgsl!("wgsl/shade/shadow_rays.wgsl"), wgsl!("wgsl/shade/shadow_none.wgsl")),
+                match (f.lights, f.coverage) {
+                    (true, true) => wgsl!("wgsl/shade/shadow_coverage.wgsl"),
+                    (true, false) => wgsl!("wgsl/shade/shadow_rays.wgsl"),
+                    (false, _) => wgsl!("wgsl/shade/shadow_none.wgsl"),
+                },
             ]
             .into_iter()
             .chain(self.vertex_sources()),
@@ -246,6 +269,7 @@ impl FrameSpec {
                 wgsl!("wgsl/shade/material_maps.wgsl"),
                 wgsl!("wgsl/shade/material_maps_none.wgsl"),
             ),
+            pick(f.coverage, wgsl!("wgsl/shade/coverage_blend.wgsl"), wgsl!("wgsl/shade/coverage_none.wgsl")),
         ]);
         sources.extend(match (f.glossy, f.extended_materials) {
             (_, true) => {

@@ -31,9 +31,10 @@ pub(super) const CHANNELS: &[(&str, Needed)] = &[
     ("NORMAL", |_| true),
     ("SHADOW", |spec| spec.shadow_shift().is_none()),
     ("FACE", |spec| spec.features.smooth_normals),
-    ("GCOL", |spec| spec.features.reflection || spec.features.refraction),
+    ("GCOL", |spec| spec.features.secondary_rays()),
     ("TEXCOORD", |spec| spec.features.textures),
     ("COLOR", |spec| spec.features.vertex_colors),
+    ("COLOR_BLUE", |spec| spec.features.vertex_colors),
     ("FOOTPRINT", FrameSpec::averages_textures),
     ("TANGENT", |spec| spec.features.normal_maps),
     ("FIRST_S", |spec| spec.features.slot_coordinates),
@@ -111,7 +112,7 @@ impl FrameSpec {
             inspect: false,
             records: false,
             output: Output::Display,
-            secondary: settings.supersamples() && (features.reflection || features.refraction),
+            secondary: settings.supersamples() && features.secondary_rays(),
             robustness: Robustness::default(),
         }
     }
@@ -155,7 +156,7 @@ impl FrameSpec {
 
     /// Index of the plane with a pixel's refinement round; it comes after the compared ones.
     pub(super) fn pixel_edge_round(&self) -> u32 {
-        if self.features.reflection || self.features.refraction { 7 } else { 5 }
+        if self.features.secondary_rays() { 7 } else { 5 }
     }
 
     /// Number of all planes of the attribute buffer, per two rows of samples.

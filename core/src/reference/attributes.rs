@@ -32,6 +32,8 @@ pub struct Attributes {
     pub texcoord: DVec2,
     /// Interpolated vertex colour, linear RGB.
     pub color: DVec3,
+    /// Interpolated alpha of the vertices.
+    pub alpha: f64,
     /// Footprint in texture coordinates: log2 of the second moments along s and t, and their correlation.
     pub footprint: DVec3,
     /// What extended materials need.
@@ -67,6 +69,7 @@ impl Attributes {
             gcol: DVec3::ZERO,
             texcoord: DVec2::ZERO,
             color: DVec3::ONE,
+            alpha: 1.0,
             footprint: footprint(DVec3::ZERO),
             maps: Maps::default(),
         }
@@ -85,6 +88,7 @@ impl Attributes {
         let gcol = rounding.vector(Cause::Storage, self.gcol, largest);
         let texcoord = rounding.pair(Cause::Storage, self.texcoord, 1.0);
         let color = rounding.vector(Cause::Storage, self.color, 1.0);
+        let alpha = rounding.number(Cause::Storage, self.alpha, 1.0);
         let footprint = displaced(self.footprint, rounding);
         let maps = self.maps.stored(features, rounding);
         Self {
@@ -102,10 +106,11 @@ impl Attributes {
                 DVec2::ZERO
             },
             color: if features.vertex_colors {
-                DVec3::from_array(color.to_array().map(|x| in_steps(x, 255.0)))
+                DVec3::from_array(color.to_array().map(|x| in_steps(x, 65535.0)))
             } else {
                 DVec3::ONE
             },
+            alpha: if features.vertex_colors { in_steps(alpha, 65535.0) } else { 1.0 },
             footprint: if features.textures { stored_footprint(footprint) } else { self.footprint },
             maps,
             ..*self

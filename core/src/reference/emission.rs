@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::{Ray, Reference, Rounding, Surface};
+use super::{Intersection, Ray, Reference, Rounding, Surface};
 
 /// Shadow rays end this factor beyond the point on the emitter, so that rounding does not decide the hit.
 const REACH: f64 = 1.001;
@@ -40,8 +40,7 @@ impl Reference {
             return None;
         }
         let ray = Ray { t_max: REACH * distance, ..s.spawn(direction, (0.0, 0.0), rounding) };
-        let intersection = self.first(&ray, Some(s.primitive), false, rounding)?;
-        let hit = self.surface(&ray, &intersection, rounding);
+        let (intersection, hit, share) = self.arrived(ray, s.primitive, primitive, rounding)?;
         // From outside, a ray hits the near side of a sphere, which hides points on the far side.
         let hidden = primitive >= self.scene.positions.len() && hit.inside != (normal.dot(direction) > 0.0);
         if intersection.primitive != primitive || hidden {
@@ -49,7 +48,50 @@ impl Reference {
         }
         let m = self.material(hit.object, hit.texcoord, hit.footprint, hit.color, &hit.maps);
         let density = self.density(hit.object, normal.dot(direction), distance);
-        Some(Emitted { radiance: m.emission, cosine, density })
+        Some(Emitted { radiance: share * m.emission, cosine, density })
+    }
+
+    /// Share of the light from infinity that arrives along a ray: 0 behind a surface that hides what is behind it.
+    pub(super) fn share_from_beyond(&self, mut ray: Ray, mut left: usize, rounding: &mut Rounding) -> f64 {
+        let mut share = 1.0;
+        while let Some(intersection) = self.first(&ray, Some(left), false, rounding) {
+            let hit = self.surface(&ray, &intersection, rounding);
+            let covered = self.coverage(hit.object, hit.texcoord, hit.footprint, hit.alpha);
+            if covered >= 1.0 {
+                return 0.0;
+            }
+            share *= 1.0 - covered;
+            ray = hit.spawn(ray.direction, (hit.width, hit.growth), rounding);
+            left = hit.primitive;
+        }
+        share
+    }
+
+    /// The first surface on the way to an emitter that hides what is behind it, or the emitter, and the share of the
+    /// emitter's light that passes the surfaces before it.
+    fn arrived(
+        &self,
+        mut ray: Ray,
+        mut left: usize,
+        emitter: usize,
+        rounding: &mut Rounding,
+    ) -> Option<(Intersection, Surface, f64)> {
+        let mut share = 1.0;
+        loop {
+            let intersection = self.first(&ray, Some(left), false, rounding)?;
+            let hit = self.surface(&ray, &intersection, rounding);
+            let covered = self.coverage(hit.object, hit.texcoord, hit.footprint, hit.alpha);
+            if intersection.primitive == emitter {
+                return Some((intersection, hit, share * covered));
+            }
+            if covered >= 1.0 {
+                return Some((intersection, hit, share));
+            }
+            share *= 1.0 - covered;
+            let t_max = ray.t_max - intersection.t;
+            ray = Ray { t_max, ..hit.spawn(ray.direction, (hit.width, hit.growth), rounding) };
+            left = hit.primitive;
+        }
     }
 
     /// Density of next-event estimation per unit of solid angle, for a point on an emitter seen at this cosine

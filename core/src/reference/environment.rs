@@ -86,11 +86,12 @@ impl Reference {
             return None;
         }
         let ray = s.spawn(direction, (0.0, 0.0), rounding);
-        if self.first(&ray, Some(s.primitive), false, rounding).is_some() {
+        let share = self.share_from_beyond(ray, s.primitive, rounding);
+        if share == 0.0 {
             return None;
         }
         let density = surroundings.distribution.density(d);
-        Some(Emitted { radiance: self.environment_radiance(direction), cosine, density })
+        Some(Emitted { radiance: share * self.environment_radiance(direction), cosine, density })
     }
 
     /// Whether the environment is a map.

@@ -143,7 +143,7 @@ impl Material {
     }
 
     /// Albedo of the diffuse lobe.
-    fn diffuse(&self, cosine: f64, inside: bool) -> DVec3 {
+    pub(super) fn diffuse(&self, cosine: f64, inside: bool) -> DVec3 {
         match self.weights {
             Some(weights) => self.base * f64::from(weights.diffuse),
             None => {

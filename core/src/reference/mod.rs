@@ -3,7 +3,7 @@
 //! | here | shaders |
 //! | --- | --- |
 //! | [`Tracer`] | `bvh.wgsl`, `triangle*.wgsl`, `sphere_analytic.wgsl` |
-//! | [`Reference::first`], [`Reference::occluded`], [`Reference::shadow_bits`] | `any_hit_*.wgsl`, `shadow_rays.wgsl` |
+//! | [`Reference::first`], [`Reference::unobstructed`], [`Reference::shadow_bits`] | `any_hit_*.wgsl`, `shadow_rays.wgsl` |
 //! | [`Reference::surface`], [`Reference::texture`], [`Reference::material`], [`Reference::arrival`] | `surface.wgsl`, `ray_cone.wgsl`, `texture_*.wgsl`, `material.wgsl`, `lights_punctual.wgsl` |
 //! | [`Reference::bumped`] | `surface_maps.wgsl`, `material_maps.wgsl` |
 //! | `Reference::environment_*` | `environment_*.wgsl` |

@@ -16,7 +16,7 @@ use super::{
     lobes::{Chosen, Lobes, cosine_weighted},
     stereo_reuse::{Mirror, Splat},
 };
-use crate::{DirectLight, Foveation, LightSelection, Roulette};
+use crate::{DirectLight, Foveation, LightSelection, MAX_RAYS, Roulette};
 
 /// Bounce level from which on Russian roulette may end a path.
 const ROULETTE_LEVEL: u32 = 3;
@@ -34,6 +34,8 @@ const EMITTER: u32 = 2;
 const POINT: u32 = 3;
 /// Dimension of the choice of a direction of the environment; the next one is that of the place in its texel.
 const ENVIRONMENT: u32 = 512;
+/// First dimension of the choices at partly covering surfaces, beyond those of all vertices.
+const LAYERS: u32 = 0x4000_0000;
 /// Distance between the dimensions of successive light samples.
 const LIGHT_SAMPLE: u32 = 1024;
 
@@ -68,6 +70,10 @@ struct Path<'a> {
     throughput: DVec3,
     /// Bounce level: 1 for the primary ray.
     level: u32,
+    /// Number of partly covering surfaces that the path has met, and whether it went straight on through one.
+    layers: (u32, bool),
+    /// Distance of the ray's origin from the last vertex; 0 unless the path went straight on.
+    passed: f64,
     /// Density with which the diffuse lobe sampled the ray, per unit of solid angle.
     density: Option<f64>,
     /// The first hit if it is a planar mirror.
@@ -96,6 +102,8 @@ impl ReferenceFrame<'_> {
             left: None,
             throughput: DVec3::ONE,
             level: 1,
+            layers: (0, false),
+            passed: 0.0,
             density: None,
             mirror: None,
             stereo_splat: None,
@@ -133,22 +141,25 @@ impl Path<'_> {
             return None;
         };
         let s = reference.surface(&self.ray, &intersection, rounding);
+        if self.goes_straight_on(&s, intersection.t, rounding) {
+            return Some(());
+        }
         let m = reference.material(s.object, s.texcoord, s.footprint, s.color, &s.maps);
         let s = reference.bumped(&s, &m, self.ray.direction);
-        self.throughput *= reference.absorbed(&s, intersection.t * self.ray.direction.length());
+        self.throughput *= reference.absorbed(&s, self.passed + intersection.t);
         self.search.arrive(intersection.t, m.emission);
         if m.unlit {
             self.radiance += self.throughput * m.base;
             return None;
         }
         if m.emission != DVec3::ZERO {
-            self.radiance += self.throughput * m.emission * self.weight(&s, intersection.t);
+            self.radiance += self.throughput * m.emission * self.weight(&s, self.passed + intersection.t);
         }
         if self.level == self.frame.settings.depth {
             return None;
         }
         let lobes = Lobes::of(reference, &s, &m, self.ray.direction, rounding);
-        if self.frame.settings.reuses_stereo() && self.stereo_splat.is_none() {
+        if self.frame.settings.reuses_stereo() && self.stereo_splat.is_none() && !self.layers.1 {
             let place = (self.pixel, self.level);
             let met = (&s, &m, &lobes);
             self.stereo_splat = self.frame.stereo_splat(place, &self.ray, met, &mut self.mirror, rounding);
@@ -165,6 +176,26 @@ impl Path<'_> {
         }
         self.foveate(foveation, rounding)?;
         self.leave(&s, &lobes, chosen?, rounding)
+    }
+
+    /// Continues the path straight through a surface that covers in part what is behind it, by chance.
+    fn goes_straight_on(&mut self, s: &Surface, distance: f64, rounding: &mut Rounding) -> bool {
+        let covered = self.frame.reference.coverage(s.object, s.texcoord, s.footprint, s.alpha);
+        let (met, _) = self.layers;
+        if covered >= 1.0 || met >= MAX_RAYS {
+            return false;
+        }
+        let [number, _] = self.rng.pair(LAYERS + met);
+        self.layers.0 += 1;
+        if rounding.number(Cause::Branch, number, 1.0) < covered {
+            return false;
+        }
+        self.search.arrive(distance, DVec3::ZERO);
+        self.layers.1 = true;
+        self.passed += distance;
+        self.ray = s.spawn(self.ray.direction, (s.width, s.growth), rounding);
+        self.left = Some(s.primitive);
+        true
     }
 
     /// Weight of emission that the path hits at this distance from its last vertex; next-event estimation
@@ -225,12 +256,11 @@ impl Path<'_> {
             return DVec3::ZERO;
         }
         let reference = self.frame.reference;
-        let shadow = reference.shadow_bits(s, rounding);
-        let lights = (0..reference.scene.lights.len()).filter(|i| shadow >> i & 1 == 0);
-        lights
+        (0..reference.scene.lights.len())
             .map(|i| {
                 let arrival = reference.arrival(i, s.position);
-                arrival.irradiance * s.normal.dot(arrival.direction).max(0.0)
+                let share = reference.light_share(s, i, rounding);
+                share * arrival.irradiance * s.normal.dot(arrival.direction).max(0.0)
             })
             .sum()
     }
@@ -305,6 +335,7 @@ impl Path<'_> {
         };
         self.ray = s.spawn(direction, cone, rounding);
         self.left = Some(s.primitive);
+        self.passed = 0.0;
         self.level += 1;
         Some(())
     }

@@ -1,6 +1,6 @@
 //! Traces a sample: a primary ray and the rays that follow from it (Whitted 1980), as a plain recursion.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::{
     Attributes, Cause, Intersection, Ray, Reference, Rounding, attributes, material::Shading,
@@ -38,7 +38,8 @@ pub struct Sample {
 }
 
 impl Reference {
-    /// The first hit that stops the ray: not holes cut by alpha, and for `shadow` rays not transmissive surfaces.
+    /// The first hit that stops the ray: not holes cut by alpha, for `shadow` rays not transmissive surfaces, and
+    /// for others not the backs of single-sided ones.
     #[must_use]
     pub fn first(
         &self,
@@ -46,6 +47,18 @@ impl Reference {
         left: Option<usize>,
         shadow: bool,
         rounding: &mut Rounding,
+    ) -> Option<Intersection> {
+        self.first_of(ray, left, shadow, rounding, |_, _| true)
+    }
+
+    /// Like [`Reference::first`]; of the hits that would stop the ray, those count that `counts` accepts.
+    pub(super) fn first_of(
+        &self,
+        ray: &Ray,
+        left: Option<usize>,
+        shadow: bool,
+        rounding: &mut Rounding,
+        counts: impl Fn(&Intersection, &mut Rounding) -> bool,
     ) -> Option<Intersection> {
         // Numbers in the intersection are as large as the scene's extent seen from the origin.
         let span = (self.bounds.0 - ray.origin).abs().max((self.bounds.1 - ray.origin).abs()).max_element();
@@ -56,7 +69,18 @@ impl Reference {
             ..*ray
         };
         let rounding = std::cell::RefCell::new(rounding);
-        self.tracer.first(&ray, left, |c| self.hit_counts(c, shadow, &mut rounding.borrow_mut()))
+        self.tracer.first(&ray, left, |c| {
+            (shadow || !self.passes_back(c, ray.direction))
+                && self.hit_counts(c, shadow, &mut rounding.borrow_mut())
+                && counts(c, &mut rounding.borrow_mut())
+        })
+    }
+
+    /// Whether a ray in this direction arrives at the back of a single-sided triangle.
+    fn passes_back(&self, intersection: &Intersection, direction: DVec3) -> bool {
+        let Some(corners) = self.scene.positions.get(intersection.primitive) else { return false };
+        let [a, b, c] = corners.map(|p| p.as_dvec3());
+        self.material_of(intersection.object).is_single_sided() && (b - a).cross(c - a).dot(direction) > 0.0
     }
 
     fn hit_counts(&self, intersection: &Intersection, shadow: bool, rounding: &mut Rounding) -> bool {
@@ -64,12 +88,26 @@ impl Reference {
         if shadow && !m.casts_shadow {
             return false;
         }
-        m.alpha_cutoff.is_none_or(|cutoff| {
-            let texcoord = self.texcoord(intersection, rounding);
-            let alpha = self.texture(m.base_color_texture, Encoding::Srgb, texcoord, DVec3::ZERO).w;
-            let alpha = rounding.number(Cause::TexelEdge, f64::from(m.alpha) * alpha, 1.0);
-            alpha >= f64::from(cutoff)
-        })
+        m.alpha_cutoff.is_none_or(|cutoff| self.alpha(intersection, rounding) >= f64::from(cutoff))
+    }
+
+    /// Alpha at a point of a surface, not averaged.
+    pub(super) fn alpha(&self, intersection: &Intersection, rounding: &mut Rounding) -> f64 {
+        let m = self.material_of(intersection.object);
+        let texcoord = self.texcoord(intersection, rounding);
+        let texture = self.texture(m.base_color_texture, Encoding::Srgb, texcoord, DVec3::ZERO).w;
+        let alpha = f64::from(m.alpha) * self.vertex_color(intersection).w * texture;
+        rounding.number(Cause::TexelEdge, alpha, 1.0)
+    }
+
+    /// Share of what is seen that is the surface; the rest is what is behind it.
+    pub(super) fn coverage(&self, object: u32, texcoord: DVec2, footprint: DVec3, vertices: f64) -> f64 {
+        let m = self.material_of(object);
+        if !m.blends {
+            return 1.0;
+        }
+        let texture = self.texture(m.base_color_texture, Encoding::Srgb, texcoord, footprint).w;
+        (f64::from(m.alpha) * vertices * texture).clamp(0.0, 1.0)
     }
 
     /// Traces and shades one primary ray by Whitted's model.
@@ -103,7 +141,16 @@ impl Reference {
         });
         let distance = intersection.t * ray.direction.length();
         let state = &PathState { weight: state.weight * self.absorbed(&s, distance), ..*state };
-        let (gcol, secondary) = self.scattered(&s, &m, state, limits, rounding);
+        let covered = self.coverage(s.object, s.texcoord, s.footprint, s.alpha);
+        let weight = covered * state.weight;
+        let dimmed = self.dimmed(&s, m, -ray.direction, rounding);
+        let (beyond, behind) = self.straight(&s, state, covered, limits, rounding);
+        let (scattered, secondary) =
+            self.scattered(&s, &m, &PathState { weight, ..*state }, limits, rounding);
+        // Of equal weights the scattered ray counts.
+        let behind = behind.filter(|(w, _)| secondary.is_none_or(|(other, _)| *w > other));
+        let secondary = behind.or(secondary).map(|(_, attributes)| attributes);
+        let gcol = weight * dimmed + beyond + scattered;
         let attributes = Attributes {
             depth: intersection.t,
             object: Some(s.object),
@@ -113,9 +160,10 @@ impl Reference {
             gcol,
             texcoord: self.folded(s.object, s.texcoord),
             color: s.color,
+            alpha: s.alpha,
             footprint: attributes::footprint(self.folded_footprint(s.object, s.texcoord, s.footprint)),
             maps: s.maps,
         };
-        Sample { attributes, secondary, color: state.weight * local + gcol }
+        Sample { attributes, secondary, color: weight * local + gcol }
     }
 }

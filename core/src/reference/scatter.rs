@@ -52,8 +52,28 @@ impl Reference {
         [Some(mirrored), through]
     }
 
-    /// Radiance of the reflected and refracted rays, and the hit of the one with the greatest weight that hits
-    /// anything.
+    /// Radiance of the ray that goes straight on through a surface which covers this share of what is behind it, and
+    /// its weight with its hit. All straight rays together count as one level.
+    pub(super) fn straight(
+        &self,
+        s: &Surface,
+        from: &PathState,
+        covered: f64,
+        limits: &Limits,
+        rounding: &mut Rounding,
+    ) -> (DVec3, Option<(f64, Attributes)>) {
+        if covered >= 1.0 {
+            return (DVec3::ZERO, None);
+        }
+        let weight = (1.0 - covered) * from.weight;
+        let cone = (s.width, s.growth);
+        let beyond = BsdfSample { direction: from.ray.direction, cone, share: DVec3::ONE };
+        let (color, hit) = self.followed((s, 0.0), &beyond, weight, from.level.max(2) - 1, limits, rounding);
+        (color, hit.map(|hit| (weight.max_element(), hit)))
+    }
+
+    /// Radiance of the reflected and refracted rays, and the weight and the hit of the one with the greatest weight
+    /// that hits anything.
     pub(super) fn scattered(
         &self,
         s: &Surface,
@@ -61,24 +81,26 @@ impl Reference {
         from: &PathState,
         limits: &Limits,
         rounding: &mut Rounding,
-    ) -> (DVec3, Option<Attributes>) {
+    ) -> (DVec3, Option<(f64, Attributes)>) {
         let rays = self.specular(s, m, from.ray.direction, rounding);
         let mut sum = DVec3::ZERO;
-        let mut heaviest = (0.0, None);
+        let mut heaviest: Option<(f64, Attributes)> = None;
         for bsdf_sample in rays.into_iter().flatten() {
             let weight = from.weight * bsdf_sample.share;
-            let (color, hit) = self.followed((s, m), &bsdf_sample, weight, from.level, limits, rounding);
+            let (color, hit) =
+                self.followed((s, m.roughness), &bsdf_sample, weight, from.level, limits, rounding);
             sum += color;
-            if hit.is_some() && weight.max_element() > heaviest.0 {
-                heaviest = (weight.max_element(), hit);
+            let found = hit.map(|hit| (weight.max_element(), hit));
+            if found.is_some_and(|(w, _)| heaviest.is_none_or(|(most, _)| w > most)) {
+                heaviest = found;
             }
         }
-        (sum, heaviest.1)
+        (sum, heaviest)
     }
 
     fn followed(
         &self,
-        (s, m): (&Surface, &Material),
+        (s, roughness): (&Surface, f64),
         bsdf_sample: &BsdfSample,
         weight: DVec3,
         level: u32,
@@ -94,7 +116,7 @@ impl Reference {
             return (weight * self.scene.environment.fallback_radiance.as_dvec3(), None);
         }
         let ray = s.spawn(bsdf_sample.direction, bsdf_sample.cone, rounding);
-        let roughness = (m.roughness.clamp(0.0, 1.0) * 255.0 + 0.5).floor() / 255.0;
+        let roughness = (roughness.clamp(0.0, 1.0) * 255.0 + 0.5).floor() / 255.0;
         let state = PathState { ray, left: Some(s.primitive), weight, level: level + 1, roughness };
         let seen = self.follow(&state, limits, rounding);
         (seen.color, seen.attributes.object.map(|_| seen.attributes))

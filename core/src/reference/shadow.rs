@@ -1,36 +1,49 @@
 //! Shadow rays to every light in front of the surface (SHDBIT of Kim 2016, section 3.2).
 
-use super::{Cause, Ray, Reference, Rounding, Surface};
+use std::cell::Cell;
+
+use glam::DVec3;
+
+use super::{Cause, Material, Ray, Reference, Rounding, Surface, material::Shading};
 
 /// Shadow rays end at this fraction of the distance to a light, so that a light that lies in a surface is not
 /// shadowed by it.
 const REACH: f64 = 0.99999;
 
 impl Reference {
-    /// Whether the ray, which starts on the primitive `left` if on any, hits a surface that casts shadows.
+    /// Share of the light that arrives along a ray, which starts on the primitive `left` if on any: 0 if it hits a
+    /// surface that casts a shadow, dimmed by those that cover in part.
     #[must_use]
-    pub fn occluded(&self, ray: &Ray, left: Option<usize>, rounding: &mut Rounding) -> bool {
-        self.first(ray, left, true, rounding).is_some()
+    pub fn unobstructed(&self, ray: &Ray, left: Option<usize>, rounding: &mut Rounding) -> f64 {
+        let share = Cell::new(1.0);
+        let stopped = self.first_of(ray, left, true, rounding, |intersection, rounding| {
+            let blends = self.material_of(intersection.object).blends;
+            let alpha = if blends { self.alpha(intersection, rounding) } else { 1.0 };
+            share.set(share.get() * (1.0 - alpha.min(1.0)));
+            alpha >= 1.0
+        });
+        if stopped.is_some() { 0.0 } else { share.get() }
     }
 
-    /// Bit i is set if light i does not reach the surface. Lights behind the shading normal contribute nothing,
-    /// and their bits are 0.
+    /// Bit i is set if light i does not reach the surface undimmed. Lights behind the shading normal contribute
+    /// nothing, and their bits are 0.
     #[must_use]
     pub fn shadow_bits(&self, s: &Surface, rounding: &mut Rounding) -> u32 {
         let lights = 0..self.scene.lights.len();
-        lights.filter(|i| self.in_shadow(s, *i, rounding)).fold(0, |bits, i| bits | 1 << i)
+        lights.filter(|i| self.light_share(s, *i, rounding) < 1.0).fold(0, |bits, i| bits | 1 << i)
     }
 
-    fn in_shadow(&self, s: &Surface, light: usize, rounding: &mut Rounding) -> bool {
+    /// Share of a light that reaches the surface; 1 for a light behind the shading normal.
+    pub(super) fn light_share(&self, s: &Surface, light: usize, rounding: &mut Rounding) -> f64 {
         let origin = s.position + rounding.spawn(Cause::ShadowEdge, s.extent) * s.face;
         let origin = rounding.vector(Cause::ShadowEdge, origin, s.extent);
         let arrival = self.arrival(light, origin);
         let direction = rounding.direction(Cause::ShadowEdge, arrival.direction);
         if s.normal.dot(direction) <= 0.0 && !self.material_of(s.object).has_normal_map() {
-            return false;
+            return 1.0;
         }
         if s.face.dot(direction) <= 0.0 {
-            return true;
+            return 0.0;
         }
         let t_max = REACH * arrival.distance - f64::from(self.scene.lights[light].radius);
         let t_max = if t_max.is_finite() {
@@ -38,6 +51,33 @@ impl Reference {
         } else {
             t_max
         };
-        self.occluded(&Ray { origin, direction, t_max, width: 0.0, growth: 0.0 }, Some(s.primitive), rounding)
+        let ray = Ray { origin, direction, t_max, width: 0.0, growth: 0.0 };
+        self.unobstructed(&ray, Some(s.primitive), rounding)
+    }
+
+    /// Direct light that surfaces dim on its way, reflected to the viewer: what [`Reference::shadow_bits`] leaves
+    /// out but should not.
+    pub(super) fn dimmed(&self, s: &Surface, m: Material, view: DVec3, rounding: &mut Rounding) -> DVec3 {
+        if m.unlit || !self.features.coverage {
+            return DVec3::ZERO;
+        }
+        let (cosine, mut sum) = (s.normal.dot(view).clamp(0.0, 1.0), DVec3::ZERO);
+        for light in 0..self.scene.lights.len() {
+            let share = self.light_share(s, light, rounding);
+            if share == 0.0 || share >= 1.0 {
+                continue;
+            }
+            let mut shading = Shading {
+                material: m,
+                position: s.position,
+                normal: s.normal,
+                view,
+                inside: s.inside,
+                shadow: !(1 << light),
+                rounding,
+            };
+            sum += share * self.lights_reflected(&mut shading, m.diffuse(cosine, s.inside));
+        }
+        sum
     }
 }

@@ -44,7 +44,24 @@ impl ReferenceFrame<'_> {
             (Check::Shadow, p.shadow == q.shadow),
             (Check::Gcol, (p.gcol - q.gcol).length() < f64::from(tolerances.gcol)),
         ];
-        checks.iter().filter(|(_, passed)| !passed).map(|(check, _)| check.bit()).sum()
+        let failed = checks.iter().filter(|(_, passed)| !passed).map(|(check, _)| check.bit()).sum();
+        if failed == 0 && self.coverage_bends(p, q, f64::from(tolerances.gcol)) {
+            return Check::Gcol.bit();
+        }
+        failed
+    }
+
+    /// Whether coverage half way between is other than the mean of that at both, which weighted their radiance.
+    fn coverage_bends(&self, a: &Attributes, b: &Attributes, tolerance: f64) -> bool {
+        let [middle, a, b] = [self.interpolated(a, b), *a, *b].map(|a| self.covered(&a));
+        self.reference.features.coverage && (2.0 * middle - a - b).abs() >= tolerance
+    }
+
+    /// Coverage of an attribute vector's surface.
+    fn covered(&self, a: &Attributes) -> f64 {
+        a.object.map_or(1.0, |object| {
+            self.reference.coverage(object, a.texcoord, attributes::moments(a.footprint), a.alpha)
+        })
     }
 
     /// Part of TX: whether tangents or second coordinates must not be interpolated.
@@ -86,6 +103,7 @@ impl ReferenceFrame<'_> {
             gcol: 0.5 * (a.gcol + b.gcol),
             texcoord: weight * a.texcoord + (1.0 - weight) * b.texcoord,
             color: mix(a.color, b.color),
+            alpha: weight * a.alpha + (1.0 - weight) * b.alpha,
             footprint: 0.5 * (a.footprint + b.footprint),
             maps: Maps::interpolated(&a.maps, &b.maps, weight),
         }
@@ -109,7 +127,7 @@ impl ReferenceFrame<'_> {
             shadow: a.shadow,
             rounding,
         });
-        a.gcol + local
+        a.gcol + self.covered(a) * local
     }
 }
 

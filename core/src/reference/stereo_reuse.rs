@@ -228,7 +228,7 @@ impl ReferenceFrame<'_> {
         let pixel = self.seen_by(other, seen)?;
         let way = end - s.position;
         let free = Ray { t_max: way.length(), ..s.spawn(way.normalize_or_zero(), (0.0, 0.0), rounding) };
-        let blocked = self.reference.occluded(&free, Some(s.primitive), rounding);
+        let blocked = self.reference.unobstructed(&free, Some(s.primitive), rounding) == 0.0;
         (!blocked).then_some(Splat { pixel, share: DVec3::ONE })
     }
 }

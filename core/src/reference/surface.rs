@@ -1,7 +1,7 @@
 //! The surface at a hit, and the rays that leave it. Spawned rays start exactly at the hit point and ignore the
 //! primitive that they leave, instead of starting at an offset.
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
 
 use super::{Cause, Intersection, Maps, Ray, Reference, Rounding};
 use crate::scene::octahedral_decode_exact;
@@ -25,6 +25,8 @@ pub struct Surface {
     pub texcoord: DVec2,
     /// Interpolated vertex colour, linear RGB.
     pub color: DVec3,
+    /// Interpolated alpha of the vertices.
+    pub alpha: f64,
     /// Width of the ray's cone at the hit.
     pub width: f64,
     /// Growth of the cone's width per unit of distance.
@@ -76,6 +78,7 @@ impl Reference {
         if inside {
             (normal, face) = (-normal, -face);
         }
+        let color = self.vertex_color(intersection);
         Surface {
             position,
             object: intersection.object,
@@ -84,7 +87,8 @@ impl Reference {
             face,
             inside,
             texcoord: self.texcoord(intersection, rounding),
-            color: self.vertex_color(intersection),
+            color: color.xyz(),
+            alpha: color.w,
             width: ray.width + intersection.t * ray.growth,
             growth: ray.growth,
             footprint: self.covered(ray, intersection),
@@ -102,12 +106,10 @@ impl Reference {
         rounding.pair(Cause::TexelEdge, at, largest)
     }
 
-    fn vertex_color(&self, intersection: &Intersection) -> DVec3 {
-        let Some(corners) = self.scene.colors.get(intersection.primitive) else { return DVec3::ONE };
-        let [a, b, c] = corners.map(|word| {
-            let [r, g, b, _] = word.to_le_bytes().map(|byte| f64::from(byte) / 255.0);
-            DVec3::new(r, g, b)
-        });
+    /// Interpolated vertex colour, linear RGBA; white if the scene has none.
+    pub(super) fn vertex_color(&self, intersection: &Intersection) -> DVec4 {
+        let Some(corners) = self.scene.colors.get(intersection.primitive) else { return DVec4::ONE };
+        let [a, b, c] = corners.map(|rgba| DVec4::from_array(rgba.map(|x| f64::from(x) / 65535.0)));
         (1.0 - intersection.u - intersection.v) * a + intersection.u * b + intersection.v * c
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 
-use super::{Material, Object, Scene, Sphere, octahedral_encode};
+use super::{Material, Object, Scene, Sphere, WHITE, octahedral_encode};
 
 impl Scene {
     /// Adds a material; returns its index.
@@ -27,7 +27,7 @@ impl Scene {
             self.texcoords.extend(textured.then_some([Vec2::ZERO; 3]));
             self.second_texcoords.extend(twice.then_some([Vec2::ZERO; 3]));
             self.tangents.extend(mapped.then_some([0; 3]));
-            self.colors.extend(colored.then_some([u32::MAX; 3]));
+            self.colors.extend(colored.then_some([WHITE; 3]));
         }
         object
     }
@@ -61,7 +61,7 @@ mod tests {
         assert_eq!(scene.positions, [triangle], "a triangle without an area is left out");
         assert_eq!(super::super::octahedral_decode(scene.normals[0][0]), Vec3::Z);
         scene.texcoords = vec![Default::default()];
-        scene.colors = vec![[0; 3]];
+        scene.colors = vec![[[0; 4]; 3]];
         scene.add_triangles("more", material, &[triangle]);
         scene.validate().expect("as many texture coordinates and colours as triangles");
         assert_eq!(scene.triangle_objects, [0, 2]);

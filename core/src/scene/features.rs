@@ -24,6 +24,12 @@ pub struct Features {
     pub smooth_normals: bool,
     /// Some material cuts holes by alpha.
     pub alpha_mask: bool,
+    /// Some material covers in part what is behind it.
+    pub coverage: bool,
+    /// Some vertices have an alpha that coverage or holes depend on.
+    pub vertex_alpha: bool,
+    /// Some opaque surface has one side only: rays from behind pass through it.
+    pub single_sided: bool,
     /// Some object casts no shadow, so that shadow rays must test flags.
     pub shadow_filter: bool,
     /// There are analytic spheres.
@@ -32,7 +38,7 @@ pub struct Features {
     pub reflection: bool,
     /// Some material transmits light.
     pub refraction: bool,
-    /// Some thin surfaces transmit light without refraction.
+    /// Rays go straight on through some surfaces: thin ones that transmit light, or partial coverage.
     pub panes: bool,
     /// The environment is a map instead of constant radiances.
     pub environment_map: bool,
@@ -57,18 +63,21 @@ impl Features {
         let used = || scene.objects.iter().filter_map(|o| scene.materials.get(o.material as usize));
         Self {
             textures: used().any(|m| m.textures().next().is_some()),
-            glossy: used().any(|m| !m.is_matte() || m.unlit || m.is_extended()),
+            glossy: used().any(|m| !m.is_matte() || m.unlit || m.blends || m.is_extended()),
             emission: used().any(|m| m.emission != Vec3::ZERO),
             metallic_roughness_textures: used().any(|m| m.metallic_roughness_texture.is_some()),
             emissive_textures: used().any(|m| m.emissive_texture.is_some()),
             vertex_colors: !scene.colors.is_empty(),
             smooth_normals: scene.normals.iter().any(|[a, b, c]| a != b || b != c),
             alpha_mask: used().any(|m| m.alpha_cutoff.is_some()),
+            coverage: used().any(|m| m.blends),
+            vertex_alpha: vertex_alpha(scene),
+            single_sided: used().any(|m| m.is_single_sided()),
             shadow_filter: used().any(|m| !m.casts_shadow),
             spheres: !scene.spheres.is_empty(),
             reflection: used().any(|m| m.reflects()),
             refraction: used().any(|m| m.refracts()),
-            panes: used().any(|m| m.thin && m.refracts()),
+            panes: used().any(|m| m.blends || m.thin && m.refracts()),
             environment_map: scene.environment_map.is_some(),
             lights: !scene.lights.is_empty(),
             several_lights: scene.lights.len() > 1,
@@ -91,6 +100,9 @@ impl Features {
             vertex_colors: true,
             smooth_normals: true,
             alpha_mask: true,
+            coverage: true,
+            vertex_alpha: true,
+            single_sided: true,
             shadow_filter: true,
             spheres: true,
             reflection: true,
@@ -107,9 +119,15 @@ impl Features {
         }
     }
 
+    /// Whether a sample may trace rays besides the primary one and shadow rays, so that their radiance is stored.
+    #[must_use]
+    pub fn secondary_rays(&self) -> bool {
+        self.reflection || self.refraction || self.coverage
+    }
+
     /// All features with their names in the statistics.
     #[must_use]
-    pub fn list(&self) -> [(&'static str, bool); 20] {
+    pub fn list(&self) -> [(&'static str, bool); 23] {
         [
             ("textures", self.textures),
             ("glossy", self.glossy),
@@ -119,6 +137,9 @@ impl Features {
             ("vertex_colors", self.vertex_colors),
             ("smooth_normals", self.smooth_normals),
             ("alpha_mask", self.alpha_mask),
+            ("coverage", self.coverage),
+            ("vertex_alpha", self.vertex_alpha),
+            ("single_sided", self.single_sided),
             ("shadow_filter", self.shadow_filter),
             ("spheres", self.spheres),
             ("reflection", self.reflection),
@@ -133,4 +154,15 @@ impl Features {
             ("layers", self.layers),
         ]
     }
+}
+
+/// Whether some vertex has an alpha below 1 that its material reads.
+fn vertex_alpha(scene: &Scene) -> bool {
+    let reads = |object: &u32| {
+        let object = scene.objects.get(*object as usize);
+        let material = object.and_then(|o| scene.materials.get(o.material as usize));
+        material.is_some_and(|m| m.blends || m.alpha_cutoff.is_some())
+    };
+    let mut colors = scene.colors.iter().zip(&scene.triangle_objects);
+    colors.any(|(corners, object)| corners.iter().any(|[.., alpha]| *alpha < u16::MAX) && reads(object))
 }

@@ -30,8 +30,15 @@ pub struct Material {
     pub unlit: bool,
     /// Alpha cutoff: surface points with lower alpha are holes; `None` for opaque materials.
     pub alpha_cutoff: Option<f32>,
-    /// Alpha factor that multiplies the texture's alpha before the cut.
+    /// Whether alpha is the share that the surface covers of what is behind it (glTF's BLEND); excludes a cutoff.
+    pub blends: bool,
+    /// Alpha factor, multiplied by the texture's and the vertices' alpha; read with a cutoff or where the surface
+    /// blends.
     pub alpha: f32,
+    /// Whether the surface is seen from both sides. Rays from behind, except shadow rays, pass through a surface
+    /// that is not, unless it transmits light; behind is where the corners of a triangle run clockwise. Analytic
+    /// spheres always have both sides.
+    pub double_sided: bool,
     /// Whether shadow rays stop at the surface; false for transmissive materials after import.
     pub casts_shadow: bool,
     /// Index of the base colour's texture: sRGB colour and linear alpha.
@@ -99,7 +106,9 @@ impl Default for Material {
             thin: false,
             unlit: false,
             alpha_cutoff: None,
+            blends: false,
             alpha: 1.0,
+            double_sided: true,
             casts_shadow: true,
             base_color_texture: None,
             metallic_roughness_texture: None,
@@ -186,6 +195,13 @@ impl Material {
                     && (self.roughness < 0.5 || self.metallic_roughness_texture.is_some() || coat || glossy)
             }
         }
+    }
+
+    /// Whether rays from behind pass through the surface: those that transmit light need their backs, by which light
+    /// leaves a solid.
+    #[must_use]
+    pub fn is_single_sided(&self) -> bool {
+        !self.double_sided && !self.refracts()
     }
 
     /// Whether the material transmits light.

@@ -60,6 +60,9 @@ pub const MAX_IOR: f32 = 1.0e4;
 /// The least range of a light; the fourth power of its inverse is finite in f32.
 pub const MIN_RANGE: f32 = 1.0e-9;
 
+/// The colour of vertices without one: opaque white.
+pub const WHITE: [u16; 4] = [u16::MAX; 4];
+
 /// The most camera names that an error message lists.
 const CAMERAS_NAMED: usize = 16;
 
@@ -76,9 +79,8 @@ pub struct Scene {
     pub second_texcoords: Vec<[Vec2; 3]>,
     /// Tangents of each triangle's corners, [`tangent_encode`]d; empty if no material has a normal map.
     pub tangents: Vec<[u32; 3]>,
-    /// Vertex colours of each triangle's corners (linear RGBA, 8 bits per channel, red lowest); empty if no
-    /// object has any.
-    pub colors: Vec<[u32; 3]>,
+    /// Vertex colours of each triangle's corners (linear RGBA, 16 bits a channel); empty if no object has any.
+    pub colors: Vec<[[u16; 4]; 3]>,
     /// OID of each triangle: index into [`Scene::objects`].
     pub triangle_objects: Vec<u32>,
     /// Analytic spheres; primitives are numbered with the triangles first, then the spheres.

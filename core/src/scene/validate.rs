@@ -292,7 +292,7 @@ mod tests {
     fn every_mistake_is_named() {
         fails(|s| s.normals.truncate(9), &["normals", "expected", "found"]);
         fails(|s| s.texcoords.push([Vec2::ZERO; 3]), &["texcoords"]);
-        fails(|s| s.colors.push([0; 3]), &["colors"]);
+        fails(|s| s.colors.push([[0; 4]; 3]), &["colors"]);
         fails(|s| s.positions[7][2].y = f32::NAN, &["triangle 7", "finite"]);
         fails(|s| s.positions[0][0].x = 2.0e18, &["triangle 0", "1e18"]);
         fails(|s| s.texcoords[3][0].x = f32::INFINITY, &["triangle 3", "texture coordinates"]);

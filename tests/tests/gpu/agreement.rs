@@ -203,6 +203,11 @@ fn lenses() {
     agree("lenses", gallery::lenses(), [96, 64], Settings { depth: 5, ..Settings::default() });
 }
 
+#[test]
+fn coverage() {
+    agree("coverage", gallery::coverage(), [101, 67], Settings { depth: 4, ..Settings::default() });
+}
+
 /// Textures sampled at a point, without mip levels.
 #[test]
 fn textures_without_averages() {

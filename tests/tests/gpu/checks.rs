@@ -178,3 +178,36 @@ fn mirrored_edge() -> Scene {
 fn gcol() {
     none(mirrored_edge(), Tolerances { gcol: f32::MAX, ..Tolerances::default() });
 }
+
+/// A pane whose coverage has a dent between samples, before a wall.
+fn dented(alpha: u8) -> Scene {
+    let mut builder = Builder::new();
+    let wall = builder.object(unlit(Vec3::Y));
+    builder.quad(wall, vec3(-4.0, -4.0, -1.0), 8.0 * Vec3::X, 8.0 * Vec3::Y);
+    let rgba = (0..32).flat_map(|x| [255, 255, 255, if x == 16 { alpha } else { 128 }]).collect();
+    let image = builder.image(glimpse::scene::Image8 { width: 32, height: 1, rgba });
+    let texture = builder.texture(glimpse::scene::Texture {
+        image,
+        wrap: [glimpse::scene::Wrap::ClampToEdge; 2],
+        nearest: true,
+    });
+    let material =
+        glimpse::scene::Material { base_color_texture: Some(texture), blends: true, ..unlit(Vec3::Y) };
+    let pane = builder.object(material);
+    builder.quad(pane, vec3(-1.5, -1.5, 0.0), 3.0 * Vec3::X, 3.0 * Vec3::Y);
+    builder.seen_by(front_camera())
+}
+
+/// Coverage weights the radiance of what is behind: where it bends, that is not interpolated.
+#[test]
+fn coverage_is_compared_with_that_between() {
+    let caught = |alpha, gcol| {
+        let tolerances = Tolerances { gcol, tex: 0.0, ..Tolerances::default() };
+        let inspection = inspect(dented(alpha), tolerances);
+        inspection.pixels.iter().filter(|p| p.failed == Check::Gcol.bit()).count()
+    };
+    let none = caught(128, 0.15);
+    assert_eq!(none, 0);
+    assert!(caught(255, 0.15) > 10);
+    assert_eq!(caught(255, f32::MAX), 0);
+}

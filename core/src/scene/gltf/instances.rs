@@ -5,6 +5,7 @@ use gltf::json;
 
 use super::accessors::Source;
 use super::container::External;
+use super::coverage;
 use super::images::{MAX_TEXELS, Textures};
 use super::materials::{Imported, Materials};
 use super::meshes::{Added, Mesh};
@@ -13,7 +14,7 @@ use super::pose::{Instancing, Placement, Pose, Skin, Transform};
 use super::text::{MAX_NAME, clipped};
 use super::thin;
 use super::variants;
-use crate::scene::Scene;
+use crate::scene::{Scene, WHITE};
 use crate::{Error, Result};
 
 /// The most triangles, counted for every instance, as a small file can name one mesh a million times: those of a
@@ -232,13 +233,14 @@ pub(super) fn add<'b>(
         scene.tangents.resize(scene.positions.len(), [0; 3]);
     }
     if !scene.colors.is_empty() {
-        scene.colors.resize(scene.positions.len(), [u32::MAX; 3]);
+        scene.colors.resize(scene.positions.len(), [WHITE; 3]);
     }
     told.warn(&mut scene.warnings);
     let Opener { materials, textures, .. } = opener;
     scene.warnings.extend(textures.warnings);
     (scene.materials, scene.textures, scene.images) =
         (materials.materials, textures.textures, textures.images);
+    coverage::drop_of_opaque(scene);
     Ok(())
 }
 

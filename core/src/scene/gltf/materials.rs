@@ -49,7 +49,9 @@ impl Materials {
         }
         let (material, reads) = match index {
             None => {
-                (Material { name: "default".into(), metallic: 1.0, ..Material::default() }, Reads::default())
+                let name = "default".into();
+                let default = Material { name, metallic: 1.0, double_sided: false, ..Material::default() };
+                (default, Reads::default())
             }
             Some(index) => {
                 let all = &source.root.materials;
@@ -119,7 +121,9 @@ fn factors(json: &json::Material, what: &str, warnings: &mut Vec<String>) -> Res
         thin: transmission > 0.0 && !solid,
         unlit: extensions.is_some_and(|e| e.unlit.is_some()),
         alpha_cutoff,
+        blends: json.alpha_mode == Checked::Valid(AlphaMode::Blend),
         alpha,
+        double_sided: json.double_sided,
         casts_shadow: transmission == 0.0,
         normal_scale,
         occlusion_strength,
@@ -154,12 +158,11 @@ fn index_of_refraction(ior: f32, numbers: &Numbers<'_>) -> Result<f32> {
 
 fn alpha_cutoff(json: &json::Material, numbers: &mut Numbers<'_>) -> Result<Option<f32>> {
     match json.alpha_mode {
-        Checked::Valid(AlphaMode::Opaque) => Ok(None),
+        Checked::Valid(AlphaMode::Opaque | AlphaMode::Blend) => Ok(None),
         Checked::Valid(AlphaMode::Mask) => {
             let cutoff = json.alpha_cutoff.map_or(0.5, |c| c.0);
             numbers.within("alphaCutoff", cutoff, 0.0..=f32::MAX).map(Some)
         }
-        Checked::Valid(AlphaMode::Blend) => Ok(Some(0.5)),
         Checked::Invalid => {
             Err(Error::scene(numbers.what, "alphaMode: expected OPAQUE, MASK or BLEND, found another"))
         }

@@ -15,11 +15,8 @@ use super::slots::{Coordinates, Reads};
 use super::tangents;
 use super::thin::{PRIMITIVES_OF_LINE, Thin};
 use super::vertices::Vertices;
-use crate::scene::{Object, Scene, octahedral_encode};
+use crate::scene::{Object, Scene, WHITE, octahedral_encode};
 use crate::{Error, Result};
-
-/// Opaque white as packed RGBA, 8 bits a channel: the colour of vertices without COLOR_0.
-const WHITE: u32 = u32::MAX;
 
 /// A mesh primitive whose accessors were checked to lie inside the file's bytes.
 pub(super) struct Mesh<'b> {

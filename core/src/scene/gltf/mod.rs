@@ -29,6 +29,7 @@ mod accessors;
 mod attributes;
 mod compressed;
 mod container;
+mod coverage;
 mod deformation;
 mod document;
 mod draco;

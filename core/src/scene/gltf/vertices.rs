@@ -86,7 +86,7 @@ pub(super) struct Vertices {
     pub second: Vec<Vec2>,
     /// Encoded tangents; also empty if some of the file's are not usable.
     pub tangents: Vec<u32>,
-    pub colors: Vec<u32>,
+    pub colors: Vec<[u16; 4]>,
     /// Whether the transform mirrors: of all vertices, or of each one of a skinned primitive.
     mirrored: Vec<bool>,
     /// Number of vertices whose weights did not sum to 1.
@@ -226,7 +226,7 @@ fn tangent(
     Some(tangent_encode(world.as_vec3(), (sign < 0.0) != mirrors(matrix)))
 }
 
-fn color(mesh: &Mesh<'_>, accessor: &Accessor<'_>, i: usize) -> Result<u32> {
+fn color(mesh: &Mesh<'_>, accessor: &Accessor<'_>, i: usize) -> Result<[u16; 4]> {
     let mut rgba = accessor.floats::<4>(i);
     if accessor.components == 3 {
         rgba[3] = 1.0;
@@ -234,5 +234,5 @@ fn color(mesh: &Mesh<'_>, accessor: &Accessor<'_>, i: usize) -> Result<u32> {
     if rgba.iter().any(|c| !c.is_finite()) {
         return Err(bad(mesh, format_args!("COLOR_0"), i, &rgba, format_args!("finite colours")));
     }
-    Ok(u32::from_le_bytes(rgba.map(|c| (c.clamp(0.0, 1.0) * 255.0).round() as u8)))
+    Ok(rgba.map(|c| (c.clamp(0.0, 1.0) * 65535.0).round() as u16))
 }

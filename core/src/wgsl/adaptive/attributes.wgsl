@@ -14,6 +14,8 @@ struct Attributes {
     gcol: vec3f,
     texcoord: vec2f,
     color: vec3f,
+    // Alpha of the vertices.
+    alpha: f32,
     // Footprint in texture coordinates: log2 of the second moments along s and t, and their correlation.
     footprint: vec3f,
     maps: Maps,

@@ -42,7 +42,8 @@ fn attributes_store(pixel: vec2u, a: Attributes, traced: u32) {
         attributes[attributes_channel(CHANNEL_TEXCOORD, pixel)] = pack2x16unorm(a.texcoord);
     }
     if HAS_COLORS {
-        attributes[attributes_channel(CHANNEL_COLOR, pixel)] = pack4x8unorm(vec4f(a.color, 1.0));
+        attributes[attributes_channel(CHANNEL_COLOR, pixel)] = pack2x16unorm(a.color.rg);
+        attributes[attributes_channel(CHANNEL_COLOR_BLUE, pixel)] = pack2x16unorm(vec2f(a.color.b, a.alpha));
     }
     if HAS_FOOTPRINT {
         attributes[attributes_channel(CHANNEL_FOOTPRINT, pixel)] = footprint_encode(a.footprint);
@@ -77,6 +78,7 @@ fn attributes_load(pixel: vec2u) -> Attributes {
         a.face = octahedral_decode(attributes[attributes_channel(CHANNEL_FACE, pixel)]);
     }
     a.color = vec3f(1.0);
+    a.alpha = 1.0;
     if HAS_GCOL {
         a.gcol = rgb9e5_decode(attributes[attributes_channel(CHANNEL_GCOL, pixel)]);
     }
@@ -84,7 +86,9 @@ fn attributes_load(pixel: vec2u) -> Attributes {
         a.texcoord = unpack2x16unorm(attributes[attributes_channel(CHANNEL_TEXCOORD, pixel)]);
     }
     if HAS_COLORS {
-        a.color = unpack4x8unorm(attributes[attributes_channel(CHANNEL_COLOR, pixel)]).rgb;
+        let blue = unpack2x16unorm(attributes[attributes_channel(CHANNEL_COLOR_BLUE, pixel)]);
+        a.color = vec3f(unpack2x16unorm(attributes[attributes_channel(CHANNEL_COLOR, pixel)]), blue.x);
+        a.alpha = blue.y;
     }
     if HAS_FOOTPRINT {
         a.footprint = footprint_decode(attributes[attributes_channel(CHANNEL_FOOTPRINT, pixel)]);

@@ -70,6 +70,7 @@ fn similarity_interpolate(a: Attributes, b: Attributes) -> Attributes {
     middle.gcol = 0.5 * (a.gcol + b.gcol);
     middle.texcoord = a_weight * a.texcoord + b_weight * b.texcoord;
     middle.color = a_weight * a.color + b_weight * b.color;
+    middle.alpha = a_weight * a.alpha + b_weight * b.alpha;
     middle.footprint = 0.5 * (a.footprint + b.footprint);
     middle.maps = maps_interpolate(a.maps, b.maps, a_weight);
     return middle;
@@ -85,5 +86,6 @@ fn similarity_shade(pixel: vec2u, a: Attributes) -> vec3f {
     let position = ray.origin + a.depth * ray.direction;
     let view = -normalize(ray.direction);
     let normal = material_normal(m, a.normal, a.face, view, a.maps);
-    return a.gcol + material_local(m, position, normal, view, false, a.shadow);
+    let covered = coverage_of(a.object - 1u, a.texcoord, attributes_moments(a.footprint), a.alpha);
+    return a.gcol + covered * material_local(m, position, normal, view, false, a.shadow);
 }

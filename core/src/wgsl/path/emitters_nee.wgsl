@@ -87,7 +87,7 @@ fn emitters_sample(s: Surface, chance_of_diffuse: f32, which: f32, place: vec2f)
     }
     inspect_ray(RAY_SHADOW);
     let ray = surface_spawn(s, direction, EMITTERS_REACH * distance, vec2f(0.0));
-    let hit = bvh_traverse(ray, false);
+    let hit = layers_arrive(ray, primitive);
     if hit.primitive != primitive {
         return vec3f(0.0);
     }
@@ -105,5 +105,5 @@ fn emitters_sample(s: Surface, chance_of_diffuse: f32, which: f32, place: vec2f)
     }
     let drawn = f32(LIGHT_SAMPLES) * emitters_density(object, seen, distance);
     let met = select(0.0, cosine / PI * chance_of_diffuse, WEIGHS_EMITTERS);
-    return emission * (cosine / (drawn + met));
+    return layers_through() * emission * (cosine / (drawn + met));
 }

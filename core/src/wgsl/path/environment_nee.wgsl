@@ -58,10 +58,10 @@ fn environment_irradiance(s: Surface, chance_of_diffuse: f32, pixel: vec2u, dime
         return vec3f(0.0);
     }
     inspect_ray(RAY_SHADOW);
-    if bvh_traverse(surface_spawn(s, direction, FAR, vec2f(0.0)), false).primitive != MISS {
+    if layers_arrive(surface_spawn(s, direction, FAR, vec2f(0.0)), MISS).primitive != MISS {
         return vec3f(0.0);
     }
     let drawn = environment_density(textureLoad(environment_shares, texel, 0).y, d);
     let met = select(0.0, cosine / PI * chance_of_diffuse, WEIGHS_EMITTERS);
-    return environment_radiance(direction) * (cosine / (drawn + met));
+    return layers_through() * environment_radiance(direction) * (cosine / (drawn + met));
 }

@@ -54,9 +54,14 @@ fn path_step(path: ptr<function, Path>) -> bool {
             (*path).throughput * environment_radiance(ray.direction) * environment_weight((*path).density, ray.direction);
         return false;
     }
-    stereo_reuse_record(path, hit.primitive);
     let direction = normalize(ray.direction);
     var s = surface_at(ray, hit);
+    if layers_pass(path, s) {
+        return true;
+    }
+    if !layers_passed() {
+        stereo_reuse_record(path, hit.primitive);
+    }
     let m = surface_material(&s, direction);
     (*path).throughput *= surface_absorbed(s, ray);
     if COUNTS && (*path).level == 1u {

@@ -4,9 +4,10 @@ fn punctual_irradiance(s: Surface) -> vec3f {
     let shadow = shadow_bits(s);
     var sum = vec3f(0.0);
     for (var i = 0u; i < lights_count(); i += 1u) {
-        if (shadow & (1u << i)) == 0u {
+        let share = shadow_share(shadow, i);
+        if share > 0.0 {
             let arrival = lights_arrival(i, s.position);
-            sum += arrival.irradiance * max(dot(s.normal, arrival.direction), 0.0);
+            sum += share * arrival.irradiance * max(dot(s.normal, arrival.direction), 0.0);
         }
     }
     return sum;

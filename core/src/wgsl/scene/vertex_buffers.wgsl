@@ -1,9 +1,9 @@
-// Texture coordinates and colours of a primitive's corners in a buffer, for GPUs: three pairs of coordinates,
-// then three colours, each if present.
+// Texture coordinates and colours of a primitive's corners in a buffer, for GPUs: three pairs of coordinates, then
+// three colours of 16 bits a channel, if present.
 
 var<storage, read> vertices: array<u32>;
 
-// Words per primitive: 6 of texture coordinates, 3 of colours.
+// Words per primitive: 6 of texture coordinates, 6 of colours.
 fn vertex_stride() -> u32 {
     if VERTEX_STRIDE_KNOWN {
         return VERTEX_STRIDE;
@@ -25,12 +25,17 @@ fn vertex_corner_texcoord(index: u32) -> vec2f {
     return vec2f(bitcast<f32>(vertices[index]), bitcast<f32>(vertices[index + 1u]));
 }
 
-// Colours of the three corners, and a flag for their presence.
-fn vertex_colors(primitive: u32) -> vec4u {
+// Colours of the three corners; white if there are none.
+fn vertex_colors(primitive: u32) -> array<vec2u, 3> {
     let stride = vertex_stride();
-    if stride != 3u && stride != 9u {
-        return vec4u(0u);
+    if stride < 12u {
+        let white = vec2u(0xffffffffu);
+        return array<vec2u, 3>(white, white, white);
     }
-    let i = primitive * stride + (stride - 3u);
-    return vec4u(vertices[i], vertices[i + 1u], vertices[i + 2u], 1u);
+    let i = primitive * stride + 6u;
+    return array<vec2u, 3>(vertex_words(i), vertex_words(i + 2u), vertex_words(i + 4u));
+}
+
+fn vertex_words(index: u32) -> vec2u {
+    return vec2u(vertices[index], vertices[index + 1u]);
 }

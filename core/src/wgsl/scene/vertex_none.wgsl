@@ -11,3 +11,7 @@ fn vertex_texcoord(hit: Hit) -> vec2f {
 fn vertex_color(hit: Hit) -> vec3f {
     return vec3f(1.0);
 }
+
+fn vertex_alpha(hit: Hit) -> f32 {
+    return 1.0;
+}

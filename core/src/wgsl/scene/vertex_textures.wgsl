@@ -1,5 +1,5 @@
-// Texture coordinates and colours of a primitive's corners in an image, for CPUs: two texels of coordinates, then
-// one of colours with a flag for their presence.
+// Texture coordinates and colours of a primitive's corners in an image, for CPUs: a texel with the coordinates of two
+// corners, one with those of the third and its colour, one with the colours of the first two; colours are inverted.
 
 var vertices: texture_2d<u32>;
 
@@ -13,10 +13,13 @@ fn vertex_texcoords(primitive: u32) -> array<vec2f, 3> {
     return array<vec2f, 3>(ab.xy, ab.zw, c.xy);
 }
 
-// Colours of the three corners, and a flag for their presence.
-fn vertex_colors(primitive: u32) -> vec4u {
-    if VERTEX_STRIDE_KNOWN && VERTEX_STRIDE % 6u == 0u {
-        return vec4u(0u);
+// Colours of the three corners; white if there are none.
+fn vertex_colors(primitive: u32) -> array<vec2u, 3> {
+    if VERTEX_STRIDE_KNOWN && VERTEX_STRIDE < 12u {
+        let white = vec2u(0xffffffffu);
+        return array<vec2u, 3>(white, white, white);
     }
-    return textureLoad(vertices, storage_texel(3u * primitive + 2u), 0);
+    let ab = textureLoad(vertices, storage_texel(3u * primitive + 2u), 0);
+    let c = textureLoad(vertices, storage_texel(3u * primitive + 1u), 0);
+    return array<vec2u, 3>(~ab.xy, ~ab.zw, ~c.zw);
 }

@@ -15,6 +15,7 @@ fn sample_follow(ray: Ray) -> Sample {
     secondary_begin();
     var result: Sample;
     result.attributes.color = vec3f(1.0);
+    result.attributes.alpha = 1.0;
     result.attributes.depth = FAR;
     var local = vec3f(0.0);
     var gcol = vec3f(0.0);
@@ -40,12 +41,15 @@ fn sample_follow(ray: Ray) -> Sample {
                 result.attributes.shadow = shadow;
                 result.attributes.texcoord = texture_fold(s.object, s.texcoord);
                 result.attributes.color = s.color;
+                result.attributes.alpha = s.alpha;
                 result.attributes.footprint = cone_attribute(s);
                 result.attributes.maps = s.maps;
             } else if state.level == 2u {
                 secondary_hit(state.weight, smooth_surface, shadow);
             }
             state.weight *= surface_absorbed(s, state.ray);
+            straight_continue(&state, s, &gcol);
+            shadow_add_dimmed(s, m, -direction, state.weight, &gcol);
             gcol += scatter(s, m, state, direction);
         }
         if state.level == 1u {

@@ -136,8 +136,8 @@ fn bvh_traverse(ray: Ray, any: bool) -> Hit {
             } else if primitive != ray.left {
                 found = triangle_hit(shear, bvh_corners(primitive), reach);
             }
-            if found.hit && bvh_ahead(ray, found.t, primitive) && any_hit_accepts(primitive, found.u, found.v, any)
-                && bvh_nearer(found.t, primitive, best) {
+            if found.hit && bvh_ahead(ray, found.t, primitive) && side_stops(ray, primitive, any)
+                && any_hit_accepts(primitive, found.u, found.v, any) && bvh_nearer(found.t, primitive, best) {
                 best = Hit(found.t, primitive, found.u, found.v);
                 reach = found.t * (1.0 + max(2.0 * SAME_DISTANCE, 2.4e-7));
             }

@@ -14,6 +14,8 @@ struct Surface {
     inside: bool,
     texcoord: vec2f,
     color: vec3f,
+    // Alpha of the vertices.
+    alpha: f32,
     // The ray cone: its width here and the growth of the width per unit of length.
     cone: vec2f,
     footprint: vec3f,
@@ -38,6 +40,7 @@ fn surface_at(ray: Ray, hit: Hit) -> Surface {
     }
     s.texcoord = vertex_texcoord(hit);
     s.color = vertex_color(hit);
+    s.alpha = vertex_alpha(hit);
     s.maps = surface_maps(s, hit, corners, normalize(ray.direction));
     return s;
 }

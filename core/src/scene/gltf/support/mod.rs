@@ -118,11 +118,6 @@ const fn not_shown(name: &'static str, effect: Effect) -> Property {
 }
 
 impl Property {
-    /// With values that are not shown, though they are read.
-    const fn but(self, effect: Effect) -> Self {
-        Self { effect, ..self }
-    }
-
     const fn object(self, object: &'static Object) -> Self {
         Self { holds: Holds::Object(object), ..self }
     }
@@ -200,8 +195,6 @@ struct Site<'v> {
     root: &'v Value,
     /// The object that has the property or the extension.
     owner: &'v Map<String, Value>,
-    /// The object that has the owner.
-    parent: Option<&'v Map<String, Value>>,
 }
 
 impl<'v> Site<'v> {
@@ -250,7 +243,7 @@ impl<'v> Survey<'v> {
         let (waiting, not_shown) = (Vec::new(), BTreeMap::new());
         let mut survey = Self { root, kept, waiting, not_shown, needed: None };
         let mut document = match root.as_object() {
-            Some(members) => survey.object(&ROOT, members, None, None),
+            Some(members) => survey.object(&ROOT, members, None),
             None => root.clone(),
         };
         survey.start();
@@ -295,20 +288,14 @@ impl<'v> Survey<'v> {
             return;
         }
         self.kept[place][index] = Some(match value.as_object() {
-            Some(members) => self.object(list.object, members, None, Some((list, index))),
+            Some(members) => self.object(list.object, members, Some((list, index))),
             None => value.clone(),
         });
     }
 
     /// What is shown of an object.
-    fn object(
-        &mut self,
-        object: &'static Object,
-        owner: &'v Map<String, Value>,
-        parent: Option<&'v Map<String, Value>>,
-        place: Place,
-    ) -> Value {
-        let site = Site { root: self.root, owner, parent };
+    fn object(&mut self, object: &'static Object, owner: &'v Map<String, Value>, place: Place) -> Value {
+        let site = Site { root: self.root, owner };
         let mut kept = Map::new();
         for property in object.properties {
             let found = property.found(owner);
@@ -358,13 +345,11 @@ impl<'v> Survey<'v> {
                 self.waiting.extend(value.as_array().map_or(0..0, |all| 0..all.len()).map(|i| (list, i)));
                 return None;
             }
-            (Holds::Object(object), Value::Object(members)) => {
-                self.object(object, members, Some(site.owner), place)
-            }
+            (Holds::Object(object), Value::Object(members)) => self.object(object, members, place),
             (Holds::Objects(object), Value::Array(all)) => all
                 .iter()
                 .map(|value| match value.as_object() {
-                    Some(members) => self.object(object, members, Some(site.owner), place),
+                    Some(members) => self.object(object, members, place),
                     None => value.clone(),
                 })
                 .collect(),
@@ -404,9 +389,7 @@ impl<'v> Survey<'v> {
             }
             if extension.support == Support::Shown {
                 let value = match (extension.object, value) {
-                    (Some(object), Value::Object(members)) => {
-                        self.object(object, members, Some(site.owner), place)
-                    }
+                    (Some(object), Value::Object(members)) => self.object(object, members, place),
                     _ => value.clone(),
                 };
                 kept.insert(name.clone(), value);

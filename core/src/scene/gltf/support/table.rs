@@ -197,8 +197,8 @@ static MATERIAL: Object = object(
     "material",
     &[
         shown("alphaCutoff"),
-        shown("alphaMode").but(|mode, _| mode == "BLEND"),
-        not_shown("doubleSided", |double_sided, _| double_sided != true),
+        shown("alphaMode"),
+        shown("doubleSided"),
         shown("emissiveFactor"),
         shown("emissiveTexture").object(&TEXTURE_INFO),
         shown("name"),
@@ -244,7 +244,7 @@ static PRIMITIVE: Object = object(
 static ATTRIBUTES: Object = object(
     "mesh.primitive.attributes",
     &[
-        shown("COLOR_0").index(&ACCESSORS).but(has_holes),
+        shown("COLOR_0").index(&ACCESSORS),
         ignored("COLOR_n"),
         shown("JOINTS_n").index(&ACCESSORS),
         shown("NORMAL").index(&ACCESSORS),
@@ -314,13 +314,4 @@ fn moves(animation: &Value, _: &Site<'_>) -> bool {
         target.is_some_and(|target| target.get("node").is_some() || target.get("extensions").is_some())
     };
     channels.is_some_and(|channels| channels.iter().any(moves))
-}
-
-/// Whether vertex colours have an alpha that the primitive's material looks at.
-fn has_holes(colors: &Value, site: &Site<'_>) -> bool {
-    let accessor = site.element("/accessors", colors);
-    let material = site.parent.and_then(|primitive| site.element("/materials", primitive.get("material")?));
-    let mode = material.and_then(|material| material.get("alphaMode"));
-    mode.is_some_and(|mode| mode != "OPAQUE")
-        && accessor.is_some_and(|a| a.get("type") == Some(&"VEC4".into()))
 }

@@ -101,7 +101,7 @@ fn the_texts_of_the_tables_are_json() {
 /// A file with a triangle of material 0, and the features that it does not show.
 fn told(change: impl FnOnce(&mut Value)) -> Vec<NotShown> {
     let mut file = File::triangle();
-    file.json["materials"] = json!([{ "name": "A", "doubleSided": true }]);
+    file.json["materials"] = json!([{ "name": "A" }]);
     file.primitive()["material"] = json!(0);
     change(&mut file.json);
     file.scene().not_shown
@@ -160,7 +160,7 @@ fn what_nothing_uses_is_neither_read_nor_told() {
         json["accessors"][0]["max"] = json!("none");
     };
     let mut file = File::triangle();
-    file.json["materials"] = json!([{ "doubleSided": true }]);
+    file.json["materials"] = json!([{}]);
     file.primitive()["material"] = json!(0);
     unused(&mut file.json);
     file.json.as_object_mut().unwrap().remove("buffers");
@@ -171,11 +171,6 @@ fn what_nothing_uses_is_neither_read_nor_told() {
 fn properties_that_are_not_shown_are_told_where_they_have_an_effect() {
     let properties =
         |name: &str| OBJECTS.iter().find(|object| object.name == name).unwrap().properties.iter();
-    for property in properties("material").filter(|property| property.support == Support::NotShown) {
-        let value = if property.name == "doubleSided" { json!(false) } else { json!({ "index": 0 }) };
-        let found = features(|json| json["materials"][0][property.name] = value);
-        assert_eq!(found, [format!("material.{}", property.name)]);
-    }
     for (object, list) in [("node", "nodes"), ("mesh", "meshes")] {
         for property in properties(object).filter(|property| property.support == Support::NotShown) {
             let value = if property.name == "weights" { json!([0, 0.5]) } else { json!(0) };

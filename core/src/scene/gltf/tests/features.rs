@@ -6,7 +6,7 @@ use glam::{Vec3, vec2, vec3};
 use serde_json::json;
 
 use super::{File, data_uri, import};
-use crate::scene::{EnvironmentMap, LightKind, Scene, octahedral_decode};
+use crate::scene::{EnvironmentMap, LightKind, Scene, WHITE, octahedral_decode};
 
 fn face(scene: &Scene, triangle: usize) -> Vec3 {
     let [a, b, c] = scene.positions[triangle];
@@ -215,7 +215,8 @@ fn vertex_colours_are_packed_and_others_stay_white() {
     file.json["meshes"][0]["primitives"].as_array_mut().unwrap().push(plain);
     file.attribute("COLOR_0", colors);
     let scene = file.scene();
-    assert_eq!(scene.colors, [[0xff80_00ff, 0xff00_0000, 0xff00_0000], [u32::MAX; 3]]);
+    let black = [0, 0, 0, 65535];
+    assert_eq!(scene.colors, [[[65535, 0, 32768, 65535], black, black], [WHITE; 3]]);
 }
 
 #[test]

@@ -75,9 +75,46 @@ fn transmission_is_thin_without_volume() {
 fn alpha_modes() {
     assert_eq!(imported(json!({ "alphaMode": "MASK" })).alpha_cutoff, Some(0.5));
     assert_eq!(imported(json!({ "alphaMode": "MASK", "alphaCutoff": 0.25 })).alpha_cutoff, Some(0.25));
-    let scene = with_material(json!({ "alphaMode": "BLEND", "alphaCutoff": 0.25 })).scene();
-    assert_eq!(scene.materials[0].alpha_cutoff, Some(0.5));
-    assert!(scene.not_shown.iter().any(|n| n.feature == "material.alphaMode"), "{:?}", scene.not_shown);
+}
+
+/// Opaque materials in BLEND are opaque: what lies behind them needs no ray.
+#[test]
+fn blend_is_coverage_where_something_is_not_opaque() {
+    let blend = |alpha: f32| {
+        let pbr = json!({ "baseColorFactor": [1, 1, 1, alpha], "baseColorTexture": { "index": 0 } });
+        json!({ "alphaMode": "BLEND", "alphaCutoff": 0.25, "pbrMetallicRoughness": pbr })
+    };
+    let texel = |alpha: u8| {
+        let mut file = textured(blend(1.0));
+        file.json["images"][0]["uri"] = json!(data_uri("image/png", &png(2, 1, [10, 0, 0, alpha])));
+        file
+    };
+    let vertex = |alpha: f32| {
+        let mut file = textured(blend(1.0));
+        let colors = file.floats("VEC4", &[1.0, 1.0, 1.0, alpha, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0]);
+        file.attribute("COLOR_0", colors);
+        file
+    };
+    let cases = [
+        (textured(blend(1.0)), false),
+        (textured(blend(0.9)), true),
+        (texel(254), true),
+        (texel(255), false),
+        (vertex(0.5), true),
+        (vertex(1.0), false),
+    ];
+    for (file, blends) in cases {
+        let scene = file.scene();
+        let material = &scene.materials[0];
+        assert_eq!((material.blends, material.alpha_cutoff), (blends, None), "{:?}", file.json);
+    }
+}
+
+#[test]
+fn sides() {
+    assert!(imported(json!({ "doubleSided": true })).double_sided);
+    assert!(!imported(json!({})).double_sided);
+    assert!(!File::triangle().scene().materials[0].double_sided, "the default material");
 }
 
 #[test]

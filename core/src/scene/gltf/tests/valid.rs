@@ -70,7 +70,7 @@ fn an_accessor_without_a_buffer_view_holds_zeros() {
     ]);
     file.attribute("COLOR_0", 1);
     file.attribute("TEXCOORD_0", 2);
-    let black = u32::from_le_bytes([0, 0, 0, 255]);
+    let black = [0, 0, 0, u16::MAX];
     assert_eq!(file.scene().colors, [[black; 3]]);
 }
 

@@ -1,0 +1,46 @@
+// Shadow rays in scenes with partial coverage: bit i is also set if surfaces dim light i. What they leave of it is
+// not in the radiance that interpolated samples compute anew, but in that of secondary rays.
+
+// Share of each light that arrives.
+var<private> shadow_shares: array<f32, 32>;
+
+fn shadow_bits(s: Surface) -> u32 {
+    let origin = s.position + s.offset * s.face;
+    var bits = 0u;
+    for (var i = 0u; i < lights_count(); i += 1u) {
+        shadow_shares[i] = 1.0;
+        let arrival = lights_arrival(i, origin);
+        if dot(s.normal, arrival.direction) <= 0.0 && !material_has_normal_map(s.object) {
+            continue;
+        }
+        var share = 0.0;
+        if dot(s.face, arrival.direction) > 0.0 {
+            inspect_ray(RAY_SHADOW);
+            let reach = max(arrival.distance * 0.99999 - lights.list[i].radius, 0.0);
+            any_hit_through = 1.0;
+            let hit = bvh_traverse(Ray(origin, reach, arrival.direction, s.primitive, 0.0, vec2f(0.0)), true);
+            share = select(0.0, any_hit_through, hit.primitive == MISS);
+        }
+        shadow_shares[i] = share;
+        bits |= select(0u, 1u << i, share < 1.0);
+    }
+    return bits;
+}
+
+fn shadow_share(bits: u32, light: u32) -> f32 {
+    return shadow_shares[light];
+}
+
+// Adds the direct light, times `weight`, that arrives dimmed; `view` is the unit vector to the viewer.
+fn shadow_add_dimmed(s: Surface, m: Material, view: vec3f, weight: vec3f, sum: ptr<function, vec3f>) {
+    if material_is(m, OBJECT_UNLIT) {
+        return;
+    }
+    let diffuse = material_diffuse(m, clamp(dot(s.normal, view), 0.0, 1.0), s.inside);
+    for (var i = 0u; i < lights_count(); i += 1u) {
+        let share = shadow_shares[i];
+        if share > 0.0 && share < 1.0 {
+            *sum += weight * share * lights_reflected(m, diffuse, s.position, s.normal, view, ~(1u << i));
+        }
+    }
+}
