@@ -107,9 +107,9 @@ fn rough_reflection_keeps_the_mean_and_widens_with_roughness() {
     let peaks: Vec<_> = at_spot.collect();
     assert!(peaks.is_sorted_by(|a, b| a > b), "{peaks:?}");
     assert!(peaks[0] > 30.0, "a narrow lobe sees the spot: {peaks:?}");
-    // The widest lobe is weighted by the cosine, as a matte surface.
+    // The widest lobe is weighted by the cosine, as a matte surface; texels as wide as 22 degrees lower its peak.
     let matte = Harmonics::of(&map).irradiance_over_pi(spot).x;
-    assert!((peaks[4] / matte - 1.0).abs() < 0.1, "{peaks:?}, {matte}");
+    assert!((0.85..1.0).contains(&(peaks[4] / matte)), "{peaks:?}, {matte}");
 }
 
 #[test]
