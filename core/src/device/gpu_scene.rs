@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::Vec3;
 
 use crate::{
-    Error, Features, Gpu, Result, Settings, Tonemap,
+    Error, Features, Gpu, Result, Settings,
     acceleration::Bvh,
     device::atlas::Atlas,
     device::environment::GpuEnvironment,
@@ -247,14 +247,9 @@ impl GpuScene {
         settings.exposure.unwrap_or(self.auto_exposure).exp2()
     }
 
-    /// These settings with the exposure and the tone curve that are meant by `auto`.
-    pub(crate) fn displayed(&self, settings: &Settings) -> Settings {
-        let tonemap = match (settings.tonemap, self.features.environment_map) {
-            (Tonemap::Auto, true) => Tonemap::Neutral,
-            (Tonemap::Auto, false) => Tonemap::None,
-            (chosen, _) => chosen,
-        };
-        Settings { exposure: settings.exposure.or(Some(self.auto_exposure)), tonemap, ..*settings }
+    /// These settings with the exposure that is meant by `auto`.
+    pub(crate) fn exposed(&self, settings: &Settings) -> Settings {
+        Settings { exposure: settings.exposure.or(Some(self.auto_exposure)), ..*settings }
     }
 
     /// Longest side of the bounding box, the unit of the distance tolerance (Kim 2016).

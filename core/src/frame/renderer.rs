@@ -397,7 +397,7 @@ impl Renderer {
     }
 }
 
-/// The settings with `auto` resolved: exposure and tone curve by the scene, and `postcorrect`, of which `auto` becomes on or off, and other methods than adaptive have none.
+/// The settings with `auto` resolved: exposure by the scene, and `postcorrect`, of which `auto` becomes on or off, and other methods than adaptive have none.
 fn resolved(settings: &Settings, scene: &GpuScene, [_, height]: [u32; 2]) -> Settings {
     let thin = || scene.is_thin(height.saturating_mul(settings.sampling), settings.block);
     let postcorrect = match (settings.method, settings.postcorrect) {
@@ -406,5 +406,5 @@ fn resolved(settings: &Settings, scene: &GpuScene, [_, height]: [u32; 2]) -> Set
         (Method::Adaptive, wished) => wished,
         _ => Postcorrect::Off,
     };
-    Settings { postcorrect, ..scene.displayed(settings) }
+    Settings { postcorrect, ..scene.exposed(settings) }
 }

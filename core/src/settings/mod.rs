@@ -56,8 +56,6 @@ pub use supersampling::{Filter, Focus, Jitter, Preset, Refine, THRESHOLD_NAMES, 
 choices! {
     /// The tone curve, from radiance to what is displayed.
     pub enum Tonemap {
-        /// [`Tonemap::Neutral`] for scenes with an environment map, [`Tonemap::None`] for others.
-        Auto = "auto": "Neutral where an environment map lights the scene",
         /// Radiance above 1 is displayed as 1.
         None = "none": "Radiance as it is, cut off above 1",
         /// Khronos PBR Neutral: colours up to 0.8 stay nearly as they are; above, they are compressed and lose
@@ -322,7 +320,7 @@ impl Default for Settings {
             min_weight: 0.05,
             refresh_fraction: 0.1,
             exposure: None,
-            tonemap: Tonemap::Auto,
+            tonemap: Tonemap::None,
             specialize: Specialize::Auto,
             supersample: false,
             thresholds: Thresholds::default(),

@@ -193,8 +193,8 @@ fn the_tone_curve_is_khronos_pbr_neutral() {
     let mut scene = ball(Material { roughness: 0.3, metallic: 1.0, ..Material::default() });
     scene.surround(EnvironmentMap::studio());
     let scene = TestScene::new(scene);
-    let curved = |tonemap| Settings { tonemap, ..full() };
-    let (linear, shown) = (scene.full(SIZE), scene.shown(SIZE, &curved(Tonemap::Neutral)));
+    let curved = Settings { tonemap: Tonemap::Neutral, ..full() };
+    let (linear, shown) = (scene.full(SIZE), scene.shown(SIZE, &curved));
     let encode = |c: f64| if c <= 0.003_130_8 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 };
     for (linear, shown) in linear.pixels().zip(shown.pixels()) {
         let expected =
@@ -204,6 +204,5 @@ fn the_tone_curve_is_khronos_pbr_neutral() {
         }
     }
     assert!(linear.as_raw().iter().any(|radiance| *radiance > 1.5), "something is compressed");
-    assert_eq!(shown, scene.shown(SIZE, &curved(Tonemap::Auto)), "a map is shown with the curve");
-    assert_ne!(shown, scene.shown(SIZE, &curved(Tonemap::None)));
+    assert_ne!(shown, scene.shown(SIZE, &full()), "the default has no curve");
 }
