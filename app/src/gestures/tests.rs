@@ -186,6 +186,7 @@ fn a_gesture_between_two_updates_is_the_same_motion() {
     let events =
         [(TouchPhase::Start, 0.1), (TouchPhase::Move, 0.2), (TouchPhase::Move, 0.3), (TouchPhase::End, 0.3)]
             .map(|(phase, apart)| pair(&hand, phase, apart));
+    hand.frame([hand.moved(0.0, 0.0)]);
     let (_, _, dolly) = sum(&hand.frames(events.concat()));
     assert!((dolly - 3_f32.ln()).abs() < 1e-3, "{dolly}");
 }
