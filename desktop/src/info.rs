@@ -286,7 +286,7 @@ mod tests {
             "scene     ball.glb: 0 triangles, 1 sphere, 1 object, 1 light, 0 textures",
             "linked    glossy, spheres, reflection, lights",
             "texture_atlas, texture_mip, vertex_attributes, vertex_buffers, ",
-            "), 4 of 14 bindings (atlas_color, atlas_data, probe_points, vertices), 28 of 72 bytes of attributes every two samples",
+            "), 4 of 14 bindings (atlas_color, atlas_data, probe_points, vertices), 56 of 72 bytes of attributes every two samples",
             "bounds    (0, 1, 2) to (2, 3, 4), sides (2, 2, 2)",
             "camera    0 (front) at",
             "light     directional along (0, -1, 0), intensity (1, 0.5, 0.25)",
@@ -306,7 +306,7 @@ mod tests {
         assert_eq!(json["cameras"][0]["name"], "front");
         assert_eq!(json["light_list"][0]["kind"], "directional");
         assert!(json["left_out"].as_array().unwrap().contains(&"textures".into()));
-        assert_eq!(json["saved"]["attribute_bytes"], 28);
+        assert_eq!(json["saved"]["attribute_bytes"], 56);
         let expected = serde_json::json!([{ "feature": "node.skin", "count": 2, "where": ["node 3"] }]);
         assert_eq!(json["not_shown"], expected);
         assert!(Info::of("", Scene::default()).unwrap().text().contains("bounds    empty"));
