@@ -7,7 +7,7 @@ use glam::{DVec3, Vec3};
 use super::{EnvironmentMap, bilinear, direction};
 use glam::DVec2;
 
-/// Width of the finest filtered level in texels; each further level has half of it, down to [`LAST_FILTERED`].
+/// Width of the finest filtered level in texels; each further level has half of it, down to 8.
 pub const FIRST_FILTERED: u32 = 128;
 
 /// Width of the coarsest filtered level in texels, which is that of roughness 1.
