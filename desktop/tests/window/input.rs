@@ -121,9 +121,9 @@ fn keys_and_sliders_choose() {
          set scale 0.125
          set overlay full
          settle
-         move 0.8125,0.7976
+         move 0.8125,0.8577
          press
-         move 0.9,0.7976 over 0.2
+         move 0.9,0.8577 over 0.2
          release
          settle
          expect command contains --t-pos=",
