@@ -81,7 +81,7 @@ impl<'g> Workbench<'g> {
         let exposure = |request: &FrameRequest| request.settings.exposure.unwrap_or(scene.auto_exposure());
         let cpu_threads: Vec<_> = requests.iter().map(|request| request.settings.paths.cpu_threads).collect();
         let reference = cpu_threads.iter().any(|cpu_threads| *cpu_threads > 0).then(|| {
-            Reference::new(&scene.clone().exposed(requests.first().map_or(0.0, exposure))).with_wide_tree()
+            Reference::of(scene.clone().exposed(requests.first().map_or(0.0, exposure))).with_wide_tree()
         });
         progress.doing("building the acceleration structure");
         let (scene, build_ms) = timed(|| GpuScene::upload(gpu, scene).with_context(|| name.to_owned()))?;

@@ -67,7 +67,7 @@ impl GpuEnvironment {
         ]
     }
 
-    /// Size in bytes.
+    /// Device memory of the images, in bytes.
     pub fn bytes(&self) -> u64 {
         self.bytes
     }

@@ -79,8 +79,7 @@ impl Reference {
     ) -> Option<Emitted> {
         let surroundings = self.surroundings.as_ref()?;
         let d = surroundings.distribution.draw(number, place.into());
-        let (sine, cosine) = f64::from(surroundings.map.rotation()).sin_cos();
-        let direction = DVec3::new(cosine * d.x + sine * d.z, d.y, cosine * d.z - sine * d.x);
+        let direction = surroundings.map.turned_back(d);
         let cosine = s.normal.dot(direction);
         if cosine <= 0.0 || s.face.dot(direction) <= 0.0 {
             return None;

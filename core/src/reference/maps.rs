@@ -24,7 +24,7 @@ pub struct Maps {
     pub sign: f64,
     /// The first set of texture coordinates, not wrapped.
     pub first: DVec2,
-    /// The second set.
+    /// Texture coordinates of the object's second set at the hit.
     pub second: DVec2,
     /// Second moments (ss, tt, st) of the footprint in the second set.
     pub second_footprint: DVec3,

@@ -115,19 +115,26 @@ impl Reference {
     /// Prepares a [valid](Scene::validate) scene.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
-        let contents = Content::of_images(scene);
+        Self::of(scene.clone())
+    }
+
+    /// Prepares a [valid](Scene::validate) scene that nobody else needs, without a copy of it.
+    #[must_use]
+    pub fn of(scene: Scene) -> Self {
+        let contents = Content::of_images(&scene);
         let levels = scene.images.iter().zip(contents).map(|(image, content)| mip::levels(image, content));
+        let levels = levels.collect();
         let (low, high) = scene.bounds().unwrap_or_default();
         Self {
-            tracer: Tracer::new(scene),
-            features: Features::of(scene),
-            thinness: Thinness::of(scene),
-            emitters: Emitters::of(scene),
-            surroundings: environment::Surroundings::of(scene),
-            levels: levels.collect(),
+            tracer: Tracer::new(&scene),
+            features: Features::of(&scene),
+            thinness: Thinness::of(&scene),
+            emitters: Emitters::of(&scene),
+            surroundings: environment::Surroundings::of(&scene),
+            levels,
             bounds: (low.as_dvec3(), high.as_dvec3()),
             srgb: texture::srgb_table(),
-            scene: scene.clone(),
+            scene,
         }
     }
 

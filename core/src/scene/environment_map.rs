@@ -117,6 +117,12 @@ impl EnvironmentMap {
         DVec3::new(cosine * d.x - sine * d.z, d.y, sine * d.x + cosine * d.z)
     }
 
+    /// A direction of the map's frame in the world.
+    pub(crate) fn turned_back(&self, d: DVec3) -> DVec3 {
+        let (sine, cosine) = f64::from(self.rotation).sin_cos();
+        DVec3::new(cosine * d.x + sine * d.z, d.y, cosine * d.z - sine * d.x)
+    }
+
     /// Width and height in texels.
     #[must_use]
     pub fn side(&self) -> u32 {

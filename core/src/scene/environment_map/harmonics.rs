@@ -29,7 +29,7 @@ fn factors() -> [f64; 9] {
 }
 
 impl Harmonics {
-    /// Projects a map.
+    /// Projects the radiance of a map onto the nine harmonics and convolves it with the clamped cosine.
     #[must_use]
     pub fn of(map: &EnvironmentMap) -> Self {
         let mean = map.mean().as_dvec3();

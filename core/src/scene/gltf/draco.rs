@@ -6,7 +6,7 @@ use draco_core::{
 };
 use gltf::json::accessor::ComponentType;
 
-/// A decoded mesh.
+/// A mesh decoded from a Draco bitstream.
 pub(super) struct Geometry {
     /// Three indices for each triangle, little-endian integers of 32 bits.
     pub indices: Vec<u8>,

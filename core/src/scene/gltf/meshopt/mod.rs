@@ -7,7 +7,7 @@ mod attributes;
 mod filters;
 mod indices;
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 pub(super) use attributes::attributes;
 pub(super) use filters::Filter;
