@@ -1,7 +1,7 @@
 //! `glimpse info`: the contents of a scene and what specialization leaves out of its kernels.
 
 use glimpse::glam::{DVec3, Vec3};
-use glimpse::scene::{Light, LightKind, Material, NotShown};
+use glimpse::scene::{Light, LightKind, Material, NotShown, Thinness};
 use glimpse::{Linked, Scene, Specialize};
 use glimpse_measure::statistics::SceneStatistics;
 use serde::Serialize;
@@ -175,7 +175,9 @@ impl Info {
 
 impl Saved {
     fn of(scene: &Scene) -> glimpse::Result<Self> {
-        let [auto, all] = [Linked::of(scene, Specialize::Auto)?, Linked::of(scene, Specialize::All)?];
+        let thinness = Thinness::of(scene);
+        let of = |specialize| Linked::of(scene, &thinness, specialize);
+        let [auto, all] = [of(Specialize::Auto)?, of(Specialize::All)?];
         Ok(Self {
             files: all.files.difference(&auto.files).copied().collect(),
             files_of: all.files.len(),

@@ -12,7 +12,8 @@ use std::{
 };
 
 use glam::Vec3;
-use glimpse::{Camera, Gpu, GpuScene, Method, Renderer, Scene, Settings};
+use glimpse::{Camera, Gpu, GpuScene, Method, Renderer, Settings};
+use glimpse_measure::scene_file;
 use image::{DynamicImage, RgbaImage, imageops};
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
@@ -79,14 +80,14 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> Result<()> {
 }
 
 fn draw(gpu: &Gpu, file: &Path, scenarios: &serde_json::Value, method: Method) -> Result<RgbaImage> {
-    let folder = file.parent().unwrap_or(Path::new("."));
-    let mut beside = |uri: &str| fs::read(folder.join(uri)).map_err(|error| format!("{uri}: {error}"));
-    let scene = Scene::from_gltf(&fs::read(file)?, &mut beside)?;
+    let scene = scene_file::load(&file.to_string_lossy())?;
     scene.warnings.iter().for_each(|warning| println!("    {warning}"));
-    let name = file.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-    let camera = camera(scenarios, name).map_or_else(|| scene.camera(None).copied(), Ok)?;
+    scene.not_shown.iter().for_each(|not_shown| println!("    not shown: {not_shown}"));
+    let scenario = scenario(scenarios, file);
+    let camera = scenario.and_then(camera).map_or_else(|| scene.camera(None).copied(), Ok)?;
+    let size = scenario.and_then(size).unwrap_or([SIDE, SIDE]);
     let scene = GpuScene::upload(gpu, scene)?;
-    let mut renderer = Renderer::new(gpu, &scene, [SIDE, SIDE], &Settings::for_method(method))?;
+    let mut renderer = Renderer::new(gpu, &scene, size, &Settings::for_method(method))?;
     let frames = if method.is_path_traced() { 64 } else { 1 };
     for _ in 0..frames {
         renderer.render(&camera)?;
@@ -94,9 +95,15 @@ fn draw(gpu: &Gpu, file: &Path, scenarios: &serde_json::Value, method: Method) -
     Ok(renderer.display_image()?)
 }
 
-/// The camera of a model's scenario.
-fn camera(scenarios: &serde_json::Value, model: &str) -> Option<Camera> {
-    let scenario = scenarios["scenarios"].as_array()?.iter().find(|scenario| scenario["model"] == model)?;
+/// The scenario of a model, which is named by its path below the folder of models.
+fn scenario<'a>(scenarios: &'a serde_json::Value, file: &Path) -> Option<&'a serde_json::Value> {
+    let of_file = |scenario: &&serde_json::Value| {
+        scenario["model"].as_str().is_some_and(|model| file.ends_with(Path::new("models").join(model)))
+    };
+    scenarios["scenarios"].as_array()?.iter().find(of_file)
+}
+
+fn camera(scenario: &serde_json::Value) -> Option<Camera> {
     let number = |value: &serde_json::Value| value.as_f64().map(|number| number as f32);
     let of = |name: &str| number(&scenario["orbit"][name]);
     let (theta, phi) = (of("theta")?.to_radians(), of("phi")?.to_radians());
@@ -105,6 +112,13 @@ fn camera(scenarios: &serde_json::Value, model: &str) -> Option<Camera> {
     let away = Vec3::new(phi.sin() * theta.sin(), phi.cos(), phi.sin() * theta.cos());
     let lens = number(&scenario["vertical_fov"])?.to_radians();
     Camera::look_at(target + of("radius")? * away, target, lens).ok()
+}
+
+/// The size of a scenario's picture, scaled to fit on the sheet.
+fn size(scenario: &serde_json::Value) -> Option<[u32; 2]> {
+    let [width, height] = [scenario["size"][0].as_f64()?, scenario["size"][1].as_f64()?];
+    let scale = f64::from(SIDE) / width.max(height);
+    Some([width, height].map(|pixels| (scale * pixels).round().max(1.0) as u32))
 }
 
 fn references(pack: &Path, stem: &str) -> Result<Vec<PathBuf>> {

@@ -153,6 +153,7 @@ impl GpuScene {
         let primitive_count = scene.positions.len() + scene.spheres.len();
         gpu.check_corners("primitives", primitive_count)?;
         let features = Features::of(&scene);
+        let auto_exposure = scene.auto_exposure();
         let thinness = Thinness::of(&scene);
         let probe_points: Vec<[f32; 3]> = thinness.probe_points().iter().map(|p| p.to_array()).collect();
         let emitting = Emitters::of(&scene);
@@ -206,7 +207,7 @@ impl GpuScene {
                 probe_points: thinness.probe_points().len() as u32,
             },
             environment: scene.environment,
-            auto_exposure: scene.auto_exposure(),
+            auto_exposure,
             environment_map: match &scene.environment_map {
                 Some(map) => Some(Arc::new(GpuEnvironment::upload(gpu, map)?)),
                 None => None,

@@ -153,12 +153,19 @@ fn between(spec: &FrameSpec, recipe: &Recipe) -> Result<(Demand, Demand)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Method, Specialize, scene::builtin};
+    use crate::{
+        Method, Specialize,
+        scene::{Thinness, builtin},
+    };
+
+    fn spec(scene: &str, settings: &Settings) -> FrameSpec {
+        let scene = builtin(scene).expect(scene);
+        FrameSpec::of_scene(&scene, &Thinness::of(&scene), settings)
+    }
 
     fn demands(scene: &str, method: Method) -> Demands {
         let settings = Settings { method, specialize: Specialize::Auto, ..Settings::default() };
-        let spec = FrameSpec::of_scene(&builtin(scene).expect(scene), &settings);
-        Demands::of_spec(&spec).expect("links")
+        Demands::of_spec(&spec(scene, &settings)).expect("links")
     }
 
     /// The node of Ylitie et al. 2017 has 80 bytes and a triangle of this crate 36. Reading exactly these shows
@@ -201,7 +208,7 @@ mod tests {
     }
 
     fn adaptive_channels() -> usize {
-        FrameSpec::of_scene(&builtin("room").expect("room"), &Settings::default()).channels().len()
+        spec("room", &Settings::default()).channels().len()
     }
 
     #[test]
@@ -215,11 +222,7 @@ mod tests {
     #[test]
     fn rare_functions_are_there() {
         let settings = Settings { method: Method::Full, ..Settings::default() };
-        let kernel = link(
-            &FrameSpec::of_scene(&builtin("room").expect("room"), &settings)
-                .sources(&super::super::full::FULL),
-        )
-        .expect("links");
+        let kernel = link(&spec("room", &settings).sources(&super::super::full::FULL)).expect("links");
         for name in RARE.into_iter().chain(AVERAGES).chain([TRAVERSAL, SHADOWS]) {
             assert!(count(&kernel, Some(name), &[]).is_some(), "{name}");
         }

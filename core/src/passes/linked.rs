@@ -23,18 +23,17 @@ pub struct Linked {
 }
 
 impl Linked {
-    /// Links the kernels for a scene that need not be on a device.
+    /// Links the kernels for a scene that need not be on a device, and has this [`Thinness::of`].
     ///
     /// # Errors
     /// [`crate::Error::Shader`] if a kernel does not link.
-    pub fn of(scene: &Scene, specialize: Specialize) -> Result<Self> {
+    pub fn of(scene: &Scene, thinness: &Thinness, specialize: Specialize) -> Result<Self> {
         let settings = Settings { specialize, ..Settings::default() };
-        let thinness = Thinness::of(scene);
         // `All` links postcorrection even if the scene has nothing thin.
         let everything = specialize == Specialize::All;
         let corrects = everything || thinness.is_thin(SIZE[1], settings.block);
         let postcorrect = if corrects { Postcorrect::On } else { Postcorrect::Off };
-        let spec = FrameSpec::of_scene(scene, &Settings { postcorrect, ..settings });
+        let spec = FrameSpec::of_scene(scene, thinness, &Settings { postcorrect, ..settings });
         let probe_points = spec.scene.probe_points.max(u32::from(everything));
         let spec = FrameSpec { scene: SceneFacts { probe_points, ..spec.scene }, ..spec };
         let mut linked = Self {
@@ -61,8 +60,9 @@ mod tests {
     #[test]
     fn a_plain_scene_is_spared_what_it_does_not_need() {
         let wires = builtin("wires").expect("wires");
-        let all = Linked::of(&wires, Specialize::All).expect("links");
-        let auto = Linked::of(&wires, Specialize::Auto).expect("links");
+        let thinness = Thinness::of(&wires);
+        let [auto, all] = [Specialize::Auto, Specialize::All]
+            .map(|specialize| Linked::of(&wires, &thinness, specialize).expect("links"));
         let spared: Vec<_> = all.bindings.difference(&auto.bindings).map(String::as_str).collect();
         assert_eq!(spared, ["atlas_color", "atlas_data", "vertices"]);
         assert!(auto.bindings.is_subset(&all.bindings));
@@ -84,8 +84,10 @@ mod tests {
 
     #[test]
     fn postcorrection_is_linked_where_it_is_on() {
-        let files =
-            |name, specialize| Linked::of(&builtin(name).expect(name), specialize).expect("links").files;
+        let files = |name, specialize| {
+            let scene = builtin(name).expect(name);
+            Linked::of(&scene, &Thinness::of(&scene), specialize).expect("links").files
+        };
         let of_postcorrection =
             ["passes/postcorrect/postcorrect.wgsl", "passes/postcorrect/postcorrect_seed.wgsl"];
         for (name, specialize, corrects) in [
@@ -103,7 +105,8 @@ mod tests {
 
     #[test]
     fn other_frames_are_not_counted() {
-        let all = Linked::of(&builtin("room").expect("room"), Specialize::All).expect("links").files;
+        let room = builtin("room").expect("room");
+        let all = Linked::of(&room, &Thinness::of(&room), Specialize::All).expect("links").files;
         for other in ["full", "checkerboard", "fill", "resolve", "postcorrect_scan"] {
             assert!(!all.contains(format!("passes/{other}.wgsl").as_str()), "{other}");
         }
@@ -111,7 +114,10 @@ mod tests {
 
     #[test]
     fn everything_is_the_same_for_every_scene() {
-        let of = |name| Linked::of(&builtin(name).expect(name), Specialize::All).expect("links");
+        let of = |name| {
+            let scene = builtin(name).expect(name);
+            Linked::of(&scene, &Thinness::of(&scene), Specialize::All).expect("links")
+        };
         assert_eq!(of("wires"), of("room"));
         assert_eq!(of("furnace"), of("room"));
     }

@@ -81,7 +81,7 @@ impl FrameSpec {
 
     /// Frames of a scene that is not on a device, as a GPU would render them; assumes the deepest traversal
     /// stack.
-    pub(crate) fn of_scene(scene: &Scene, settings: &Settings) -> Self {
+    pub(crate) fn of_scene(scene: &Scene, thinness: &Thinness, settings: &Settings) -> Self {
         let facts = SceneFacts {
             has_texcoords: !scene.texcoords.is_empty(),
             has_colors: !scene.colors.is_empty(),
@@ -89,7 +89,7 @@ impl FrameSpec {
             bvh_stack: MAX_STACK,
             lights: scene.lights.len() as u32,
             objects: scene.objects.len() as u32,
-            probe_points: Thinness::of(scene).probe_points().len() as u32,
+            probe_points: thinness.probe_points().len() as u32,
         };
         Self::linked(Features::of(scene), facts, Tier::Gpu, settings)
     }

@@ -62,7 +62,7 @@ impl EnvironmentMap {
     /// in it and not burnt out.
     #[must_use]
     pub fn studio() -> Self {
-        Self::of(256, 2, studio::radiance)
+        Self::of(512, 1, studio::radiance)
     }
 
     /// The same radiance from all directions.

@@ -133,13 +133,18 @@ fn one_stop_of_exposure_doubles_all_radiance() {
 
 #[test]
 fn photometric_lights_are_exposed() {
-    let mut scene = ball(Material::default());
-    let kind = LightKind::Directional { direction: Vec3::NEG_Z };
-    let intensity = Vec3::splat(100_000.0);
-    scene.lights.push(Light { kind, intensity, radius: 0.0 });
-    let frame = TestScene::new(scene).full(SIZE);
-    let brightest = frame.as_raw().iter().copied().fold(0.0, f32::max);
-    assert!((brightest - 1.0).abs() < 0.01, "{brightest}");
+    let corners = [Vec3::new(-3.0, -3.0, 0.0), Vec3::new(3.0, -3.0, 0.0), Vec3::new(0.0, 3.0, 0.0)];
+    let mut triangle = ball(Material::default());
+    triangle.spheres.clear();
+    triangle.add_triangles("triangle", 0, &[corners]);
+    for mut scene in [ball(Material::default()), triangle] {
+        let kind = LightKind::Directional { direction: Vec3::NEG_Z };
+        let intensity = Vec3::splat(100_000.0);
+        scene.lights.push(Light { kind, intensity, radius: 0.0 });
+        let frame = TestScene::new(scene).full(SIZE);
+        let brightest = frame.as_raw().iter().copied().fold(0.0, f32::max);
+        assert!((brightest - 1.0).abs() < 0.01, "{brightest}");
+    }
 }
 
 #[test]

@@ -3,6 +3,7 @@ use crate::{
     Denoise, Method, Paths, Postcorrect, Refine, Scene, Settings,
     device::gpu_scene::SceneFacts,
     passes::{PATH_TILE, TRACED_TILE, Work, adaptive, frameless, full, path, postcorrect},
+    scene::Thinness,
 };
 
 const SIZES: [[u32; 2]; 10] = [
@@ -30,7 +31,7 @@ struct Shape {
 impl Shape {
     fn plan(&self, method: Method) -> Plan {
         let settings = Settings { method, ..self.settings };
-        let spec = FrameSpec::of_scene(&Scene::default(), &settings);
+        let spec = FrameSpec::of_scene(&Scene::default(), &Thinness::default(), &settings);
         let facts = SceneFacts { probe_points: self.probe_points, ..spec.scene };
         Plan::new(&FrameSpec { scene: facts, ..spec }, self.grid, self.band)
     }

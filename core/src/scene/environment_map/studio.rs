@@ -11,7 +11,7 @@ struct SoftBox {
     radiance: f64,
 }
 
-const BORDER: f64 = 0.15;
+const BORDER: f64 = 0.3;
 
 const BOXES: [SoftBox; 4] = [
     SoftBox { towards: [0.1, 1.0, 0.25], half: [0.45, 0.45], radiance: 2.2 },
