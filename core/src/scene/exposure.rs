@@ -6,17 +6,17 @@ use glam::Vec3;
 
 use super::{Environment, LightKind, Scene};
 
-/// Irradiance, in units of that under which a white surface has radiance 1, from which on a light counts as
+/// Irradiance of all lights, in units of that under which a white surface has radiance 1, from which on they count as
 /// photometric: candela and lux of real lamps and skies are hundreds and more.
 const PHOTOMETRIC: f32 = 10.0;
 
 impl Scene {
-    /// The exposure in EV under which a white surface in the middle of the scene that faces its brightest light has
-    /// radiance 1, if that light would make it ten times as bright or more; else 0.
+    /// The exposure in EV under which a white surface in the middle of the scene that faced all of its lights would
+    /// have radiance 1, if they would make it ten times as bright or more; else 0.
     #[must_use]
     pub fn auto_exposure(&self) -> f32 {
         let Some((low, high)) = self.bounds() else { return 0.0 };
-        let brightest = self.lights.iter().map(|light| {
+        let radiance = self.lights.iter().map(|light| {
             let distance = |position: Vec3| (position - 0.5 * (low + high)).length().max(light.radius);
             let falloff = match light.kind {
                 LightKind::Point { position, falloff: true, .. } | LightKind::Spot { position, .. } => {
@@ -26,8 +26,8 @@ impl Scene {
             };
             light.intensity.max_element() * falloff / PI
         });
-        let brightest = brightest.fold(0.0, f32::max);
-        if (PHOTOMETRIC..f32::INFINITY).contains(&brightest) { -brightest.log2() } else { 0.0 }
+        let radiance: f32 = radiance.sum();
+        if (PHOTOMETRIC..f32::INFINITY).contains(&radiance) { -radiance.log2() } else { 0.0 }
     }
 
     /// This scene with all its light multiplied by 2 to the power of `exposure`; unlit surfaces stay as they are.

@@ -4,6 +4,28 @@ use glam::Vec3;
 
 use super::{Material, Scene};
 
+/// Defines [`Features`] with the value that has all of them, and their names.
+macro_rules! features {
+    ($(#[$of_all:meta])* pub struct Features { $($(#[$doc:meta])* pub $name:ident: bool,)* }) => {
+        $(#[$of_all])*
+        pub struct Features { $($(#[$doc])* pub $name: bool,)* }
+
+        impl Features {
+            const EVERY: Self = Self { $($name: true,)* };
+
+            /// The number of features.
+            pub const COUNT: usize = [$(stringify!($name)),*].len();
+
+            /// All features with their names in the statistics.
+            #[must_use]
+            pub fn list(&self) -> [(&'static str, bool); Self::COUNT] {
+                [$((stringify!($name), self.$name)),*]
+            }
+        }
+    };
+}
+
+features! {
 /// Features that kernels need for a scene. `false` leaves the feature's code out of every kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Features {
@@ -55,6 +77,7 @@ pub struct Features {
     /// Some material has a specular colour, specular-glossiness factors, a clear coat or absorption.
     pub layers: bool,
 }
+}
 
 impl Features {
     /// Derives the features that rendering this scene needs.
@@ -91,68 +114,14 @@ impl Features {
     /// All features switched on, for kernels that link every piece.
     #[must_use]
     pub fn all() -> Self {
-        Self {
-            textures: true,
-            glossy: true,
-            emission: true,
-            metallic_roughness_textures: true,
-            emissive_textures: true,
-            vertex_colors: true,
-            smooth_normals: true,
-            alpha_mask: true,
-            coverage: true,
-            vertex_alpha: true,
-            single_sided: true,
-            shadow_filter: true,
-            spheres: true,
-            reflection: true,
-            refraction: true,
-            panes: true,
-            // Its textures exist only where there is one.
-            environment_map: false,
-            lights: true,
-            several_lights: true,
-            extended_materials: true,
-            normal_maps: true,
-            slot_coordinates: true,
-            layers: true,
-        }
+        // The textures of an environment map exist only where there is one.
+        Self { environment_map: false, ..Self::EVERY }
     }
 
     /// Whether a sample may trace rays besides the primary one and shadow rays, so that their radiance is stored.
     #[must_use]
     pub fn secondary_rays(&self) -> bool {
         self.reflection || self.refraction || self.coverage
-    }
-
-    /// All features with their names in the statistics.
-    #[must_use]
-    pub fn list(&self) -> [(&'static str, bool); 23] {
-        [
-            ("textures", self.textures),
-            ("glossy", self.glossy),
-            ("emission", self.emission),
-            ("metallic_roughness_textures", self.metallic_roughness_textures),
-            ("emissive_textures", self.emissive_textures),
-            ("vertex_colors", self.vertex_colors),
-            ("smooth_normals", self.smooth_normals),
-            ("alpha_mask", self.alpha_mask),
-            ("coverage", self.coverage),
-            ("vertex_alpha", self.vertex_alpha),
-            ("single_sided", self.single_sided),
-            ("shadow_filter", self.shadow_filter),
-            ("spheres", self.spheres),
-            ("reflection", self.reflection),
-            ("refraction", self.refraction),
-            ("panes", self.panes),
-            ("environment_map", self.environment_map),
-            ("lights", self.lights),
-            ("several_lights", self.several_lights),
-            ("extended_materials", self.extended_materials),
-            ("normal_maps", self.normal_maps),
-            ("slot_coordinates", self.slot_coordinates),
-            ("layers", self.layers),
-        ]
     }
 }
 
