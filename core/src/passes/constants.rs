@@ -17,6 +17,9 @@ use crate::{
 
 /// Threads in a workgroup that processes entries of a list.
 pub const TRACE_GROUP: u32 = 64;
+
+/// Flag in an object's word of attributes, below that of traced pixels: its mirrored ray met nothing.
+const MIRROR_FLAG: u32 = 1 << 30;
 /// Largest number of workgroups along x; more continue in the next row along y.
 pub const TRACE_ROW: u32 = 32_768;
 
@@ -97,6 +100,7 @@ impl FrameSpec {
             ("HAS_SHADOW_WORD", self.shadow_shift().is_none()),
             ("HAS_FACE", f.smooth_normals),
             ("HAS_GCOL", f.secondary_rays()),
+            ("MIRRORS_ENVIRONMENT", self.mirrors_environment()),
             ("HAS_TEXTURES", f.textures),
             ("HAS_METALLIC_ROUGHNESS_TEXTURES", f.metallic_roughness_textures),
             ("HAS_EMISSIVE_TEXTURES", f.emissive_textures),
@@ -133,6 +137,7 @@ impl FrameSpec {
             ("MAX_RAYS", MAX_RAYS),
             ("LIGHT_COUNT", self.scene.lights),
             ("VERTEX_STRIDE", SceneFacts::vertex_stride(self.scene.has_texcoords, self.scene.has_colors)),
+            ("ATTRIBUTES_MIRROR", if self.mirrors_environment() { MIRROR_FLAG } else { 0 }),
             ("SHADOW_SHIFT", self.shadow_shift().unwrap_or(0)),
             ("OBJECT_MASK", self.shadow_shift().map_or(u32::MAX, |shift| (1 << shift) - 1)),
             ("TRACE_GROUP", TRACE_GROUP),

@@ -37,6 +37,11 @@ impl FrameSpec {
                 wgsl!("wgsl/adaptive/list_append.wgsl"),
                 wgsl!("wgsl/adaptive/similarity.wgsl"),
                 pick(
+                    self.mirrors_environment(),
+                    wgsl!("wgsl/adaptive/similarity_mirror.wgsl"),
+                    wgsl!("wgsl/adaptive/similarity_mirror_none.wgsl"),
+                ),
+                pick(
                     self.features.extended_materials,
                     wgsl!("wgsl/adaptive/similarity_maps.wgsl"),
                     wgsl!("wgsl/adaptive/similarity_maps_none.wgsl"),

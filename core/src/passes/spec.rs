@@ -137,10 +137,16 @@ impl FrameSpec {
         self.settings.method == Method::Vr
     }
 
+    /// Whether samples tell that their mirrored ray met nothing, where it would see an environment map.
+    pub(super) fn mirrors_environment(&self) -> bool {
+        self.features.environment_map && self.features.reflection
+    }
+
     /// First bit of the shadow mask in the object's word; `None` if the mask has a word of its own.
     pub(super) fn shadow_shift(&self) -> Option<u32> {
         let object_bits = 32 - self.scene.objects.leading_zeros();
-        (self.settings.specialize == Specialize::Auto && object_bits + self.scene.lights < 32)
+        let flags = 1 + u32::from(self.mirrors_environment());
+        (self.settings.specialize == Specialize::Auto && object_bits + self.scene.lights + flags <= 32)
             .then_some(object_bits)
     }
 

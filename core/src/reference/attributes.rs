@@ -26,6 +26,8 @@ pub struct Attributes {
     pub face: DVec3,
     /// Bit i is set if light i does not reach the point (SHDBIT).
     pub shadow: u32,
+    /// Whether `gcol` is the radiance of one mirrored ray, which met nothing where the environment is a map.
+    pub mirrors_environment: bool,
     /// Reflected and refracted radiance (GCOL).
     pub gcol: DVec3,
     /// Texture coordinates, wrapped into [0, 1] (TCOORD).
@@ -66,6 +68,7 @@ impl Attributes {
             normal: DVec3::ZERO,
             face: DVec3::ZERO,
             shadow: 0,
+            mirrors_environment: false,
             gcol: DVec3::ZERO,
             texcoord: DVec2::ZERO,
             color: DVec3::ONE,

@@ -3,8 +3,10 @@
 use glam::{DVec2, DVec3};
 
 use super::{
-    Attributes, Cause, Intersection, Ray, Reference, Rounding, attributes, material::Shading,
-    scatter::PathState, texture::Encoding,
+    Attributes, Cause, Intersection, Ray, Reference, Rounding, attributes,
+    material::Shading,
+    scatter::{PathState, Scattered},
+    texture::Encoding,
 };
 use crate::Settings;
 
@@ -35,6 +37,13 @@ pub struct Sample {
     pub secondary: Option<Attributes>,
     /// Linear radiance times the ray's weight.
     pub color: DVec3,
+}
+
+impl Sample {
+    /// The attributes of the first hit, if there is one.
+    pub(super) fn hit(&self) -> Option<Attributes> {
+        self.attributes.object.map(|_| self.attributes)
+    }
 }
 
 impl Reference {
@@ -145,13 +154,15 @@ impl Reference {
         let weight = covered * state.weight;
         let dimmed = self.dimmed(&s, m, -ray.direction, rounding);
         let (beyond, behind) = self.straight(&s, state, covered, limits, rounding);
-        let (scattered, secondary) =
+        let Scattered { radiance: scattered, hit: secondary, mirrored } =
             self.scattered(&s, &m, &PathState { weight, ..*state }, limits, rounding);
         // Of equal weights the scattered ray counts.
         let behind = behind.filter(|(w, _)| secondary.is_none_or(|(other, _)| *w > other));
         let secondary = behind.or(secondary).map(|(_, attributes)| attributes);
         let gcol = weight * dimmed + beyond + scattered;
+        let whole = state.level == 1 && !s.inside && weight == DVec3::ONE && self.has_environment_map();
         let attributes = Attributes {
+            mirrors_environment: whole && mirrored == Some(gcol),
             depth: intersection.t,
             object: Some(s.object),
             normal: smooth.normal,

@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 
-use super::{Attributes, Cause, Limits, Material, Ray, Reference, Rounding, Surface};
+use super::{Attributes, Cause, Limits, Material, Ray, Reference, Rounding, Sample, Surface};
 
 /// A ray of the recursion with its state.
 pub(super) struct PathState {
@@ -26,6 +26,15 @@ pub(super) struct BsdfSample {
     pub cone: (f64, f64),
     /// Weight of the ray's radiance in the pixel, for each channel.
     pub share: DVec3,
+}
+
+/// What the rays that leave a surface bring.
+pub(super) struct Scattered {
+    pub radiance: DVec3,
+    /// The weight and the hit of the ray with the greatest weight that hits anything.
+    pub hit: Option<(f64, Attributes)>,
+    /// Radiance of the mirrored ray, if it was traced and met nothing.
+    pub mirrored: Option<DVec3>,
 }
 
 impl Reference {
@@ -68,12 +77,14 @@ impl Reference {
         let weight = (1.0 - covered) * from.weight;
         let cone = (s.width, s.growth);
         let beyond = BsdfSample { direction: from.ray.direction, cone, share: DVec3::ONE };
-        let (color, hit) = self.followed((s, 0.0), &beyond, weight, from.level.max(2) - 1, limits, rounding);
-        (color, hit.map(|hit| (weight.max_element(), hit)))
+        let level = from.level.max(2) - 1;
+        let Some(seen) = self.followed((s, 0.0), &beyond, weight, level, limits, rounding) else {
+            return (self.cut_off(weight), None);
+        };
+        (seen.color, seen.hit().map(|hit| (weight.max_element(), hit)))
     }
 
-    /// Radiance of the reflected and refracted rays, and the weight and the hit of the one with the greatest weight
-    /// that hits anything.
+    /// Traces the reflected and the refracted ray.
     pub(super) fn scattered(
         &self,
         s: &Surface,
@@ -81,23 +92,44 @@ impl Reference {
         from: &PathState,
         limits: &Limits,
         rounding: &mut Rounding,
-    ) -> (DVec3, Option<(f64, Attributes)>) {
+    ) -> Scattered {
         let rays = self.specular(s, m, from.ray.direction, rounding);
-        let mut sum = DVec3::ZERO;
-        let mut heaviest: Option<(f64, Attributes)> = None;
-        for bsdf_sample in rays.into_iter().flatten() {
+        let mut scattered = Scattered { radiance: DVec3::ZERO, hit: None, mirrored: None };
+        for (ray, bsdf_sample) in rays.iter().enumerate() {
+            let Some(bsdf_sample) = bsdf_sample else { continue };
             let weight = from.weight * bsdf_sample.share;
-            let (color, hit) =
-                self.followed((s, m.roughness), &bsdf_sample, weight, from.level, limits, rounding);
-            sum += color;
-            let found = hit.map(|hit| (weight.max_element(), hit));
-            if found.is_some_and(|(w, _)| heaviest.is_none_or(|(most, _)| w > most)) {
-                heaviest = found;
+            let Some(seen) =
+                self.followed((s, m.roughness), bsdf_sample, weight, from.level, limits, rounding)
+            else {
+                scattered.radiance += self.cut_off(weight);
+                continue;
+            };
+            scattered.radiance += seen.color;
+            let found = seen.hit().map(|hit| (weight.max_element(), hit));
+            if ray == 0 && found.is_none() {
+                scattered.mirrored = Some(seen.color);
+            }
+            if found.is_some_and(|(w, _)| scattered.hit.is_none_or(|(most, _)| w > most)) {
+                scattered.hit = found;
             }
         }
-        (sum, heaviest)
+        scattered
     }
 
+    /// Radiance that takes the place of a ray which a limit cuts off.
+    fn cut_off(&self, weight: DVec3) -> DVec3 {
+        weight * self.scene.environment.fallback_radiance.as_dvec3()
+    }
+
+    /// Radiance of the mirrored ray of a surface seen from outside, where it meets nothing; `direction` is that of the
+    /// incident ray, of unit length.
+    pub(super) fn mirrored_environment(&self, m: &Material, normal: DVec3, direction: DVec3) -> DVec3 {
+        let cosine = (-normal.dot(direction)).clamp(0.0, 1.0);
+        let mirrored = direction - 2.0 * normal.dot(direction) * normal;
+        m.mirror(cosine, false) * self.environment_lobe(mirrored, stepped(m.roughness))
+    }
+
+    /// The sample of a ray that leaves a surface; `None` if a limit cuts it off or it has no weight.
     fn followed(
         &self,
         (s, roughness): (&Surface, f64),
@@ -106,21 +138,30 @@ impl Reference {
         level: u32,
         limits: &Limits,
         rounding: &mut Rounding,
-    ) -> (DVec3, Option<Attributes>) {
+    ) -> Option<Sample> {
         let largest = weight.max_element();
         if largest <= 0.0 {
-            return (DVec3::ZERO, None);
+            return None;
         }
         let largest = rounding.number(Cause::Branch, largest, largest);
         if level >= limits.depth || largest < limits.min_weight {
-            return (weight * self.scene.environment.fallback_radiance.as_dvec3(), None);
+            return None;
         }
         let ray = s.spawn(bsdf_sample.direction, bsdf_sample.cone, rounding);
-        let roughness = (roughness.clamp(0.0, 1.0) * 255.0 + 0.5).floor() / 255.0;
-        let state = PathState { ray, left: Some(s.primitive), weight, level: level + 1, roughness };
-        let seen = self.follow(&state, limits, rounding);
-        (seen.color, seen.attributes.object.map(|_| seen.attributes))
+        let state = PathState {
+            ray,
+            left: Some(s.primitive),
+            weight,
+            level: level + 1,
+            roughness: stepped(roughness),
+        };
+        Some(self.follow(&state, limits, rounding))
     }
+}
+
+/// A roughness as rays carry it.
+fn stepped(roughness: f64) -> f64 {
+    (roughness.clamp(0.0, 1.0) * 255.0 + 0.5).floor() / 255.0
 }
 
 /// Direction of the refracted ray by Snell's law (unchanged through a pane), and its components along the

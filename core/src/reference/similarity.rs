@@ -35,6 +35,8 @@ impl ReferenceFrame<'_> {
         let seam = self.reference.first_texture(object).is_some()
             && at_seam(p.texcoord, q.texcoord, f64::from(tolerances.tex))
             || self.maps_apart(object, [&p.maps, &q.maps], &tolerances);
+        let gcol = f64::from(tolerances.gcol);
+        let mirrors = p.mirrors_environment && q.mirrors_environment;
         // All but the first, which is decided.
         let checks: [(Check, bool); Check::ALL.len() - 1] = [
             (Check::Pos, (b.position - a.position).length() < pos),
@@ -42,10 +44,10 @@ impl ReferenceFrame<'_> {
             (Check::Convex, !self.inflected(a, b)),
             (Check::Tex, !seam),
             (Check::Shadow, p.shadow == q.shadow),
-            (Check::Gcol, (p.gcol - q.gcol).length() < f64::from(tolerances.gcol)),
+            (Check::Gcol, p.gcol.distance(q.gcol) < gcol || mirrors && gcol > 0.0),
         ];
         let failed = checks.iter().filter(|(_, passed)| !passed).map(|(check, _)| check.bit()).sum();
-        if failed == 0 && self.coverage_bends(p, q, f64::from(tolerances.gcol)) {
+        if failed == 0 && self.coverage_bends(p, q, gcol) {
             return Check::Gcol.bit();
         }
         failed
@@ -100,6 +102,7 @@ impl ReferenceFrame<'_> {
             normal: mix(a.normal, b.normal).normalize_or_zero(),
             face: mix(a.face, b.face).normalize_or_zero(),
             shadow: a.shadow,
+            mirrors_environment: a.mirrors_environment && b.mirrors_environment,
             gcol: 0.5 * (a.gcol + b.gcol),
             texcoord: weight * a.texcoord + (1.0 - weight) * b.texcoord,
             color: mix(a.color, b.color),
@@ -118,16 +121,22 @@ impl ReferenceFrame<'_> {
         let (ray, _) = self.ray(pixel);
         let footprint = attributes::moments(a.footprint);
         let material = self.reference.material(object, a.texcoord, footprint, a.color, &a.maps);
+        let normal = material.normal(a.normal, a.face, -ray.direction, &a.maps);
+        let gcol = if a.mirrors_environment {
+            self.covered(a) * self.reference.mirrored_environment(&material, normal, ray.direction)
+        } else {
+            a.gcol
+        };
         let local = self.reference.local(Shading {
             material,
             position: self.position(pixel, a.depth),
-            normal: material.normal(a.normal, a.face, -ray.direction, &a.maps),
+            normal,
             view: -ray.direction,
             inside: false,
             shadow: a.shadow,
             rounding,
         });
-        a.gcol + self.covered(a) * local
+        gcol + self.covered(a) * local
     }
 }
 

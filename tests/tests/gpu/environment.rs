@@ -75,6 +75,33 @@ fn a_mirror_and_a_miss_show_the_map() {
     assert!(balls > 300);
 }
 
+/// A sky that is mirrored without another ray: only the traced pixels' rays know that nothing is in the way.
+#[test]
+fn undersampled_mirrors_show_the_map_in_full_detail() {
+    let mirror = Weights { diffuse: 0.0, mirror: 1.0, refraction: 0.0 };
+    let mut scene = ball(Material { weights: Some(mirror), roughness: 0.0, ..Material::default() });
+    let stripes = glimpse::LinearImage::from_fn(1024, 512, |x, y| {
+        image::Rgb([0.5 + 0.5 * (0.2 * x as f32).sin(), 0.5 + 0.5 * (0.2 * y as f32).cos(), 0.5])
+    });
+    scene.surround(EnvironmentMap::from_equirectangular(&stripes).expect("a map"));
+    let scene = TestScene::new(scene);
+    let size = [96, 96];
+    let settings = Settings { postcorrect: glimpse::Postcorrect::Off, ..Settings::default() };
+    let (adaptive, full) = (scene.frame(size, &settings), scene.full(size));
+    let mut inside = 0;
+    for (x, y, pixel) in adaptive.enumerate_pixels() {
+        if seen(&scene, size, x, y).is_none_or(|(n, d)| n.dot(d) > -0.5) {
+            continue;
+        }
+        inside += 1;
+        let error = (Vec3::from(pixel.0) - Vec3::from(full.get_pixel(x, y).0)).abs().max_element();
+        assert!(error < 0.15, "{x}, {y}: {error}");
+    }
+    assert!(inside > 1500, "{inside}");
+    let samples = scene.inspect(size, &settings).counts.samples;
+    assert!(samples.interpolated > 96 * 96 / 2, "{samples:?}");
+}
+
 #[test]
 fn a_constant_map_is_a_constant_environment_to_the_last_digit() {
     let radiance = Vec3::new(0.3, 1.7, 0.9);

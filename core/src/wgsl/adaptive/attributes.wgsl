@@ -11,6 +11,8 @@ struct Attributes {
     normal: vec3f,
     face: vec3f,
     shadow: u32,
+    // Whether GCOL is that of one mirrored ray, which met nothing.
+    mirrors_environment: bool,
     gcol: vec3f,
     texcoord: vec2f,
     color: vec3f,
@@ -55,6 +57,7 @@ fn footprint_decode(packed: u32) -> vec3f {
 // Flag in the word of OID, above its bits: the pixel was traced.
 const ATTRIBUTES_TRACED: u32 = 0x80000000u;
 const ATTRIBUTES_INTERPOLATED: u32 = 0u;
+const ATTRIBUTES_FLAGS: u32 = ATTRIBUTES_TRACED | ATTRIBUTES_MIRROR;
 
 fn attributes_channel(plane: u32, pixel: vec2u) -> u32 {
     return (frame_band_row(pixel.y) / 2u * CHANNELS + plane) * frame.size.x + pixel.x;

@@ -16,7 +16,7 @@ fn attributes_identity(object: u32, shadow: u32) -> vec2u {
 }
 
 fn attributes_stored_identity(pixel: vec2u, word: u32) -> vec2u {
-    let bits = word & ~ATTRIBUTES_TRACED;
+    let bits = word & ~ATTRIBUTES_FLAGS;
     if !HAS_SHADOW_WORD {
         return attributes_identity(bits & OBJECT_MASK, bits >> SHADOW_SHIFT);
     }

@@ -20,10 +20,11 @@ fn attributes_keep(pixel: vec2u, a: Attributes, traced: u32) {
 }
 
 fn attributes_store_object(pixel: vec2u, a: Attributes, traced: u32) {
+    let flags = traced | select(0u, ATTRIBUTES_MIRROR, a.mirrors_environment);
     if !HAS_SHADOW_WORD {
-        attributes[attributes_object(pixel)] = a.object | (a.shadow << SHADOW_SHIFT) | traced;
+        attributes[attributes_object(pixel)] = a.object | (a.shadow << SHADOW_SHIFT) | flags;
     } else {
-        attributes[attributes_object(pixel)] = a.object | traced;
+        attributes[attributes_object(pixel)] = a.object | flags;
         attributes[attributes_shadow(pixel)] = a.shadow;
     }
 }
@@ -64,7 +65,9 @@ fn attributes_store(pixel: vec2u, a: Attributes, traced: u32) {
 fn attributes_load(pixel: vec2u) -> Attributes {
     var a: Attributes;
     a.depth = bitcast<f32>(attributes[attributes_channel(CHANNEL_DEPTH, pixel)]);
-    let object = attributes[attributes_channel(CHANNEL_OBJECT, pixel)] & ~ATTRIBUTES_TRACED;
+    let word = attributes[attributes_channel(CHANNEL_OBJECT, pixel)];
+    let object = word & ~ATTRIBUTES_FLAGS;
+    a.mirrors_environment = (word & ATTRIBUTES_MIRROR) != 0u;
     if !HAS_SHADOW_WORD {
         a.object = object & OBJECT_MASK;
         a.shadow = object >> SHADOW_SHIFT;

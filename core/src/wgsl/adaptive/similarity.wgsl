@@ -46,7 +46,8 @@ fn similarity_failed(a: Attributes, a_pixel: vec2u, b: Attributes, b_pixel: vec2
         failed |= select(CHECK_SHADOW, 0u, a.shadow == b.shadow);
     }
     if HAS_GCOL {
-        failed |= select(CHECK_GCOL, 0u, length(a.gcol - b.gcol) < frame.tolerances.gcol);
+        let same = similarity_mirrors(a, b) || length(a.gcol - b.gcol) < frame.tolerances.gcol;
+        failed |= select(CHECK_GCOL, 0u, same);
     }
     return failed;
 }
@@ -67,6 +68,7 @@ fn similarity_interpolate(a: Attributes, b: Attributes) -> Attributes {
     if HAS_FACE {
         middle.face = normalize(a_weight * a.face + b_weight * b.face);
     }
+    middle.mirrors_environment = a.mirrors_environment && b.mirrors_environment;
     middle.gcol = 0.5 * (a.gcol + b.gcol);
     middle.texcoord = a_weight * a.texcoord + b_weight * b.texcoord;
     middle.color = a_weight * a.color + b_weight * b.color;
@@ -87,5 +89,5 @@ fn similarity_shade(pixel: vec2u, a: Attributes) -> vec3f {
     let view = -normalize(ray.direction);
     let normal = material_normal(m, a.normal, a.face, view, a.maps);
     let covered = coverage_of(a.object - 1u, a.texcoord, attributes_moments(a.footprint), a.alpha);
-    return a.gcol + covered * material_local(m, position, normal, view, false, a.shadow);
+    return similarity_secondary(a, m, normal, view, covered) + covered * material_local(m, position, normal, view, false, a.shadow);
 }

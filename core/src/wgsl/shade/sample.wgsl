@@ -19,6 +19,9 @@ fn sample_follow(ray: Ray) -> Sample {
     result.attributes.depth = FAR;
     var local = vec3f(0.0);
     var gcol = vec3f(0.0);
+    // Radiance of the first mirrored ray, where it met nothing and the surface is all that the pixel shows.
+    var mirrored = vec3f(-1.0);
+    var whole = false;
     var state = PathState(ray, vec3f(1.0), 1u, RAY_PRIMARY);
     loop {
         inspect_ray(state.kind & RAY_KIND);
@@ -27,6 +30,9 @@ fn sample_follow(ray: Ray) -> Sample {
         var arriving = vec3f(0.0);
         if hit.primitive == MISS {
             arriving = environment_missed(state.kind, direction);
+            if MIRRORS_ENVIRONMENT && whole && state.level == 2u && (state.kind & RAY_KIND) == RAY_REFLECTION {
+                mirrored = state.weight * arriving;
+            }
         } else {
             let smooth_surface = surface_at(state.ray, hit);
             var s = smooth_surface;
@@ -49,6 +55,9 @@ fn sample_follow(ray: Ray) -> Sample {
             }
             state.weight *= surface_absorbed(s, state.ray);
             straight_continue(&state, s, &gcol);
+            if state.level == 1u {
+                whole = !s.inside && all(state.weight == vec3f(1.0));
+            }
             shadow_add_dimmed(s, m, -direction, state.weight, &gcol);
             gcol += scatter(s, m, state, direction);
         }
@@ -63,6 +72,7 @@ fn sample_follow(ray: Ray) -> Sample {
         result.bounced = true;
     }
     result.attributes.gcol = gcol;
+    result.attributes.mirrors_environment = all(gcol == mirrored);
     result.color = gcol + local;
     return result;
 }
