@@ -12,6 +12,8 @@ mod environment_options;
 mod frame_options;
 #[path = "look_at.rs"]
 mod look_at;
+#[path = "scene_options.rs"]
+mod scene_options;
 #[path = "vary.rs"]
 mod vary;
 
@@ -20,6 +22,7 @@ pub use environment_options::EnvironmentOptions;
 pub use frame_options::default_text;
 pub use frame_options::{FrameOptions, Recursion, TypedOptions, method_parser};
 pub use look_at::LookAtOptions;
+pub use scene_options::SceneOptions;
 pub use vary::Variation;
 
 /// The largest width or height of a frame in pixels.
@@ -68,9 +71,8 @@ pub enum Command {
 pub struct ViewOptions {
     /// A .glb or .gltf file, or builtin:NAME [default: builtin:room]
     pub scene: Option<String>,
-    /// Show the file's variant of materials with this name; `info` lists them
-    #[arg(long, value_name = "NAME")]
-    pub variant: Option<String>,
+    #[command(flatten)]
+    pub file: SceneOptions,
     /// Window size in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720", conflicts_with = "phone")]
     pub size: Size,
@@ -91,7 +93,7 @@ impl Default for ViewOptions {
     fn default() -> Self {
         Self {
             scene: None,
-            variant: None,
+            file: SceneOptions::default(),
             size: Size([1280, 720]),
             phone: None,
             script: None,
@@ -144,9 +146,8 @@ pub struct CompareOptions {
 pub struct InfoOptions {
     /// A .glb or .gltf file, or builtin:NAME
     pub scene: String,
-    /// Fail where anything of the file is left out, replaced or not shown as the format has it
-    #[arg(long)]
-    pub strict: bool,
+    #[command(flatten)]
+    pub file: SceneOptions,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

@@ -8,7 +8,7 @@ use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
 use glimpse::options::{Choice, Kind, OPTIONS, OptionSpec};
 use glimpse::{Method, Settings};
 
-use super::{EnvironmentOptions, LookAtOptions, Size};
+use super::{EnvironmentOptions, LookAtOptions, SceneOptions, Size};
 
 /// What every rendering command takes.
 #[derive(Clone, Debug, PartialEq, Args)]
@@ -21,12 +21,8 @@ pub struct FrameOptions {
     pub camera: Option<String>,
     #[command(flatten)]
     pub look_at: LookAtOptions,
-    /// Show the file's variant of materials with this name; `info` lists them
-    #[arg(long, value_name = "NAME")]
-    pub variant: Option<String>,
-    /// Fail where anything of the file is left out, replaced or not shown as the format has it
-    #[arg(long)]
-    pub strict: bool,
+    #[command(flatten)]
+    pub file: SceneOptions,
     #[command(flatten)]
     pub environment: EnvironmentOptions,
     #[command(flatten)]
@@ -39,8 +35,7 @@ impl Default for FrameOptions {
             size: Size([2560, 1440]),
             camera: None,
             look_at: LookAtOptions::default(),
-            variant: None,
-            strict: false,
+            file: SceneOptions::default(),
             environment: EnvironmentOptions::default(),
             typed: TypedOptions::default(),
         }

@@ -8,7 +8,6 @@ use serde::Serialize;
 
 use crate::args::InfoOptions;
 use crate::output::{self, bytes, counted, listed};
-use crate::scene_file;
 use crate::summary::{self, row};
 
 /// A scene in the output of `--json`.
@@ -86,10 +85,7 @@ struct ImageSummary {
 
 /// Runs `glimpse info`.
 pub fn run(options: &InfoOptions) -> anyhow::Result<()> {
-    let scene = scene_file::load(&options.scene)?;
-    if options.strict {
-        scene_file::check_whole(&options.scene, &scene)?;
-    }
+    let scene = options.file.load(&options.scene, &mut |_, _| ())?;
     let info = Info::of(&options.scene, scene)?;
     output::print(&if options.json { output::json(&info)? } else { info.text() })
 }

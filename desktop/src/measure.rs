@@ -63,7 +63,7 @@ impl<'g> Workbench<'g> {
         let mut inputs = Vec::new();
         let mut seen = |path: &Path, _: &[u8]| inputs.push(path.to_owned());
         let (scene, load_ms) = timed(|| {
-            let mut scene = scene_file::load_seen(name, options.variant.as_deref(), &mut seen)?;
+            let mut scene = options.file.load(name, &mut seen)?;
             surroundings.apply(&mut scene)?;
             anyhow::Ok(scene)
         })?;
@@ -73,9 +73,6 @@ impl<'g> Workbench<'g> {
         let methods = methods.with_context(|| name.to_owned())?;
         let specialize = requests.first().map_or(Specialize::Auto, |request| request.settings.specialize);
         let statistics = SceneStatistics::of(name, &scene, specialize);
-        if options.strict {
-            scene_file::check_whole(name, &scene)?;
-        }
         let (mut warnings, not_shown) = (scene.warnings.clone(), scene.not_shown.clone());
         warnings.extend(scene.is_lit_by_studio.then(|| scene_file::STUDIO_LIT.to_owned()));
         let exposure = |request: &FrameRequest| request.settings.exposure.unwrap_or(scene.auto_exposure());

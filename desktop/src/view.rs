@@ -11,7 +11,7 @@ use glimpse_shell::{Chosen, Screen, Setup, Wakeup, free_name};
 use winit::error::EventLoopError;
 use winit::event_loop::EventLoop;
 
-use crate::args::{Size, ViewOptions};
+use crate::args::{SceneOptions, Size, ViewOptions};
 use crate::errors::Usage;
 use crate::{files, render, scene_file};
 
@@ -43,13 +43,14 @@ fn setup(options: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::R
     let phone = options.phone.as_deref().map(Phone::named).transpose();
     let phone = phone.map_err(|reason| Usage(format!("--phone: {reason}")))?;
     let script = options.script.as_deref().map(read_script).transpose()?;
-    // The variant is one of the scene that was named with it.
-    let (first, variant) = (scene.to_owned(), options.variant.clone());
+    let (first, of_first) = (scene.to_owned(), options.file.clone());
     let surroundings = options.environment.surroundings();
     surroundings.check()?;
     let reader: Files = Arc::new(move |name| {
-        let variant = variant.as_deref().filter(|_| name == first);
-        let loaded = scene_file::load_seen(name, variant, &mut |_, _| ()).and_then(|mut scene| {
+        // The variant is one of the scene that was named with it.
+        let variant = of_first.variant.clone().filter(|_| name == first);
+        let file = SceneOptions { variant, ..of_first.clone() };
+        let loaded = file.load(name, &mut |_, _| ()).and_then(|mut scene| {
             surroundings.apply(&mut scene)?;
             Ok(scene)
         });

@@ -140,6 +140,16 @@ fn the_triangle_itself_is_rendered() {
 }
 
 #[test]
+fn a_scene_beyond_the_budget_of_memory() {
+    let bench = Bench::new();
+    let (document, buffer) = triangle();
+    let scene = bench.file("good.glb", glb(&document, &buffer));
+    let words = &["good.glb", "option `memory`", "are left"];
+    bench.refused(&["info", &scene, "--memory", "1KiB"], FAILED, words);
+    bench.refused(&["info", &scene, "--memory", "1 lot"], USAGE, &["--memory", "512MiB", "1 lot"]);
+}
+
+#[test]
 fn zero_area_triangles_are_no_error() {
     let bench = Bench::new();
     let (mut document, mut buffer) = triangle();

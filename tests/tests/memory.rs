@@ -1,13 +1,16 @@
 //! Peak memory of imports, for files that request a lot: measured against the bound stated by the importer. A
 //! binary with a single test, as every allocation of the process counts.
 
-use glimpse::Scene;
+use glimpse::{Scene, scene::ImportOptions};
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 use peak_alloc::PeakAlloc;
 
 #[global_allocator]
 static ALLOCATOR: PeakAlloc = PeakAlloc;
+
+/// What an import takes besides what its file requests.
+const FIXED: usize = 8 << 20;
 
 /// A file, and what it requests beyond its own bytes.
 struct Case {
@@ -49,11 +52,12 @@ impl Case {
     }
 
     /// Peak of allocated bytes, and the result of the import.
-    fn measured(&self) -> (usize, glimpse::Result<usize>) {
+    fn measured(&self, budget: Option<usize>) -> (usize, glimpse::Result<usize>) {
         let external = &self.external;
+        let options = ImportOptions { memory: budget.map(|bytes| bytes as u64), ..ImportOptions::default() };
         let before = ALLOCATOR.current_usage();
         ALLOCATOR.reset_peak_usage();
-        let scene = Scene::from_gltf(&self.file, &mut |_| Ok(external.clone()));
+        let scene = Scene::from_gltf_with(&self.file, &mut |_| Ok(external.clone()), &options);
         (ALLOCATOR.peak_usage() - before, scene.map(|scene| scene.positions.len()))
     }
 }
@@ -360,12 +364,20 @@ fn an_import_stays_below_its_bound() {
         (honest(), Some(true)),
     ] {
         for case in group {
-            let (peak, result) = case.measured();
+            let (peak, result) = case.measured(None);
             let (name, bound) = (case.name, case.bound());
             println!("{name}: {peak} of {bound} bytes, file of {}", case.file.len());
             assert!(peak <= bound, "{name}: {peak} bytes, the bound is {bound}");
             assert!(scenes.is_none_or(|expected| result.is_ok() == expected), "{name}: {result:?}");
             worst = worst.max(peak as f64 / bound as f64);
+
+            let (within, same) = case.measured(Some(bound + FIXED));
+            assert_eq!(same.ok(), result.ok(), "{name}: with its bound as the budget");
+            assert!(within <= bound, "{name}: {within} bytes with a budget");
+            // A budget that is too small is kept to, whatever the file requests.
+            let budget = bound / 16;
+            let (within, refused) = case.measured(Some(budget));
+            assert!(within <= budget + FIXED, "{name}: {within} bytes, the budget is {budget}: {refused:?}");
         }
     }
     assert!(worst > 0.25, "the bound is of the size of what it bounds: {worst}");

@@ -32,6 +32,8 @@ pub use environment_map::{
     EnvironmentDistribution, EnvironmentMap, FIRST_FILTERED, FilteredLevel, Harmonics, WIDEST_LOBE,
 };
 pub use features::Features;
+#[cfg(feature = "gltf")]
+pub use gltf::ImportOptions;
 pub use material::{Material, SpecularGlossiness, Weights};
 pub use not_shown::NotShown;
 pub use octahedral::{
@@ -251,21 +253,21 @@ impl Scene {
         bytes: &[u8],
         resolve: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
     ) -> crate::Result<Self> {
-        gltf::read(bytes, resolve, None)
+        Self::from_gltf_with(bytes, resolve, &ImportOptions::default())
     }
 
-    /// Reads glTF 2.0 as [`Scene::from_gltf`] does, with the materials of the variant of this name
-    /// (KHR_materials_variants).
+    /// Reads glTF 2.0 as [`Scene::from_gltf`] does, in a variant of its materials or within a budget of memory.
     ///
     /// # Errors
-    /// Those of [`Scene::from_gltf`]; [`crate::Error::Setting`] lists the file's variants if none has the name.
+    /// Those of [`Scene::from_gltf`], also where the file needs more than the budget; [`crate::Error::Setting`] lists the
+    /// file's variants if none has the name.
     #[cfg(feature = "gltf")]
-    pub fn from_gltf_variant(
+    pub fn from_gltf_with(
         bytes: &[u8],
         resolve: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
-        variant: &str,
+        options: &ImportOptions<'_>,
     ) -> crate::Result<Self> {
-        gltf::read(bytes, resolve, Some(variant))
+        gltf::read(bytes, resolve, options)
     }
 
     /// Surrounds the scene by a map instead of what surrounded it; rays that are cut off by a limit have its mean

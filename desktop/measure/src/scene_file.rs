@@ -4,7 +4,7 @@ use std::path::{Component, Path, PathBuf};
 
 use anyhow::Context;
 use glimpse::Scene;
-use glimpse::scene::{BUILTIN_NAMES, builtin};
+use glimpse::scene::{BUILTIN_NAMES, ImportOptions, builtin};
 
 use crate::files;
 
@@ -26,20 +26,20 @@ pub fn check(name: &str) -> anyhow::Result<()> {
 
 /// Loads `builtin:NAME`, a `.glb`, or a `.gltf` with the files that it names beside it.
 pub fn load(name: &str) -> anyhow::Result<Scene> {
-    load_seen(name, None, &mut |_, _| ())
+    load_seen(name, &ImportOptions::default(), &mut |_, _| ())
 }
 
-/// Loads a scene as [`load`] does, with the materials of the file's variant of this name, and passes the path and the
-/// bytes of every file read to `seen`; for a built-in scene, its name.
+/// Loads a scene as [`load`] does, and passes the path and the bytes of every file read to `seen`; for a built-in scene,
+/// its name. Without a budget of memory an import may take half of what is available.
 pub fn load_seen(
     name: &str,
-    variant: Option<&str>,
+    options: &ImportOptions<'_>,
     seen: &mut dyn FnMut(&Path, &[u8]),
 ) -> anyhow::Result<Scene> {
     check(name)?;
     let path = Path::new(name);
     if let Some(scene) = name.strip_prefix("builtin:").and_then(builtin) {
-        if let Some(variant) = variant {
+        if let Some(variant) = options.variant {
             let expected = "none, as built-in scenes have no variants";
             return Err(glimpse::Error::setting("variant", expected, variant).into());
         }
@@ -54,11 +54,9 @@ pub fn load_seen(
         seen(&path, &bytes);
         Ok(bytes)
     };
-    let scene = match variant {
-        Some(variant) => Scene::from_gltf_variant(&bytes, &mut resolve, variant),
-        None => Scene::from_gltf(&bytes, &mut resolve),
-    };
-    scene.with_context(|| name.to_owned())
+    let memory = options.memory.or_else(|| available_memory().map(|bytes| bytes / 2));
+    Scene::from_gltf_with(&bytes, &mut resolve, &ImportOptions { memory, ..*options })
+        .with_context(|| name.to_owned())
 }
 
 /// Fails where the import of a scene left something out, replaced it or cannot show it.
@@ -69,6 +67,13 @@ pub fn check_whole(name: &str, scene: &Scene) -> anyhow::Result<()> {
         return Ok(());
     }
     anyhow::bail!("{name}: --strict: {}", told.join("; "))
+}
+
+/// Bytes of memory that the system can give without swapping; `None` where it does not say.
+fn available_memory() -> Option<u64> {
+    let text = std::fs::read_to_string("/proc/meminfo").ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
+    line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()?.checked_mul(1024)
 }
 
 fn check_builtin(name: &str) -> anyhow::Result<()> {

@@ -1,7 +1,7 @@
 //! The scenes of a report: their descriptions, and their uploads with the changes that tables ask for.
 
 use anyhow::Context;
-use glimpse::scene::{Material, Weights};
+use glimpse::scene::{ImportOptions, Material, Weights};
 use glimpse::{Camera, Gpu, GpuScene, Method, Renderer, Scene, Settings, Specialize};
 use glimpse_measure::scene_file;
 use glimpse_measure::statistics::SceneStatistics;
@@ -45,7 +45,9 @@ impl Prepared {
     /// Fails if the scene cannot be loaded or has no camera of that name.
     pub fn new(name: &str, camera: Option<&str>) -> anyhow::Result<Self> {
         let mut content = Fingerprint::new();
-        let scene = scene_file::load_seen(name, None, &mut |_, bytes| content = content.and(bytes))?;
+        let scene = scene_file::load_seen(name, &ImportOptions::default(), &mut |_, bytes| {
+            content = content.and(bytes)
+        })?;
         let camera = *scene.camera(camera).with_context(|| name.to_owned())?;
         let statistics = SceneStatistics::of(name, &scene, Specialize::Auto);
         Ok(Self { name: name.to_owned(), content, camera, statistics })

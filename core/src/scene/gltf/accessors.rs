@@ -9,6 +9,7 @@ use json::accessor::{ComponentType, Type};
 use json::validation::Checked;
 use serde_json::Value;
 
+use super::budget::Budget;
 use super::compressed::Decoded;
 use crate::{Error, Result};
 
@@ -51,7 +52,8 @@ pub(super) struct Source<'b> {
     pub document: &'b Value,
     pub root: &'b json::Root,
     pub buffers: &'b [&'b [u8]],
-    pub decoded: &'b Decoded,
+    pub decoded: &'b Decoded<'b>,
+    pub budget: &'b Budget,
     sparse_opened: Cell<u64>,
 }
 
@@ -60,9 +62,10 @@ impl<'b> Source<'b> {
         document: &'b Value,
         root: &'b json::Root,
         buffers: &'b [&'b [u8]],
-        decoded: &'b Decoded,
+        decoded: &'b Decoded<'b>,
+        budget: &'b Budget,
     ) -> Self {
-        Self { document, root, buffers, decoded, sparse_opened: Cell::new(0) }
+        Self { document, root, buffers, decoded, budget, sparse_opened: Cell::new(0) }
     }
 
     /// The content of a buffer view.

@@ -7,6 +7,7 @@ use json::mesh::{Primitive, Semantic};
 use json::validation::Checked;
 use serde_json::Value;
 
+use super::budget::Budget;
 use super::container;
 use super::draco::Geometry;
 use super::meshopt::{self, Filter};
@@ -15,28 +16,33 @@ use crate::{Error, Result};
 /// The most bytes that all compressed buffer views and primitives decode to.
 const MAX_DECODED: u64 = 1 << 30;
 
+/// Memory that a decoder takes for each byte that it decodes to.
+const DECODED_BYTES: u64 = 4;
+
 /// The extensions of buffer views, the preferred one first.
 pub(super) const MESHOPT: [&str; 2] = ["KHR_meshopt_compression", "EXT_meshopt_compression"];
 
 const DRACO: &str = "KHR_draco_mesh_compression";
 
 /// What was decoded so far.
-pub(super) struct Decoded {
+pub(super) struct Decoded<'b> {
     /// Content of the buffer views with one of meshoptimizer's extensions.
     views: Vec<OnceCell<Vec<u8>>>,
     /// Content of the buffer views that primitives with Draco's extension name.
     geometries: Vec<OnceCell<Geometry>>,
     /// Number of bytes that may still be decoded.
     room: Cell<u64>,
+    budget: &'b Budget,
 }
 
-impl Decoded {
-    pub fn new(root: &json::Root) -> Self {
+impl<'a> Decoded<'a> {
+    pub fn new(root: &json::Root, budget: &'a Budget) -> Self {
         let views = root.buffer_views.len();
         Self {
             views: std::iter::repeat_with(OnceCell::new).take(views).collect(),
             geometries: std::iter::repeat_with(OnceCell::new).take(views).collect(),
             room: Cell::new(MAX_DECODED),
+            budget,
         }
     }
 
@@ -44,6 +50,7 @@ impl Decoded {
         let left = self.room.get().checked_sub(bytes).ok_or_else(|| {
             format!("expected at most {MAX_DECODED} bytes of all that is compressed, found {bytes} where {} are left", self.room.get())
         })?;
+        self.budget.take(DECODED_BYTES.saturating_mul(bytes))?;
         self.room.set(left);
         Ok(())
     }
@@ -135,10 +142,11 @@ impl Decoded {
         if let Some(known) = cell.get() {
             return Ok(Some((known, attributes)));
         }
-        let geometry = Geometry::decode(bytes, self.room.get()).and_then(|geometry| {
-            self.reserve(geometry.size())?;
-            Ok(geometry)
-        });
+        let geometry = Geometry::decode(bytes, self.room.get().min(self.budget.left() / DECODED_BYTES))
+            .and_then(|geometry| {
+                self.reserve(geometry.size())?;
+                Ok(geometry)
+            });
         let geometry = geometry.map_err(|e| Error::scene(what, format!("cannot be decoded: {e}")))?;
         Ok(Some((cell.get_or_init(|| geometry), attributes)))
     }

@@ -8,7 +8,9 @@ use image::{DynamicImage, ImageDecoder as _, ImageError, ImageFormat, ImageReade
 use json::texture::{MagFilter, WrappingMode};
 use json::validation::Checked;
 
+use super::CONTENT_BYTES;
 use super::accessors::Source;
+use super::budget::Budget;
 use super::container::{self, External};
 use super::jpeg;
 #[cfg(feature = "ktx2")]
@@ -25,6 +27,9 @@ pub(super) const MAX_TEXELS: u64 = 1 << 30;
 /// The most texels per byte of an image file. Deflate expands a byte to at most 1032 (RFC 1951: 258 for two
 /// bits), and a byte of PNG data holds at most 8 texels; JPEG needs at least a bit for 8 x 8 texels.
 const TEXELS_PER_BYTE: u64 = 8 * 1032;
+
+/// Memory for each texel while an image is decoded: 16 bits a channel, and the image that is kept.
+const DECODING_BYTES: u64 = 16;
 
 /// Formats of image files that can be decoded, besides KTX 2.0.
 const FORMATS: &[ImageFormat] = &[
@@ -144,7 +149,8 @@ impl Textures {
                 fetched.as_deref()
             }
         };
-        let image = bytes.map(|bytes| self.decode(bytes, &what)).transpose()?;
+        source.budget.needs(&what, CONTENT_BYTES * bytes.map_or(0, <[u8]>::len) as u64)?;
+        let image = bytes.map(|bytes| self.decode(bytes, source.budget, &what)).transpose()?;
         let place = image.map(|image| {
             self.images.push(image);
             (self.images.len() - 1) as u32
@@ -155,7 +161,7 @@ impl Textures {
 
     /// Decodes an image. Before it allocates, it checks the size in the header against the length of the data and
     /// the limits.
-    fn decode(&mut self, bytes: &[u8], what: &str) -> Result<Image8> {
+    fn decode(&mut self, bytes: &[u8], budget: &Budget, what: &str) -> Result<Image8> {
         let fail = |reason: String| Error::scene(what, reason);
         if !cfg!(feature = "images") {
             return Err(fail("cannot be decoded: glimpse was built without its feature `images`".to_owned()));
@@ -170,7 +176,7 @@ impl Textures {
                     "expected a side of at most {MAX_SIDE}, found {width} x {height} texels"
                 )));
             }
-            self.reserve(width, height, what)?;
+            self.reserve(width, height, budget, what)?;
             return Ok(Image8 { width, height, rgba: image.rgba().map_err(undecodable)? });
         }
         let undecodable = |e: ImageError| fail(format!("cannot be decoded: {e}"));
@@ -202,13 +208,13 @@ impl Textures {
                 bytes.len()
             )));
         }
-        self.reserve(width, height, what)?;
+        self.reserve(width, height, budget, what)?;
         let image = DynamicImage::from_decoder(decoder).map_err(undecodable)?.into_rgba8();
         Ok(Image8 { width, height, rgba: image.into_raw() })
     }
 
     /// Takes the texels of an image from the room that is left.
-    fn reserve(&mut self, width: u32, height: u32, what: &str) -> Result<()> {
+    fn reserve(&mut self, width: u32, height: u32, budget: &Budget, what: &str) -> Result<()> {
         let texels = u64::from(width) * u64::from(height);
         self.room = self.room.checked_sub(texels).ok_or_else(|| {
             let reason = format!(
@@ -217,7 +223,8 @@ impl Textures {
             );
             Error::scene(what, reason)
         })?;
-        Ok(())
+        budget.needs(what, DECODING_BYTES * texels)?;
+        budget.claim(what, 4 * texels)
     }
 }
 
@@ -266,7 +273,8 @@ mod tests {
     #[test]
     fn images_share_the_room_that_there_is() {
         let mut textures = Textures::new(100);
-        let mut decode = |side| textures.decode(&png(side, side, [1; 4]), "image 0");
+        let budget = Budget::new(Some(16 * 100));
+        let mut decode = |side| textures.decode(&png(side, side, [1; 4]), &budget, "image 0");
         assert_eq!(decode(9).unwrap().rgba.len(), 4 * 81);
         assert!(decode(4).is_ok(), "19 are left");
         let error = decode(2).unwrap_err().to_string();

@@ -188,7 +188,8 @@ pub(super) fn add<'b>(
         }
         instances.push(instance);
     }
-    let [triangles, ..] = counts;
+    let [triangles, objects, _] = counts;
+    source.budget.claim("file", (OBJECT_BYTES * (triangles + objects)) as u64)?;
     scene.positions.reserve_exact(triangles);
     scene.normals.reserve_exact(triangles);
     scene.triangle_objects.reserve_exact(triangles);
@@ -217,6 +218,9 @@ pub(super) fn add<'b>(
                     all_thin.push(part.mesh.thin(&placement, name, part.material)?);
                     continue;
                 }
+                if part.material.reads.normal_map.is_some() {
+                    source.budget.needs(&name, TANGENTS_BYTES * part.mesh.triangles() as u64)?;
+                }
                 let added = part.mesh.add(&placement, name.clone(), part.material, scene)?;
                 told.count(&added, scene.objects.len() == before, &name);
             }
@@ -243,6 +247,12 @@ pub(super) fn add<'b>(
     coverage::drop_of_opaque(scene);
     Ok(())
 }
+
+/// Memory for each triangle, with all its attributes, and for each object with its name.
+const OBJECT_BYTES: usize = 256;
+
+/// Memory for each triangle of an object while its tangents are computed.
+const TANGENTS_BYTES: u64 = 1024;
 
 /// What is limited, instances counted each.
 const LIMITS: [(&str, usize); 3] = [

@@ -21,12 +21,15 @@
 //! "All else" is the content of a `.glb` besides its JSON, and the content of URIs. The factor of JSON is that of
 //! `{},` in a list of materials: three bytes become a struct in a list that doubles its capacity when full.
 //!
+//! [`ImportOptions::memory`] sets a budget, from which the same is claimed as it is requested.
+//!
 //! A small file can define any number of triangles, objects (both counted for every instance), texels and decoded
 //! bytes. They are counted and checked against the limits of `instances.rs`, `images.rs` and `compressed.rs` before
 //! memory of their size is allocated. `tests/tests/memory.rs` measures the peak.
 
 mod accessors;
 mod attributes;
+mod budget;
 mod compressed;
 mod container;
 mod coverage;
@@ -65,25 +68,43 @@ use super::{Environment, EnvironmentMap, MAX_RADIANCE, Scene};
 use crate::scene::camera::Camera;
 use crate::{Error, Result};
 use accessors::Source;
+use budget::Budget;
 use compressed::Decoded;
 use container::{External, Resolve};
 use document::Document;
 use normalized::flushed3;
 
-pub(super) fn read(bytes: &[u8], resolve: &mut Resolve<'_>, variant: Option<&str>) -> Result<Scene> {
-    import(bytes, resolve, variant).map_err(text::error)
+/// Memory for each byte of a file besides its JSON.
+const CONTENT_BYTES: u64 = 8;
+
+/// What to import of a file, and by what means.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ImportOptions<'a> {
+    /// Name of the variant of materials to show (KHR_materials_variants); the primitives' own materials by default.
+    pub variant: Option<&'a str>,
+    /// The most memory in bytes that the import may take. It is claimed before it is allocated, by what the file
+    /// requests; none by default but the limits of the format.
+    pub memory: Option<u64>,
 }
 
-fn import(bytes: &[u8], resolve: &mut Resolve<'_>, variant: Option<&str>) -> Result<Scene> {
+pub(super) fn read(bytes: &[u8], resolve: &mut Resolve<'_>, options: &ImportOptions<'_>) -> Result<Scene> {
+    import(bytes, resolve, options).map_err(text::error)
+}
+
+fn import(bytes: &[u8], resolve: &mut Resolve<'_>, options: &ImportOptions<'_>) -> Result<Scene> {
+    let budget = Budget::new(options.memory);
     let chunks = container::chunks(bytes)?;
+    budget.claim("file", budget::of_json(chunks.json))?;
     let Document { value, root, not_shown, warnings } = Document::read(chunks.json)?;
     let mut external = External::new(resolve);
     let fetched = container::fetched(&root, &mut external)?;
+    let content = fetched.values().map(Vec::len).sum::<usize>() + chunks.binary.map_or(0, <[u8]>::len);
+    budget.claim("file", CONTENT_BYTES * content as u64)?;
     let buffers = container::buffers(&root, chunks.binary, &fetched)?;
-    let decoded = Decoded::new(&root);
-    let source = Source::new(&value, &root, &buffers, &decoded);
+    let decoded = Decoded::new(&root, &budget);
+    let source = Source::new(&value, &root, &buffers, &decoded, &budget);
     let mut scene = Scene { variants: variants::names(&root), not_shown, warnings, ..Scene::default() };
-    let variant = variant.map(|name| variants::index_of(&scene.variants, name)).transpose()?;
+    let variant = options.variant.map(|name| variants::index_of(&scene.variants, name)).transpose()?;
 
     let shown = shown(&root)?;
     if let Some(index) = shown {

@@ -6,7 +6,7 @@ use glam::{Vec3, vec2, vec3};
 use serde_json::json;
 
 use super::{File, data_uri, import};
-use crate::scene::{EnvironmentMap, LightKind, Scene, WHITE, octahedral_decode};
+use crate::scene::{EnvironmentMap, ImportOptions, LightKind, Scene, WHITE, octahedral_decode};
 
 fn face(scene: &Scene, triangle: usize) -> Vec3 {
     let [a, b, c] = scene.positions[triangle];
@@ -333,10 +333,8 @@ fn variants_choose_materials_by_name() {
         json!([{ "material": 1, "variants": [0] }, { "material": 2, "variants": [9, 1] }]);
     let red = |variant: Option<&str>| {
         let mut none = |_: &str| Err(String::new());
-        let scene = match variant {
-            None => Scene::from_gltf(&file.gltf(), &mut none),
-            Some(name) => Scene::from_gltf_variant(&file.gltf(), &mut none, name),
-        };
+        let options = ImportOptions { variant, ..ImportOptions::default() };
+        let scene = Scene::from_gltf_with(&file.gltf(), &mut none, &options);
         scene.map(|scene| (scene.materials[0].base_color.x, scene.variants))
     };
     let names = ["day", "night", "dawn"].map(str::to_owned).to_vec();
