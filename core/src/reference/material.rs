@@ -130,8 +130,9 @@ impl Reference {
         }
         let cosine = normal.dot(view).clamp(0.0, 1.0);
         let dielectric = m.rough_dielectric(cosine) * (1.0 - m.metallic) * (1.0 - m.gloss());
-        let mirrored = 2.0 * normal.dot(view) * normal - view;
-        let lobe = self.environment_lobe(mirrored, m.roughness);
+        let mirrored = 2.0 * cosine * normal - view;
+        let dominant = mirrored.lerp(normal, m.roughness * m.roughness);
+        let lobe = self.environment_lobe(dominant, m.roughness);
         (1.0 - dielectric) * diffuse * ambient + (m.rough_metal() + dielectric) * lobe
     }
 }

@@ -143,6 +143,49 @@ fn rough_metal_is_lit_by_the_map_and_by_lights() {
     }
 }
 
+/// Radiance that a rough mirror reflects of a sky of radiance 1 above the horizon and none underneath: the integral of the
+/// GGX lobe with Smith's masking, over its reflectance.
+fn reflected_sky(normal: DVec3, view: DVec3, roughness: f64) -> f64 {
+    const STEPS: u32 = 160;
+    let alpha2 = roughness.powi(4);
+    let smith = |a: f64, b: f64| a * (b * b * (1.0 - alpha2) + alpha2).sqrt();
+    let n_v = normal.dot(view);
+    let (mut sky, mut all) = (0.0, 0.0);
+    for i in 0..STEPS * STEPS {
+        let y = 2.0 * (f64::from(i / STEPS) + 0.5) / f64::from(STEPS) - 1.0;
+        let around = std::f64::consts::TAU * f64::from(i % STEPS) / f64::from(STEPS);
+        let across = (1.0 - y * y).sqrt();
+        let light = dvec3(across * around.cos(), y, across * around.sin());
+        let n_l = normal.dot(light);
+        let n_h = normal.dot((light + view).normalize());
+        if n_l > 0.0 {
+            let lobe = n_l / (n_h * n_h * (alpha2 - 1.0) + 1.0).powi(2) / (smith(n_l, n_v) + smith(n_v, n_l));
+            all += lobe;
+            sky += if y > 0.0 { lobe } else { 0.0 };
+        }
+    }
+    sky / all
+}
+
+#[test]
+fn rough_metal_shows_the_sky_that_its_lobe_reflects() {
+    for roughness in [0.5, 0.6, 0.8, 1.0] {
+        let mut scene = ball(Material { metallic: 1.0, roughness, ..Material::default() });
+        scene.surround(two_colours(0.0));
+        let scene = TestScene::new(scene);
+        let (mut sum, mut pixels) = (0.0, 0.0);
+        for (x, y, pixel) in scene.full(SIZE).enumerate_pixels().filter(|(x, y, _)| x % 3 == 0 && y % 3 == 0)
+        {
+            let Some((normal, d)) = seen(&scene, SIZE, x, y).filter(|(n, d)| n.dot(*d) < -0.3) else {
+                continue;
+            };
+            sum += (f64::from(pixel.0[0]) - reflected_sky(normal, -d, f64::from(roughness))).abs();
+            pixels += 1.0;
+        }
+        assert!(pixels > 50.0 && sum / pixels < 0.03, "roughness {roughness}: mean error {}", sum / pixels);
+    }
+}
+
 #[test]
 fn one_stop_of_exposure_doubles_all_radiance() {
     for scene in ["room", "cornell"] {

@@ -14,6 +14,13 @@ fn environment_dielectric(m: Material, cosine: f32) -> f32 {
     return clamp(at_normal * at_normal * (r.z - 1.04 * a) + r.w + 1.04 * a, 0.0, 1.0);
 }
 
+// Direction in which the filtered map holds the radiance that a rough surface reflects: between those of the mirrored ray
+// and of the normal (Lagarde & de Rousiers 2014, "Moving Frostbite to Physically Based Rendering", 4.9.3), by alpha. Of any
+// length but zero.
+fn environment_dominant(m: Material, cosine: f32, normal: vec3f, view: vec3f) -> vec3f {
+    return mix(2.0 * cosine * normal - view, normal, m.roughness * m.roughness);
+}
+
 fn environment_reflected(m: Material, diffuse: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     let ambient = environment_ambient(normal);
     if material_is(m, OBJECT_MATTE) || material_is(m, OBJECT_WEIGHTS) {
@@ -25,5 +32,6 @@ fn environment_reflected(m: Material, diffuse: vec3f, normal: vec3f, view: vec3f
     if max(specular.x, max(specular.y, specular.z)) <= 0.0 {
         return diffuse * ambient;
     }
-    return (1.0 - dielectric) * diffuse * ambient + specular * environment_lobe(reflect(-view, normal), m.roughness);
+    let lobe = environment_lobe(environment_dominant(m, cosine, normal, view), m.roughness);
+    return (1.0 - dielectric) * diffuse * ambient + specular * lobe;
 }
