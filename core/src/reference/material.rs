@@ -34,8 +34,6 @@ pub struct Material {
     specular: DVec4,
     /// Strength and roughness of the clear coat.
     coat: DVec2,
-    /// Determined by its base colour alone.
-    matte: bool,
 }
 
 /// A material with the geometry that shading depends on.
@@ -101,7 +99,6 @@ impl Reference {
             bump: bump.map(|bump| bump * scale),
             specular,
             coat,
-            matte: m.is_matte(),
         }
     }
 
@@ -125,7 +122,7 @@ impl Reference {
         if !self.has_environment_map() {
             return ambient * (diffuse + m.rough_metal());
         }
-        if m.matte || m.weights.is_some() {
+        if m.weights.is_some() {
             return diffuse * ambient;
         }
         let cosine = normal.dot(view).clamp(0.0, 1.0);
@@ -133,7 +130,8 @@ impl Reference {
         let mirrored = 2.0 * cosine * normal - view;
         let dominant = mirrored.lerp(normal, m.roughness * m.roughness);
         let lobe = self.environment_lobe(dominant, m.roughness);
-        (1.0 - dielectric) * diffuse * ambient + (m.rough_metal() + dielectric) * lobe
+        let matte = diffuse * ambient;
+        matte + m.rough_metal() * lobe + dielectric * (lobe - matte)
     }
 }
 
@@ -182,12 +180,12 @@ impl Material {
 
     /// Reflectance of a rough dielectric for light from all directions (Karis 2014, "Physically Based Shading on
     /// Mobile").
-    fn rough_dielectric(&self, cosine: f64) -> f64 {
+    fn rough_dielectric(&self, cosine: f64) -> DVec3 {
         let r = self.roughness;
         let r = [1.0 - r, 0.0425 - 0.0275 * r, 1.04 - 0.572 * r, 0.022 * r - 0.04];
         let a = (r[0] * r[0]).min((-9.28 * cosine).exp2()) * r[0] + r[1];
-        let at_normal = ((self.ior - 1.0) / (self.ior + 1.0)).powi(2);
-        (at_normal * (r[2] - 1.04 * a) + r[3] + 1.04 * a).clamp(0.0, 1.0)
+        let reflected = self.at_normal() * (r[2] - 1.04 * a) + self.at_grazing() * (r[3] + 1.04 * a);
+        reflected.clamp(DVec3::ZERO, DVec3::ONE)
     }
 
     /// The viewer's index of refraction over that of the other side.
@@ -213,6 +211,11 @@ impl Material {
     fn at_normal(&self) -> DVec3 {
         let plain = ((self.ior - 1.0) / (self.ior + 1.0)).powi(2);
         (plain * self.specular.truncate()).min(DVec3::ONE) * self.specular.w
+    }
+
+    /// Reflectance at grazing incidence.
+    fn at_grazing(&self) -> DVec3 {
+        DVec3::splat(self.specular.w).lerp(DVec3::ONE, self.metallic)
     }
 
     /// Reflectance of the dielectric part, from that of Fresnel's equations.
@@ -273,7 +276,7 @@ impl Shading<'_> {
             return coat;
         }
         let f0 = m.at_normal().lerp(m.base, m.metallic);
-        let f90 = DVec3::splat(m.specular.w).lerp(DVec3::ONE, m.metallic);
+        let f90 = m.at_grazing();
         let under = m.under(self.normal.dot(self.view).clamp(0.0, 1.0));
         coat + under * self.microfacets(f0, f90, m.roughness, light)
     }

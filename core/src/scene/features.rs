@@ -32,7 +32,7 @@ pub struct Features {
     /// Some object is textured: texture coordinates are stored and check TX is linked.
     pub textures: bool,
     /// Some material is not matte: it is metallic, reflective, transmissive, emissive, unlit or has explicit
-    /// weights.
+    /// weights. Of an environment map matte dielectrics reflect some light specularly too.
     pub glossy: bool,
     /// Some material has an emissive factor above zero.
     pub emission: bool,
@@ -86,7 +86,8 @@ impl Features {
         let used = || scene.objects.iter().filter_map(|o| scene.materials.get(o.material as usize));
         Self {
             textures: used().any(|m| m.textures().next().is_some()),
-            glossy: used().any(|m| !m.is_matte() || m.unlit || m.blends || m.is_extended()),
+            glossy: scene.environment_map.is_some()
+                || used().any(|m| !m.is_matte() || m.unlit || m.blends || m.is_extended()),
             emission: used().any(|m| m.emission != Vec3::ZERO),
             metallic_roughness_textures: used().any(|m| m.metallic_roughness_texture.is_some()),
             emissive_textures: used().any(|m| m.emissive_texture.is_some()),

@@ -169,12 +169,13 @@ impl Material {
             || self.maps.contains_key(&TextureSlot::SpecularColor)
     }
 
-    /// Whether the material is determined by its base colour: a rough dielectric that neither emits nor transmits
-    /// light.
+    /// Whether the material is determined by its base colour: a rough dielectric of index 1.5 that neither emits nor
+    /// transmits light.
     #[must_use]
     pub fn is_matte(&self) -> bool {
         self.metallic == 0.0
             && self.roughness >= 1.0
+            && self.ior == Self::default().ior
             && self.emission == Vec3::ZERO
             && self.transmission == 0.0
             && self.weights.is_none()

@@ -199,6 +199,13 @@ fn layers() {
 }
 
 #[test]
+fn layers_in_a_studio() {
+    let mut scene = gallery::layers();
+    scene.surround(EnvironmentMap::studio());
+    agree("layers in a studio", scene, [101, 67], Settings { depth: 5, ..Settings::default() });
+}
+
+#[test]
 fn lenses() {
     agree("lenses", gallery::lenses(), [96, 64], Settings { depth: 5, ..Settings::default() });
 }

@@ -1,5 +1,4 @@
-// Reflection of an environment map by surfaces that are not matte: the diffuse lobe, and the part of the specular lobe
-// that is not traced as a mirror.
+// Reflection of an environment map: the diffuse lobe, and the part of the specular lobe that is not traced as a mirror.
 
 // The bits of a ray's kind that tell the roughness of the surface that it leaves.
 fn environment_kind(m: Material) -> u32 {
@@ -7,11 +6,11 @@ fn environment_kind(m: Material) -> u32 {
 }
 
 // Reflectance of a rough dielectric for light from all directions (Karis 2014, "Physically Based Shading on Mobile").
-fn environment_dielectric(m: Material, cosine: f32) -> f32 {
+fn environment_dielectric(m: Material, cosine: f32) -> vec3f {
     let r = m.roughness * vec4f(-1.0, -0.0275, -0.572, 0.022) + vec4f(1.0, 0.0425, 1.04, -0.04);
     let a = min(r.x * r.x, exp2(-9.28 * cosine)) * r.x + r.y;
-    let at_normal = (m.ior - 1.0) / (m.ior + 1.0);
-    return clamp(at_normal * at_normal * (r.z - 1.04 * a) + r.w + 1.04 * a, 0.0, 1.0);
+    let reflected = material_f0(m) * (r.z - 1.04 * a) + material_f90(m) * (r.w + 1.04 * a);
+    return clamp(reflected, vec3f(0.0), vec3f(1.0));
 }
 
 // Direction in which the filtered map holds the radiance that a rough surface reflects: between those of the mirrored ray
@@ -23,15 +22,17 @@ fn environment_dominant(m: Material, cosine: f32, normal: vec3f, view: vec3f) ->
 
 fn environment_reflected(m: Material, diffuse: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     let ambient = environment_ambient(normal);
-    if material_is(m, OBJECT_MATTE) || material_is(m, OBJECT_WEIGHTS) {
+    if material_is(m, OBJECT_WEIGHTS) {
         return diffuse * ambient;
     }
     let cosine = clamp(dot(normal, view), 0.0, 1.0);
     let dielectric = environment_dielectric(m, cosine) * (1.0 - m.metallic) * (1.0 - material_gloss(m));
-    let specular = material_rough_metal(m) + dielectric;
+    let metal = material_rough_metal(m);
+    let specular = metal + dielectric;
+    let matte = diffuse * ambient;
     if max(specular.x, max(specular.y, specular.z)) <= 0.0 {
-        return diffuse * ambient;
+        return matte;
     }
     let lobe = environment_lobe(environment_dominant(m, cosine, normal, view), m.roughness);
-    return (1.0 - dielectric) * diffuse * ambient + specular * lobe;
+    return matte + metal * lobe + dielectric * (lobe - matte);
 }
