@@ -1,5 +1,7 @@
 //! Scenes that combine all features of materials, textures and lights.
 
+mod lobes;
+
 use glam::{Affine2, Vec2, Vec3, Vec4, vec2, vec3};
 use glimpse::{
     Camera, Scene,
@@ -10,6 +12,8 @@ use glimpse::{
 };
 
 use crate::builder::{Builder, front_camera, glass, matte, mirror, unlit};
+
+pub use lobes::lobes;
 
 const WRAPS: [Wrap; 3] = [Wrap::Repeat, Wrap::MirroredRepeat, Wrap::ClampToEdge];
 

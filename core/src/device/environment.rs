@@ -74,7 +74,7 @@ impl GpuEnvironment {
 }
 
 /// A square image with mip levels, each with its width in texels and its bytes.
-fn texture(
+pub fn texture(
     gpu: &Gpu,
     label: &str,
     format: TextureFormat,

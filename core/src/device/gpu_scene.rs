@@ -8,10 +8,13 @@ use crate::{
     Error, Features, Gpu, Result, Settings,
     acceleration::Bvh,
     device::atlas::Atlas,
-    device::environment::GpuEnvironment,
+    device::environment::{self, GpuEnvironment},
     device::material_records::Records,
     device::{SceneStorage, Tier, mirror::gpu_struct},
-    scene::{self, Emitters, Environment, LightKind, MAX_LIGHTS, Material, Scene, Thinness, WHITE},
+    scene::{
+        self, ALBEDO_SIDE, Emitters, Environment, LightKind, LobeAlbedos, MAX_LIGHTS, Material, Scene,
+        Thinness, WHITE,
+    },
 };
 
 /// Coordinate that marks a sphere among the primitives; coordinates of triangles are at most
@@ -123,6 +126,8 @@ pub struct GpuScene {
     pub(crate) emitter_scale: f32,
     pub(crate) environment: Environment,
     environment_map: Option<Arc<GpuEnvironment>>,
+    /// Table of the albedos of microfacet lobes, where there are such.
+    lobe_albedos: Option<wgpu::TextureView>,
     auto_exposure: f32,
     /// The tier that the scene's data is laid out for.
     pub(crate) tier: Tier,
@@ -212,6 +217,7 @@ impl GpuScene {
                 Some(map) => Some(Arc::new(GpuEnvironment::upload(gpu, map)?)),
                 None => None,
             },
+            lobe_albedos: features.microfacets.then(|| lobe_albedos(gpu)).transpose()?,
             tier: gpu.tier,
             features,
             thinness: Arc::new(thinness),
@@ -274,6 +280,9 @@ impl GpuScene {
             ("atlas_data", wgpu::BindingResource::TextureView(&self.atlas.data)),
         ];
         resources.extend(self.environment_map.iter().flat_map(|map| map.resources()));
+        resources.extend(
+            self.lobe_albedos.iter().map(|view| ("lobe_albedos", wgpu::BindingResource::TextureView(view))),
+        );
         resources
     }
 
@@ -288,6 +297,12 @@ impl GpuScene {
             + self.environment_map.as_ref().map_or(0, |map| map.bytes());
         (scene, self.nodes.bytes())
     }
+}
+
+fn lobe_albedos(gpu: &Gpu) -> Result<wgpu::TextureView> {
+    let table = LobeAlbedos::new();
+    let level = (ALBEDO_SIDE as u32, bytemuck::cast_slice(&table.entries));
+    environment::texture(gpu, "lobe_albedos", wgpu::TextureFormat::Rg32Float, &[level])
 }
 
 fn primitives(scene: &Scene, order: &[u32]) -> Vec<[[f32; 3]; 3]> {

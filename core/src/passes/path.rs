@@ -48,9 +48,13 @@ impl FrameSpec {
         let one = Self { output: self.output_before_noise(), ..self.one_sample() };
         let mut sources = one.scene_sources(wgsl!("wgsl/adaptive/attributes_channels.wgsl"), self.hit());
         sources.extend(self.rng());
+        sources.extend(self.lobes());
         sources.extend([
-            wgsl!("wgsl/path/max_component.wgsl"),
-            self.lobes(),
+            pick(
+                f.microfacets,
+                wgsl!("wgsl/path/response_microfacet.wgsl"),
+                wgsl!("wgsl/path/response_diffuse.wgsl"),
+            ),
             pick(
                 f.lights && self.settings.paths.lights != LightSelection::Emitters,
                 wgsl!("wgsl/path/punctual_nee.wgsl"),
@@ -107,7 +111,22 @@ impl FrameSpec {
         [wgsl!("wgsl/path/rng.wgsl"), source]
     }
 
-    pub(super) fn lobes(&self) -> Source {
-        pick(self.features.glossy, wgsl!("wgsl/path/lobes.wgsl"), wgsl!("wgsl/path/lobes_matte.wgsl"))
+    /// The lobes of surfaces.
+    pub(super) fn lobes(&self) -> Vec<Source> {
+        let mut sources = vec![wgsl!("wgsl/path/max_component.wgsl"), wgsl!("wgsl/path/directions.wgsl")];
+        if self.features.microfacets {
+            sources.extend([
+                wgsl!("wgsl/path/lobe_albedos.wgsl"),
+                wgsl!("wgsl/path/microfacets.wgsl"),
+                wgsl!("wgsl/path/lobes_microfacet.wgsl"),
+            ]);
+        } else {
+            sources.push(pick(
+                self.features.glossy,
+                wgsl!("wgsl/path/lobes.wgsl"),
+                wgsl!("wgsl/path/lobes_matte.wgsl"),
+            ));
+        }
+        sources
     }
 }

@@ -99,7 +99,11 @@ impl FrameSpec {
             Specialize::Auto => (needed, scene),
             // Shaders read the number of lights and the vertex layout instead of having them as constants.
             Specialize::All => {
-                let features = Features { environment_map: needed.environment_map, ..Features::all() };
+                let features = Features {
+                    environment_map: needed.environment_map,
+                    microfacets: needed.microfacets,
+                    ..Features::all()
+                };
                 (features, SceneFacts { bvh_stack: MAX_STACK, ..scene })
             }
         };

@@ -70,9 +70,8 @@ impl FrameSpec {
         let one = self.one_sample();
         let mut sources = one.scene_sources(wgsl!("wgsl/adaptive/attributes_channels.wgsl"), self.hit());
         sources.extend(self.rng());
+        sources.extend(self.lobes());
         sources.extend([
-            wgsl!("wgsl/path/max_component.wgsl"),
-            self.lobes(),
             wgsl!("wgsl/stereo/eyes_stereo.wgsl"),
             wgsl!("wgsl/stereo/stereo_reprojection.wgsl"),
         ]);

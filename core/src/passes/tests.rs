@@ -42,6 +42,7 @@ fn features(bits: u32) -> Features {
         slot_coordinates: bit(0) && bit(1) && bit(2),
         layers: bit(1) && bit(5),
         environment_map: bit(3),
+        microfacets: bit(2) && bit(5),
     }
 }
 

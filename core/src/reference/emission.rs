@@ -13,8 +13,8 @@ const REACH: f64 = 1.001;
 #[derive(Clone, Copy)]
 pub(super) struct Emitted {
     pub radiance: DVec3,
-    /// Cosine of the angle to the shading normal.
-    pub cosine: f64,
+    /// Unit vector to the light.
+    pub direction: DVec3,
     /// Density with which this direction is sampled, per unit of solid angle.
     pub density: f64,
 }
@@ -48,7 +48,7 @@ impl Reference {
         }
         let m = self.material(hit.object, hit.texcoord, hit.footprint, hit.color, &hit.maps);
         let density = self.density(hit.object, normal.dot(direction), distance);
-        Some(Emitted { radiance: share * m.emission, cosine, density })
+        Some(Emitted { radiance: share * m.emission, direction, density })
     }
 
     /// Share of the light from infinity that arrives along a ray: 0 behind a surface that hides what is behind it.

@@ -90,7 +90,7 @@ impl Reference {
             return None;
         }
         let density = surroundings.distribution.density(d);
-        Some(Emitted { radiance: share * self.environment_radiance(direction), cosine, density })
+        Some(Emitted { radiance: share * self.environment_radiance(direction), direction, density })
     }
 
     /// Whether the environment is a map.

@@ -92,7 +92,7 @@ impl Search {
         if self.gbuffer_pixel.way == Way::None && (lobes.is_diffuse() || chosen) {
             self.gbuffer_pixel.way = if level == 1 { Way::DirectlySeen } else { Way::Mirrored };
             self.gbuffer_pixel.normal = s.normal;
-            self.gbuffer_pixel.albedo = (throughput * lobes.diffuse).clamp(DVec3::ZERO, DVec3::ONE);
+            self.gbuffer_pixel.albedo = (throughput * lobes.albedo).clamp(DVec3::ZERO, DVec3::ONE);
         }
     }
 

@@ -4,24 +4,43 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 
-use super::{Cause, Material, Reference, Rounding, Surface, scatter::BsdfSample};
+use super::{Cause, Material, Reference, Rounding, Surface, microfacets::Microfacets, scatter::BsdfSample};
+use crate::scene::LobeAlbedos;
 
-/// Weights of the three lobes of a surface.
+/// The lobes of a surface.
 pub(super) struct Lobes {
     /// Albedo of the diffuse lobe.
     pub diffuse: DVec3,
+    /// Albedo of the lobes for which light is looked for: the diffuse one and the glossy ones.
+    pub albedo: DVec3,
     /// The reflected ray and the refracted ray, each if the surface has that lobe.
-    pub specular: [Option<BsdfSample>; 2],
-    /// The largest channel of each of the three lobes.
-    largest: [f64; 3],
+    specular: [Option<BsdfSample>; 2],
+    /// Reflection by the rough surface, and by a rough coat over it.
+    glossy: [Option<Microfacets>; 2],
+    /// The largest channel of each lobe: diffuse, mirror, refraction, glossy, coat.
+    largest: [f64; 5],
 }
 
-/// The lobe that a path was scattered by.
-pub(super) struct Chosen {
+/// The lobe that a path is scattered by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Chosen {
+    Diffuse,
+    Mirror,
+    Refraction,
+    Glossy,
+    Coat,
+}
+
+/// How a path continues.
+pub(super) struct Continued {
+    /// Unit direction.
+    pub direction: DVec3,
+    /// Width of the ray's cone at its origin, and its growth per unit of distance.
+    pub cone: (f64, f64),
     /// The lobe's weight divided by the probability of choosing it.
     pub weight: DVec3,
-    /// The reflected or refracted ray; `None` for the diffuse lobe.
-    pub bsdf_sample: Option<BsdfSample>,
+    /// Density of the direction per unit of solid angle; `None` for mirrored and refracted rays.
+    pub density: Option<f64>,
 }
 
 impl Lobes {
@@ -33,24 +52,51 @@ impl Lobes {
         direction: DVec3,
         rounding: &mut Rounding,
     ) -> Self {
-        let diffuse = m.albedo((-s.normal.dot(direction)).clamp(0.0, 1.0), s.inside);
-        let specular = reference.specular(s, m, direction, rounding);
-        let [mirror, refraction] =
-            specular.map(|bsdf_sample| bsdf_sample.map_or(0.0, |l| l.share.max_element()));
-        Self { diffuse, specular, largest: [diffuse.max_element(), mirror, refraction] }
+        let cosine = (-s.normal.dot(direction)).clamp(0.0, 1.0);
+        let shares = m.shares(s, -direction, reference.albedos.get_or_init(LobeAlbedos::new));
+        let [mut mirror, mut refraction] = reference.specular(s, m, direction, rounding);
+        for (ray, share) in [(&mut mirror, shares.mirror), (&mut refraction, shares.refraction)] {
+            *ray = ray.map(|ray| BsdfSample { share, ..ray });
+        }
+        let [glossy, coat] = shares.glossy;
+        let mut transmitted = refraction.map_or(0.0, |ray| ray.share.max_element());
+        if let Some(glossy) = glossy {
+            // Some microfacets may refract where the surface as a plane does not.
+            let passed = (1.0 - glossy.reflectance(cosine).max_element()).max(0.25);
+            transmitted = shares.refraction.max_element() * passed;
+        }
+        let largest = |lobe: Option<Microfacets>| lobe.map_or(0.0, |lobe| lobe.albedo.max_element());
+        Self {
+            diffuse: shares.diffuse,
+            albedo: shares.diffuse + [glossy, coat].into_iter().flatten().map(|l| l.albedo).sum::<DVec3>(),
+            specular: [
+                mirror,
+                refraction.or(glossy.and(mirror)).map(|ray| BsdfSample { share: shares.refraction, ..ray }),
+            ],
+            glossy: [glossy, coat],
+            largest: [
+                shares.diffuse.max_element(),
+                shares.mirror.max_element(),
+                transmitted,
+                largest(glossy),
+                largest(coat),
+            ],
+        }
+    }
+
+    fn sum(&self) -> f64 {
+        self.largest.iter().sum()
     }
 
     /// Reflectance of the mirror lobe if it is the only lobe; else `None`.
     pub fn only_mirror(&self) -> Option<DVec3> {
-        let [diffuse, mirror, refraction] = self.largest;
-        let only = mirror > 0.0 && diffuse == 0.0 && refraction == 0.0;
+        let only = self.largest[1] > 0.0 && self.sum() == self.largest[1];
         self.specular[0].filter(|_| only).map(|bsdf_sample| bsdf_sample.share)
     }
 
     /// Whether the diffuse lobe is the only lobe.
     pub fn only_diffuse(&self) -> bool {
-        let [diffuse, mirror, refraction] = self.largest;
-        diffuse > 0.0 && mirror == 0.0 && refraction == 0.0
+        self.largest[0] > 0.0 && self.sum() == self.largest[0]
     }
 
     /// Whether the surface has a mirror lobe.
@@ -58,36 +104,80 @@ impl Lobes {
         self.largest[1] > 0.0
     }
 
-    /// Probability of continuing by the diffuse lobe; 0 if there is none.
-    pub fn chance_of_diffuse(&self) -> f64 {
-        let sum: f64 = self.largest.iter().sum();
-        if sum > 0.0 { self.largest[0] / sum } else { 0.0 }
-    }
-
     /// Whether the diffuse lobe is at least as probable as the others together.
     pub fn is_diffuse(&self) -> bool {
-        let [diffuse, mirror, refraction] = self.largest;
-        diffuse >= mirror + refraction
+        2.0 * self.largest[0] >= self.sum()
     }
 
     /// Chooses a lobe by a number in [0, 1), with probabilities proportional to their largest channels; `None` if
     /// all are zero.
     pub fn choose(&self, number: f64, rounding: &mut Rounding) -> Option<Chosen> {
-        let [diffuse, mirror, refraction] = self.largest;
-        let sum = diffuse + mirror + refraction;
+        let sum = self.sum();
         if sum <= 0.0 {
             return None;
         }
         let number = rounding.number(Cause::Branch, number, 1.0).clamp(0.0, 1.0 - f64::EPSILON) * sum;
-        if number < diffuse {
-            return Some(Chosen { weight: self.diffuse * (sum / diffuse), bsdf_sample: None });
+        let all = [Chosen::Diffuse, Chosen::Mirror, Chosen::Refraction, Chosen::Glossy, Chosen::Coat];
+        let mut end = 0.0;
+        let chosen = all.into_iter().zip(self.largest).find(|(_, largest)| {
+            end += largest;
+            number < end
+        });
+        chosen.map(|(chosen, _)| chosen)
+    }
+
+    /// The lobes for which light is looked for, times the cosine, for light from a direction; and the density with which
+    /// a path continues in it.
+    pub fn response(&self, s: &Surface, direction: DVec3) -> (DVec3, f64) {
+        let cosine = s.normal.dot(direction);
+        if cosine <= 0.0 || s.face.dot(direction) <= 0.0 {
+            return (DVec3::ZERO, 0.0);
         }
-        let reflected = number < diffuse + mirror;
-        let (bsdf_sample, largest) =
-            if reflected { (self.specular[0], mirror) } else { (self.specular[1], refraction) };
-        bsdf_sample.map(|bsdf_sample| Chosen {
-            weight: bsdf_sample.share * (sum / largest),
-            bsdf_sample: Some(bsdf_sample),
+        let mut value = self.diffuse / PI * cosine;
+        let mut density = self.largest[0] * cosine / PI;
+        for (lobe, largest) in self.glossy.iter().zip(&self.largest[3..]) {
+            if let Some(lobe) = lobe.filter(|_| *largest > 0.0) {
+                let (reflected, drawn) = lobe.response(direction);
+                value += reflected;
+                density += largest * drawn;
+            }
+        }
+        (value, density / self.sum())
+    }
+
+    /// Continues by a lobe, with uniform numbers in [0, 1); `None` if that leads nowhere. `reflected` is the cone of
+    /// mirrored rays.
+    pub fn leave(
+        &self,
+        chosen: Chosen,
+        (s, m): (&Surface, &Material),
+        random: [f64; 2],
+        reflected: (f64, f64),
+    ) -> Option<Continued> {
+        let of = |weight: DVec3, lobe: usize| weight * self.sum() / self.largest[lobe];
+        let (direction, cone) = match chosen {
+            Chosen::Diffuse => (cosine_weighted(s.normal, random).0, (0.0, 0.0)),
+            Chosen::Glossy => (self.glossy[0]?.draw(random), reflected),
+            Chosen::Coat => (self.glossy[1]?.draw(random), reflected),
+            Chosen::Refraction if self.glossy[0].is_some() => {
+                let (direction, passed) = self.glossy[0]?.refract(m.thin, m.ratio(s.inside), random)?;
+                let weight = of(self.specular[1]?.share * passed, 2);
+                let cone = (s.width, s.growth);
+                let beyond = s.face.dot(direction) < 0.0;
+                return beyond.then_some(Continued { direction, cone, weight, density: None });
+            }
+            Chosen::Mirror | Chosen::Refraction => {
+                let i = usize::from(chosen == Chosen::Refraction);
+                let BsdfSample { direction, cone, share } = self.specular[i]?;
+                return Some(Continued { direction, cone, weight: of(share, i + 1), density: None });
+            }
+        };
+        let (value, density) = self.response(s, direction);
+        (density > 0.0).then(|| Continued {
+            direction,
+            cone,
+            weight: value / density,
+            density: Some(density),
         })
     }
 }
@@ -101,7 +191,7 @@ pub(super) fn cosine_weighted(n: DVec3, [u, v]: [f64; 2]) -> (DVec3, f64) {
 }
 
 /// Two tangents to a unit normal (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
-fn tangents(n: DVec3) -> [DVec3; 2] {
+pub(super) fn tangents(n: DVec3) -> [DVec3; 2] {
     // Treats both zeros alike, since f32 may compute either.
     let sign = if n.z >= 0.0 { 1.0 } else { -1.0 };
     let a = -1.0 / (sign + n.z);

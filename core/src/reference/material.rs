@@ -18,22 +18,22 @@ const LEAST_COSINE: f64 = 0.05;
 pub struct Material {
     pub(super) base: DVec3,
     pub(super) emission: DVec3,
-    metallic: f64,
+    pub(super) metallic: f64,
     pub(super) roughness: f64,
-    transmission: f64,
+    pub(super) transmission: f64,
     /// Index of refraction relative to air.
     pub ior: f64,
     /// A surface without thickness: transmitted rays are not refracted.
     pub thin: bool,
     pub(super) unlit: bool,
-    weights: Option<Weights>,
+    pub(super) weights: Option<Weights>,
     occlusion: f64,
     /// Averaged normal of the normal map in the tangent frame.
     pub(super) bump: Option<DVec3>,
     /// Colour and strength of the dielectric reflection.
-    specular: DVec4,
+    pub(super) specular: DVec4,
     /// Strength and roughness of the clear coat.
-    coat: DVec2,
+    pub(super) coat: DVec2,
 }
 
 /// A material with the geometry that shading depends on.
@@ -208,7 +208,7 @@ impl Material {
     }
 
     /// Reflectance of the dielectric part at normal incidence.
-    fn at_normal(&self) -> DVec3 {
+    pub(super) fn at_normal(&self) -> DVec3 {
         let plain = ((self.ior - 1.0) / (self.ior + 1.0)).powi(2);
         (plain * self.specular.truncate()).min(DVec3::ONE) * self.specular.w
     }
@@ -229,12 +229,12 @@ impl Material {
     }
 
     /// Reflectance of the clear coat.
-    fn coat_reflectance(&self, cosine: f64) -> f64 {
+    pub(super) fn coat_reflectance(&self, cosine: f64) -> f64 {
         self.coat.x * fresnel_dielectric(cosine, 1.0 / 1.5)
     }
 
     /// Fraction of light that passes the clear coat.
-    fn under(&self, cosine: f64) -> f64 {
+    pub(super) fn under(&self, cosine: f64) -> f64 {
         1.0 - self.coat_reflectance(cosine)
     }
 

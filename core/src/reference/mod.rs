@@ -13,15 +13,15 @@
 //! | [`ReferenceFrame::postcorrection`] | `postcorrect_seed.wgsl`, `postcorrect_probe_points.wgsl`, `postcorrect.wgsl`, `postcorrect_scan.wgsl` |
 //! | [`ReferenceFrame::ray_in`], [`ReferenceFrame::presampled`], [`ReferenceFrame::tested`], [`ReferenceFrame::supersampled`] | `jitter_*.wgsl`, `presample.wgsl`, `subpixels.wgsl`, `extra_samples.wgsl` |
 //! | [`ReferenceFrame::quincunx`] | `quincunx_*.wgsl` |
-//! | [`ReferenceFrame::path`], [`Rng::pair`] | `path.wgsl`, `lobes*.wgsl`, `emitters*.wgsl`, `rng*.wgsl` |
+//! | [`ReferenceFrame::path`], [`Rng::pair`] | `path.wgsl`, `lobes*.wgsl`, `microfacets.wgsl`, `response_*.wgsl`, `emitters*.wgsl`, `rng*.wgsl` |
 //! | [`PathSample::own`], [`PathSample::splat`] | `eyes_stereo.wgsl`, `stereo_*.wgsl` |
 //! | [`GBufferPixel::followed`], [`Denoiser::median`], [`Denoiser::atrous`] | `gbuffer_record.wgsl`, `median.wgsl`, `atrous_begin.wgsl`, `atrous.wgsl` |
 //! | [`ReferenceFrame::refreshes`], [`ReferenceFrame::reprojected`] | `refresh.wgsl`, `reproject_depth.wgsl`, `reproject_source.wgsl`, `reuse.wgsl` |
 //!
 //! The reference shares with the renderer that it tests: the [`Scene`] in main memory (with octahedral normals),
 //! the [`Camera`](crate::Camera), the [`Settings`](crate::Settings), the Rust functions that encode and decode
-//! octahedral words, which the shaders do not use, the bytes of the mip levels, and the distribution of
-//! [`Emitters`]. It shares nothing else: no tree, no buffer, no formula. Only [`Reference::with_wide_tree`] uses
+//! octahedral words, which the shaders do not use, the bytes of the mip levels, the table of [`LobeAlbedos`], and
+//! the distribution of [`Emitters`]. It shares nothing else: no tree, no buffer, no formula. Only [`Reference::with_wide_tree`] uses
 //! the tree's builder: it is for images, not for tests.
 //!
 //! Spawned rays start exactly on the surface and cannot hit the primitive that they leave; the shaders start them
@@ -47,6 +47,7 @@ mod lights;
 mod lobes;
 mod maps;
 mod material;
+mod microfacets;
 mod path;
 mod postcorrection;
 mod quincunx;
@@ -57,6 +58,7 @@ mod rounding;
 mod sample;
 mod scatter;
 mod shadow;
+mod shares;
 mod similarity;
 mod stereo_reuse;
 mod supersampling;
@@ -64,6 +66,8 @@ mod surface;
 mod texture;
 mod traversal;
 mod wide;
+
+use std::sync::OnceLock;
 
 use glam::DVec3;
 
@@ -93,7 +97,7 @@ pub use traversal::{Hit, Tracer};
 use crate::{
     Features, Scene,
     device::mip::{self, Content},
-    scene::{Emitters, Image8, Thinness},
+    scene::{Emitters, Image8, LobeAlbedos, Thinness},
 };
 
 /// A scene that is traced and shaded in f64.
@@ -104,6 +108,7 @@ pub struct Reference {
     thinness: Thinness,
     emitters: Emitters,
     surroundings: Option<environment::Surroundings>,
+    albedos: OnceLock<LobeAlbedos>,
     /// The mip levels of each image, from level 1 on.
     levels: Vec<Vec<Image8>>,
     bounds: (DVec3, DVec3),
@@ -131,6 +136,7 @@ impl Reference {
             thinness: Thinness::of(&scene),
             emitters: Emitters::of(&scene),
             surroundings: environment::Surroundings::of(&scene),
+            albedos: OnceLock::new(),
             levels,
             bounds: (low.as_dvec3(), high.as_dvec3()),
             srgb: texture::srgb_table(),

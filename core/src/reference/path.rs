@@ -2,18 +2,15 @@
 //! Emission is found by the path itself, by next-event estimation, or by both (multiple importance sampling,
 //! Veach & Guibas 1995).
 //!
-//! Converges to the rendering equation with the materials of `scene/material.rs`, up to the depth limit, with two
-//! exceptions: light that a bent shading normal would gather from below the face is lost, and punctual lights
-//! have no image in rough surfaces.
-
-use std::f64::consts::PI;
+//! Converges to the rendering equation with the materials of `scene/material.rs`, up to the depth limit, with one
+//! exception: light that a bent shading normal would gather from below the face is lost.
 
 use glam::DVec3;
 
 use super::{
-    Cause, GBufferPixel, Ray, ReferenceFrame, Rng, Rounding, Surface,
+    Cause, GBufferPixel, Material, Ray, ReferenceFrame, Rng, Rounding, Surface,
     gbuffer::Search,
-    lobes::{Chosen, Lobes, cosine_weighted},
+    lobes::{Chosen, Lobes},
     stereo_reuse::{Mirror, Splat},
 };
 use crate::{DirectLight, Foveation, LightSelection, MAX_RAYS, Roulette};
@@ -26,7 +23,7 @@ const PLACE_IN_PIXEL: u32 = 0;
 const DIMENSIONS: u32 = 4;
 /// Dimension of the choice of lobe, and of stopping away from the gaze.
 const LOBE: u32 = 0;
-/// Dimension of the diffuse direction.
+/// Dimension of the direction of a diffuse or rough lobe.
 const DIRECTION: u32 = 1;
 /// Dimension of the choice of emitter, and of Russian roulette.
 const EMITTER: u32 = 2;
@@ -74,7 +71,7 @@ struct Path<'a> {
     layers: (u32, bool),
     /// Distance of the ray's origin from the last vertex; 0 unless the path went straight on.
     passed: f64,
-    /// Density with which the diffuse lobe sampled the ray, per unit of solid angle.
+    /// Density with which a lobe sampled the ray, per unit of solid angle.
     density: Option<f64>,
     /// The first hit if it is a planar mirror.
     mirror: Option<Mirror>,
@@ -166,16 +163,16 @@ impl Path<'_> {
         }
         let [lobe, foveation] = self.pair(LOBE);
         let chosen = lobes.choose(lobe, rounding);
-        let diffuse = chosen.as_ref().is_some_and(|chosen| chosen.bsdf_sample.is_none());
+        let diffuse = chosen == Some(Chosen::Diffuse);
         self.search.meet((&s, &lobes), diffuse, self.throughput, self.level);
-        if lobes.diffuse != DVec3::ZERO {
-            let irradiance = self.punctual(&s, rounding)
+        if lobes.albedo != DVec3::ZERO {
+            let light = self.punctual(&s, &lobes, rounding)
                 + self.emitters(&s, &lobes, rounding)
                 + self.environment(&s, &lobes, rounding);
-            self.radiance += self.throughput * lobes.diffuse / PI * irradiance;
+            self.radiance += self.throughput * light;
         }
         self.foveate(foveation, rounding)?;
-        self.leave(&s, &lobes, chosen?, rounding)
+        self.leave((&s, &m), &lobes, chosen?, rounding)
     }
 
     /// Continues the path straight through a surface that covers in part what is behind it, by chance.
@@ -234,7 +231,7 @@ impl Path<'_> {
         }
     }
 
-    /// Estimate of the irradiance from an environment map, without the part that is left to paths that leave the scene.
+    /// Estimate of the light of an environment map times the lobes, without the part that is left to paths that leave the scene.
     fn environment(&self, s: &Surface, lobes: &Lobes, rounding: &mut Rounding) -> DVec3 {
         if !self.draws_environment() {
             return DVec3::ZERO;
@@ -243,15 +240,19 @@ impl Path<'_> {
         let Some(light) = self.frame.reference.environment_drawn(s, number as f32, place, rounding) else {
             return DVec3::ZERO;
         };
-        let met = match self.frame.settings.paths.direct_light {
-            DirectLight::Mis => light.cosine / PI * lobes.chance_of_diffuse(),
-            _ => 0.0,
-        };
-        light.radiance * light.cosine / (light.density + met)
+        let (value, met) = self.response(s, lobes, light.direction);
+        light.radiance * value / (light.density + met)
     }
 
-    /// Irradiance of a surface from the punctual lights that are not shadowed.
-    fn punctual(&self, s: &Surface, rounding: &mut Rounding) -> DVec3 {
+    /// The lobes times the cosine, and the density with which the path finds light that is also drawn.
+    fn response(&self, s: &Surface, lobes: &Lobes, direction: DVec3) -> (DVec3, f64) {
+        let (value, density) = lobes.response(s, direction);
+        let both = self.frame.settings.paths.direct_light == DirectLight::Mis;
+        (value, if both { density } else { 0.0 })
+    }
+
+    /// Light of the punctual lights that are not shadowed, times the lobes.
+    fn punctual(&self, s: &Surface, lobes: &Lobes, rounding: &mut Rounding) -> DVec3 {
         if self.frame.settings.paths.lights == LightSelection::Emitters {
             return DVec3::ZERO;
         }
@@ -260,12 +261,12 @@ impl Path<'_> {
             .map(|i| {
                 let arrival = reference.arrival(i, s.position);
                 let share = reference.light_share(s, i, rounding);
-                share * arrival.irradiance * s.normal.dot(arrival.direction).max(0.0)
+                share * arrival.irradiance * lobes.response(s, arrival.direction).0
             })
             .sum()
     }
 
-    /// Estimate of the irradiance from emitters, without the part that is left to paths that hit them.
+    /// Estimate of the light from emitters times the lobes, without the part that is left to paths that hit them.
     fn emitters(&self, s: &Surface, lobes: &Lobes, rounding: &mut Rounding) -> DVec3 {
         let reference = self.frame.reference;
         let paths = &self.frame.settings.paths;
@@ -283,11 +284,8 @@ impl Path<'_> {
                 continue;
             };
             let drawn = light.density * f64::from(count);
-            let met = match paths.direct_light {
-                DirectLight::Mis => light.cosine / PI * lobes.chance_of_diffuse(),
-                _ => 0.0,
-            };
-            sum += light.radiance * light.cosine / (drawn + met);
+            let (value, met) = self.response(s, lobes, light.direction);
+            sum += light.radiance * value / (drawn + met);
         }
         sum
     }
@@ -309,8 +307,16 @@ impl Path<'_> {
     }
 
     /// Continues by the chosen lobe unless Russian roulette ends the path.
-    fn leave(&mut self, s: &Surface, lobes: &Lobes, chosen: Chosen, rounding: &mut Rounding) -> Option<()> {
-        self.throughput *= chosen.weight;
+    fn leave(
+        &mut self,
+        (s, m): (&Surface, &Material),
+        lobes: &Lobes,
+        chosen: Chosen,
+        rounding: &mut Rounding,
+    ) -> Option<()> {
+        let reflected = self.frame.reference.bent(s, 1.0, 2.0);
+        let continued = lobes.leave(chosen, (s, m), self.pair(DIRECTION), reflected)?;
+        self.throughput *= continued.weight;
         if self.frame.settings.paths.roulette == Roulette::On && self.level >= ROULETTE_LEVEL {
             let survivors = self.throughput.max_element().min(1.0);
             let [_, survival] = self.pair(EMITTER);
@@ -319,21 +325,9 @@ impl Path<'_> {
             }
             self.throughput /= survivors;
         }
-        let (direction, cone) = match chosen.bsdf_sample {
-            Some(bsdf_sample) => {
-                (self.density, self.diffuse_only) = (None, false);
-                (bsdf_sample.direction, bsdf_sample.cone)
-            }
-            None => {
-                let (direction, density) = cosine_weighted(s.normal, self.pair(DIRECTION));
-                if s.face.dot(direction) <= 0.0 {
-                    return None;
-                }
-                self.density = Some(density * lobes.chance_of_diffuse());
-                (direction, (0.0, 0.0))
-            }
-        };
-        self.ray = s.spawn(direction, cone, rounding);
+        self.density = continued.density;
+        self.diffuse_only &= chosen == Chosen::Diffuse;
+        self.ray = s.spawn(continued.direction, continued.cone, rounding);
         self.left = Some(s.primitive);
         self.passed = 0.0;
         self.level += 1;

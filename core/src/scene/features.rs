@@ -76,6 +76,8 @@ pub struct Features {
     pub slot_coordinates: bool,
     /// Some material has a specular colour, specular-glossiness factors, a clear coat or absorption.
     pub layers: bool,
+    /// Some material has a lobe that is neither diffuse nor a mirror, which paths sample.
+    pub microfacets: bool,
 }
 }
 
@@ -109,14 +111,15 @@ impl Features {
             normal_maps: used().any(Material::has_normal_map),
             slot_coordinates: used().any(|m| !m.coordinates.is_empty()),
             layers: used().any(Material::is_layered),
+            microfacets: used().any(Material::has_microfacets),
         }
     }
 
     /// All features switched on, for kernels that link every piece.
     #[must_use]
     pub fn all() -> Self {
-        // The textures of an environment map exist only where there is one.
-        Self { environment_map: false, ..Self::EVERY }
+        // The textures of an environment map and the table of microfacet lobes exist only where they are needed.
+        Self { environment_map: false, microfacets: false, ..Self::EVERY }
     }
 
     /// Whether a sample may trace rays besides the primary one and shadow rays, so that their radiance is stored.

@@ -7,6 +7,9 @@ use glam::Vec3;
 
 use super::{SlotCoordinates, TextureSlot};
 
+/// Roughness below which paths take a surface as a mirror.
+pub const LEAST_ROUGHNESS: f32 = 0.04;
+
 /// How a surface reflects, transmits and emits light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
@@ -181,6 +184,18 @@ impl Material {
             && self.weights.is_none()
             && self.metallic_roughness_texture.is_none()
             && !self.is_layered()
+    }
+
+    /// Whether paths leave some point of the surface by a microfacet lobe: rough metal, a rough dielectric that is
+    /// neither matte nor a mirror, rough glass, or a rough coat.
+    #[must_use]
+    pub fn has_microfacets(&self) -> bool {
+        let textured = self.metallic_roughness_texture.is_some() || self.specular_glossiness.is_some();
+        let rough = self.roughness >= LEAST_ROUGHNESS || textured || self.has_normal_map();
+        let diffuse = self.roughness >= 1.0 && self.metallic == 0.0 && self.transmission == 0.0 && !textured;
+        let coat =
+            self.clearcoat > 0.0 && (self.clearcoat_roughness >= LEAST_ROUGHNESS || self.has_normal_map());
+        !self.unlit && self.weights.is_none() && (rough && !diffuse || coat)
     }
 
     /// Whether some view angle makes a reflection ray worth tracing.

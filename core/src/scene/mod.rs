@@ -12,6 +12,7 @@ mod exposure;
 mod features;
 #[cfg(feature = "gltf")]
 mod gltf;
+mod lobe_albedos;
 pub(crate) mod look_at;
 mod material;
 mod not_shown;
@@ -34,7 +35,8 @@ pub use environment_map::{
 pub use features::Features;
 #[cfg(feature = "gltf")]
 pub use gltf::ImportOptions;
-pub use material::{Material, SpecularGlossiness, Weights};
+pub use lobe_albedos::{ALBEDO_SIDE, LobeAlbedos};
+pub use material::{LEAST_ROUGHNESS, Material, SpecularGlossiness, Weights};
 pub use not_shown::NotShown;
 pub use octahedral::{
     MAX_ERROR as OCTAHEDRAL_ERROR, decode as octahedral_decode, decode_exact as octahedral_decode_exact,

@@ -11,7 +11,7 @@ use glimpse::{
 use glimpse_tests::{
     TestScene,
     builder::{Builder, flattened, front_camera, matte},
-    gpu, note,
+    gallery, gpu, note,
 };
 
 use super::agreement::srgb;
@@ -67,8 +67,9 @@ fn a_sample_is_that_of_the_reference() {
         ("room", 1e-2, &ways[..2]),
         ("minray", 1e-3, &ways[4..5]),
         ("furnace", 1e-2, &ways[..3]),
+        ("lobes", 1e-2, &ways[..3]),
     ] {
-        let mut scene = builtin(name).expect("built in");
+        let mut scene = if name == "lobes" { gallery::lobes() } else { builtin(name).expect("built in") };
         if name == "furnace" {
             scene.surround(EnvironmentMap::studio().rotated(0.3));
         }
@@ -124,11 +125,13 @@ fn the_mean_is_that_of_the_reference() {
     }
 }
 
-/// Flat shading, as bent normals lose light from below the face; and no sampling of emitters, whose
-/// contribution is right only in the mean.
+/// Flat shading, as bent normals lose light from below the face; smooth metal and no sampling of emitters, as rough
+/// lobes and sampled light are right only in the mean.
 #[test]
 fn in_a_furnace_every_path_brings_the_same() {
-    let test_scene = TestScene::new(flattened(builtin("furnace").expect("built in")));
+    let mut scene = flattened(builtin("furnace").expect("built in"));
+    scene.materials.iter_mut().for_each(|m| m.roughness = 0.0);
+    let test_scene = TestScene::new(scene);
     for roulette in Roulette::ALL {
         let image =
             mean(&test_scene, &with(|p| (p.direct_light, p.roulette) = (DirectLight::Bsdf, roulette)), 3);

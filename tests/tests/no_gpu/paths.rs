@@ -2,6 +2,7 @@
 
 mod eyes;
 mod light;
+mod microfacets;
 
 use std::f64::consts::PI;
 
@@ -96,8 +97,10 @@ fn emitting_box([diffuse, mirror]: [f64; 2], emission: f64) -> Scene {
 
 #[test]
 fn a_furnace_is_one_in_every_sample() {
-    // Flat shading, as bent normals lose light from below the face.
-    let scene = flattened(builtin("furnace").unwrap());
+    // Flat shading, as bent normals lose light from below the face; and smooth metal, as rough lobes are right only in
+    // the mean.
+    let mut scene = flattened(builtin("furnace").unwrap());
+    scene.materials.iter_mut().for_each(|m| m.roughness = 0.0);
     for roulette in [Roulette::On, Roulette::Off] {
         let mut settings = settings(DirectLight::Bsdf, 64);
         settings.paths.roulette = roulette;
@@ -106,6 +109,17 @@ fn a_furnace_is_one_in_every_sample() {
             assert!((path.radiance - 1.0).abs().max_element() < 1e-6, "{pixel:?}: {path:?}");
         });
     }
+}
+
+/// With rough metal, in the mean of all pixels; the table of albedos is interpolated.
+#[test]
+fn a_furnace_with_rough_metal_is_one_in_the_mean() {
+    let scene = flattened(builtin("furnace").unwrap());
+    let mut mean = Mean::default();
+    for_each(&scene, &settings(DirectLight::Bsdf, 64), [48, 32], 16, |_, path| mean.add(path.radiance));
+    let error = mean.error2().map(f64::sqrt).max_element();
+    assert!(error < 1e-3, "{error}");
+    assert!((mean.value() - 1.0).abs().max_element() < 4.0 * error + 1e-4, "{} {error}", mean.value());
 }
 
 /// Every bounce adds a share of the emission: e (1 + a + a^2 ...) = e / (1 - a), up to the depth limit.

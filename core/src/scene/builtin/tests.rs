@@ -57,6 +57,7 @@ fn the_room_needs_nearly_everything() {
         normal_maps: false,
         slot_coordinates: false,
         layers: false,
+        microfacets: true,
         ..Features::all()
     };
     assert_eq!(Features::of(&scene), expected);

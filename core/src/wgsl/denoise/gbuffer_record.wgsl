@@ -38,7 +38,7 @@ fn gbuffer_surface(path: ptr<function, Path>, s: Surface, lobes: Lobes, diffuse:
     if (*path).gbuffer_pixel.kind == GBUFFER_NONE && (diffuse || 2.0 * lobes.chances.x >= lobes.sum) {
         (*path).gbuffer_pixel.kind = select(GBUFFER_MIRRORED, GBUFFER_DIRECT, (*path).level == 1u);
         (*path).gbuffer_pixel.normal = octahedral_encode(s.normal);
-        (*path).gbuffer_pixel.albedo = (*path).throughput * lobes.diffuse;
+        (*path).gbuffer_pixel.albedo = (*path).throughput * response_albedo(lobes);
     }
 }
 

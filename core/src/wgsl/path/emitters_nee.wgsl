@@ -63,26 +63,25 @@ fn emitters_point(primitive: u32, place: vec2f) -> EmitterPoint {
     return EmitterPoint(position, surface_unit(surface_cross(ab, corners[2] - corners[1], -ac), vec3f(0.0)));
 }
 
-// Estimate of the irradiance from emitters, without the part that is left to paths that hit them.
-fn emitters_irradiance(s: Surface, chance_of_diffuse: f32, pixel: vec2u, dimension: u32) -> vec3f {
+// Estimate of the light from emitters times the response to it, without the part that is left to paths that hit them.
+fn emitters_light(s: Surface, lobes: Lobes, pixel: vec2u, dimension: u32) -> vec3f {
     var sum = vec3f(0.0);
     for (var i = 0u; i < LIGHT_SAMPLES; i += 1u) {
         let at = dimension + PATH_LIGHT_SAMPLE * i;
         let which = (f32(i) + rng_pair(pixel, at + PATH_EMITTER).x) / f32(LIGHT_SAMPLES);
-        sum += emitters_sample(s, chance_of_diffuse, which, rng_pair(pixel, at + PATH_POINT));
+        sum += emitters_sample(s, lobes, which, rng_pair(pixel, at + PATH_POINT));
     }
     return sum;
 }
 
-fn emitters_sample(s: Surface, chance_of_diffuse: f32, which: f32, place: vec2f) -> vec3f {
+fn emitters_sample(s: Surface, lobes: Lobes, which: f32, place: vec2f) -> vec3f {
     let primitive = emitters_select(which);
     let point = emitters_point(primitive, place);
     let way = point.position - s.position;
     let distance = length(way);
     let direction = way / distance;
-    let cosine = dot(s.normal, direction);
     let seen = dot(point.normal, direction);
-    if !(cosine > 0.0 && dot(s.face, direction) > 0.0 && seen != 0.0) {
+    if !(response_reaches(s, direction) && seen != 0.0) {
         return vec3f(0.0);
     }
     inspect_ray(RAY_SHADOW);
@@ -104,6 +103,7 @@ fn emitters_sample(s: Surface, chance_of_diffuse: f32, which: f32, place: vec2f)
         }
     }
     let drawn = f32(LIGHT_SAMPLES) * emitters_density(object, seen, distance);
-    let met = select(0.0, cosine / PI * chance_of_diffuse, WEIGHS_EMITTERS);
-    return layers_through() * emission * (cosine / (drawn + met));
+    let response = response_to(s, lobes, direction);
+    let met = select(0.0, response.density, WEIGHS_EMITTERS);
+    return layers_through() * emission * (response.value / (drawn + met));
 }

@@ -5,6 +5,6 @@ fn emitters_weight(density: f32, s: Surface, direction: vec3f) -> f32 {
     return select(0.0, 1.0, density == 0.0);
 }
 
-fn emitters_irradiance(s: Surface, chance_of_diffuse: f32, pixel: vec2u, dimension: u32) -> vec3f {
+fn emitters_light(s: Surface, lobes: Lobes, pixel: vec2u, dimension: u32) -> vec3f {
     return vec3f(0.0);
 }

@@ -14,7 +14,7 @@ fn environment_density(probability: f32, d: vec3f) -> f32 {
     return probability * 0.25 * side * side / (norm * norm * norm);
 }
 
-// Weight of the radiance that a path finds along a direction sampled with `density` (0: not sampled from the diffuse
+// Weight of the radiance that a path finds along a direction sampled with `density` (0: not sampled from a
 // lobe) and that leaves the scene; next-event estimation contributes the rest.
 fn environment_weight(density: f32, direction: vec3f) -> f32 {
     if density == 0.0 {
@@ -29,8 +29,8 @@ fn environment_weight(density: f32, direction: vec3f) -> f32 {
     return density / (density + environment_density(textureLoad(environment_shares, at, 0).y, d));
 }
 
-// Estimate of the irradiance from the map, without the part that is left to paths that leave the scene.
-fn environment_irradiance(s: Surface, chance_of_diffuse: f32, pixel: vec2u, dimension: u32) -> vec3f {
+// Estimate of the light of the map times the response to it, without the part that is left to paths that leave the scene.
+fn environment_light(s: Surface, lobes: Lobes, pixel: vec2u, dimension: u32) -> vec3f {
     let number = rng_pair(pixel, dimension + PATH_ENVIRONMENT).x;
     let side = textureDimensions(environment_shares).x;
     // The first texel whose cumulative probability exceeds the number.
@@ -53,8 +53,7 @@ fn environment_irradiance(s: Surface, chance_of_diffuse: f32, pixel: vec2u, dime
     let d = normalize(vec3f(across.x, y, across.y));
     let r = environment.rotation;
     let direction = vec3f(r.x * d.x + r.y * d.z, d.y, r.x * d.z - r.y * d.x);
-    let cosine = dot(s.normal, direction);
-    if !(cosine > 0.0 && dot(s.face, direction) > 0.0) {
+    if !response_reaches(s, direction) {
         return vec3f(0.0);
     }
     inspect_ray(RAY_SHADOW);
@@ -62,6 +61,7 @@ fn environment_irradiance(s: Surface, chance_of_diffuse: f32, pixel: vec2u, dime
         return vec3f(0.0);
     }
     let drawn = environment_density(textureLoad(environment_shares, texel, 0).y, d);
-    let met = select(0.0, cosine / PI * chance_of_diffuse, WEIGHS_EMITTERS);
-    return layers_through() * environment_radiance(direction) * (cosine / (drawn + met));
+    let response = response_to(s, lobes, direction);
+    let met = select(0.0, response.density, WEIGHS_EMITTERS);
+    return layers_through() * environment_radiance(direction) * (response.value / (drawn + met));
 }

@@ -10,6 +10,7 @@ struct BsdfSample {
     ray: Ray,
     weight: vec3f,
     kind: u32,
+    density: f32,
 }
 
 fn lobes_unlit(m: Material) -> bool {
@@ -26,5 +27,5 @@ fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
 }
 
 fn lobes_specular(s: Surface, m: Material, lobes: Lobes, ray: Ray, direction: vec3f, number: f32) -> BsdfSample {
-    return BsdfSample(ray, vec3f(0.0), RAY_REFLECTION);
+    return BsdfSample(ray, vec3f(0.0), RAY_REFLECTION, 0.0);
 }

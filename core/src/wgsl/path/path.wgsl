@@ -7,7 +7,7 @@ const PATH_ROULETTE_LEVEL: u32 = 3u;
 const PATH_DIMENSIONS: u32 = 4u;
 // Dimension of the choice of lobe, and of stopping away from the gaze.
 const PATH_LOBE: u32 = 0u;
-// Dimension of the diffuse direction.
+// Dimension of the direction of a diffuse or rough lobe.
 const PATH_DIRECTION: u32 = 1u;
 // Dimension of the choice of emitter, and of Russian roulette.
 const PATH_EMITTER: u32 = 2u;
@@ -24,7 +24,7 @@ struct Path {
     throughput: vec3f,
     // Bounce level: 1 for the primary ray.
     level: u32,
-    // Density with which the diffuse lobe sampled the ray, per unit of solid angle; 0 for other rays.
+    // Density with which a lobe sampled the ray, per unit of solid angle; 0 for mirrored, refracted and primary rays.
     density: f32,
     // Radiance found so far.
     radiance: vec3f,
@@ -90,12 +90,11 @@ fn path_step(path: ptr<function, Path>) -> bool {
     if lobes.sum <= 0.0 {
         return false;
     }
-    if lobes.chances.x > 0.0 {
-        let chance = lobes.chances.x / lobes.sum;
-        let irradiance = punctual_irradiance(s)
-            + emitters_irradiance(s, chance, pixel, dimension)
-            + environment_irradiance(s, chance, pixel, dimension);
-        (*path).radiance += (*path).throughput * lobes.diffuse * (1.0 / PI) * irradiance;
+    if response_exists(lobes) {
+        let light = punctual_light(s, lobes)
+            + emitters_light(s, lobes, pixel, dimension)
+            + environment_light(s, lobes, pixel, dimension);
+        (*path).radiance += (*path).throughput * response_radiance(lobes, light);
     }
     if (*path).level >= FOVEATION_LEVEL {
         if foveation_terminates(pixel, random.y) {
@@ -113,19 +112,11 @@ fn path_scatter(
     path: ptr<function, Path>, s: Surface, m: Material, lobes: Lobes, direction: vec3f, number: f32
 ) -> bool {
     let dimension = PATH_DIMENSIONS * (*path).level;
-    var bsdf_sample: BsdfSample;
-    var density = 0.0;
     gbuffer_scatter(path, number < lobes.chances.x);
-    if number < lobes.chances.x {
-        let drawn = path_diffuse_direction(s.normal, rng_pair((*path).pixel, dimension + PATH_DIRECTION));
-        density = max(dot(drawn, s.normal), 0.0) / PI * (lobes.chances.x / lobes.sum);
-        let weight = lobes.diffuse * (lobes.sum / lobes.chances.x);
-        bsdf_sample = BsdfSample(surface_spawn(s, drawn, FAR, vec2f(0.0)), weight, RAY_DIFFUSE);
-        if dot(s.face, drawn) <= 0.0 {
-            return false;
-        }
-    } else {
-        bsdf_sample = lobes_specular(s, m, lobes, (*path).ray, direction, number);
+    let random = rng_pair((*path).pixel, dimension + PATH_DIRECTION);
+    let bsdf_sample = response_sample(s, m, lobes, (*path).ray, direction, number, random);
+    if all(bsdf_sample.weight == vec3f(0.0)) {
+        return false;
     }
     (*path).throughput *= bsdf_sample.weight;
     if ROULETTE && (*path).level >= PATH_ROULETTE_LEVEL {
@@ -137,20 +128,7 @@ fn path_scatter(
     }
     (*path).ray = bsdf_sample.ray;
     (*path).kind = bsdf_sample.kind;
-    (*path).density = density;
+    (*path).density = bsdf_sample.density;
     (*path).level += 1u;
     return true;
-}
-
-// A cosine-weighted direction around a unit normal.
-fn path_diffuse_direction(n: vec3f, random: vec2f) -> vec3f {
-    let r = sqrt(random.x);
-    let angle = 2.0 * PI * random.y;
-    // Building an Orthonormal Basis, Revisited (Duff et al. 2017).
-    let side = select(-1.0, 1.0, n.z >= 0.0);
-    let a = -1.0 / (side + n.z);
-    let b = n.x * n.y * a;
-    let x = vec3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x);
-    let y = vec3f(b, side + n.y * n.y * a, -n.y);
-    return normalize(r * cos(angle) * x + r * sin(angle) * y + sqrt(max(0.0, 1.0 - random.x)) * n);
 }

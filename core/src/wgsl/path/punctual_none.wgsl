@@ -1,5 +1,5 @@
-// For scenes without punctual lights: no irradiance.
+// For scenes without punctual lights.
 
-fn punctual_irradiance(s: Surface) -> vec3f {
+fn punctual_light(s: Surface, lobes: Lobes) -> vec3f {
     return vec3f(0.0);
 }

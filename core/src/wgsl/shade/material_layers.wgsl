@@ -74,6 +74,11 @@ fn material_f90(m: Material) -> vec3f {
 // The clear coat's index is 1.5.
 const COAT_RATIO: f32 = 1.0 / 1.5;
 
+// Strength and roughness of the clear coat.
+fn material_coat(m: Material) -> vec2f {
+    return m.coat;
+}
+
 fn material_coat_reflectance(m: Material, cosine: f32) -> f32 {
     return m.coat.x * fresnel_reflectance(cosine, COAT_RATIO, fresnel_transmitted(cosine, COAT_RATIO));
 }

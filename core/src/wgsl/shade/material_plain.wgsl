@@ -55,6 +55,11 @@ fn material_f90(m: Material) -> vec3f {
     return vec3f(1.0);
 }
 
+// Strength and roughness of the clear coat.
+fn material_coat(m: Material) -> vec2f {
+    return vec2f(0.0);
+}
+
 // Fraction of light that passes the clear coat.
 fn material_under(m: Material, cosine: f32) -> f32 {
     return 1.0;

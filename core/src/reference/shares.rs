@@ -1,0 +1,84 @@
+//! What each lobe of a material has of the light, along paths.
+
+use glam::{DMat3, DVec2, DVec3};
+
+use super::{
+    Material, Surface,
+    lobes::tangents,
+    microfacets::{Microfacets, Reflectance},
+};
+use crate::scene::{LEAST_ROUGHNESS, LobeAlbedos};
+
+/// Albedos and lobes of a surface.
+#[derive(Default)]
+pub(super) struct Shares {
+    pub diffuse: DVec3,
+    pub mirror: DVec3,
+    /// Before the microfacets' reflectance, where the surface is rough.
+    pub refraction: DVec3,
+    /// Reflection by the rough surface, and by a rough coat over it.
+    pub glossy: [Option<Microfacets>; 2],
+}
+
+impl Material {
+    /// The shares of the lobes for a unit vector to the viewer.
+    pub(super) fn shares(&self, s: &Surface, view: DVec3, albedos: &LobeAlbedos) -> Shares {
+        let cosine = s.normal.dot(view).clamp(0.0, 1.0);
+        if self.weights.is_some() || self.unlit {
+            let [diffuse, mirror] = [self.diffuse(cosine, s.inside), self.mirror(cosine, s.inside)];
+            return Shares {
+                diffuse,
+                mirror,
+                refraction: self.refraction(cosine, s.inside),
+                ..Shares::default()
+            };
+        }
+        let mut shares = Shares::default();
+        let [x, y] = tangents(s.normal);
+        let frame = DMat3::from_cols(x, y, s.normal);
+        let least = f64::from(LEAST_ROUGHNESS);
+        let mut under = DVec3::ONE;
+        if self.coat.x > 0.0 && self.coat.y >= least {
+            let strength = DVec3::splat(self.coat.x);
+            let reflectance = Reflectance { f0: 0.04 * strength, f90: strength, ratio: None };
+            let alpha = DVec2::splat(self.coat.y.powi(2));
+            let coat = Microfacets::new(frame, view, alpha, reflectance, albedos);
+            under = 1.0 - coat.albedo;
+            shares.glossy[1] = Some(coat);
+        } else {
+            shares.mirror = DVec3::splat(self.coat_reflectance(cosine));
+            under -= shares.mirror;
+        }
+        let scattered = self.base * (1.0 - self.metallic) * (1.0 - self.transmission);
+        let entering = self.base * (1.0 - self.metallic) * self.transmission;
+        if self.roughness < least {
+            let fresnel = self.fresnel(cosine, s.inside);
+            shares.mirror += under * fresnel;
+            shares.diffuse = under * scattered * (1.0 - fresnel);
+            shares.refraction = under * entering * (1.0 - fresnel);
+        } else if self.roughness >= 1.0 && self.metallic == 0.0 && self.transmission == 0.0 {
+            shares.diffuse = under * scattered;
+        } else {
+            let lobe = |metallic: f64| {
+                let alpha = DVec2::splat(self.roughness.powi(2));
+                Microfacets::new(frame, view, alpha, self.reflectance(metallic, s.inside), albedos)
+            };
+            shares.diffuse = under * scattered * (1.0 - lobe(0.0).albedo);
+            shares.refraction = under * entering;
+            shares.glossy[0] = Some(lobe(self.metallic).under(under));
+        }
+        shares
+    }
+
+    /// Reflectance of the microfacets at a metalness.
+    fn reflectance(&self, metallic: f64, inside: bool) -> Reflectance {
+        let mut f0 = self.at_normal().lerp(self.base, metallic);
+        let mut f90 = DVec3::splat(self.specular.w).lerp(DVec3::ONE, metallic);
+        if self.thin {
+            // Both faces of a pane.
+            [f0, f90] = [f0, f90].map(|f| 2.0 * f / (1.0 + f));
+        }
+        let ratio = (self.transmission > 0.0).then(|| self.ratio(inside && !self.thin));
+        Reflectance { f0, f90, ratio }
+    }
+}

@@ -1,0 +1,135 @@
+// The lobes that a path may continue by, with microfacets; each is chosen with a probability proportional to its
+// largest channel.
+
+struct Lobes {
+    diffuse: vec3f,
+    mirror: vec3f,
+    refraction: vec3f,
+    // Largest channel of these three.
+    chances: vec3f,
+    // Sum of the largest channels of all lobes.
+    sum: f32,
+    // Cosine of the angle to the normal on the viewer's side and, for smooth refraction, on the other.
+    cosine: f32,
+    beyond: f32,
+    // Reflection by the rough surface, and by a rough coat over it.
+    glossy: Microfacets,
+    coat: Microfacets,
+    albedo: vec3f,
+}
+
+// The sampled lobe.
+struct BsdfSample {
+    ray: Ray,
+    // The lobe's weight divided by the probability of choosing it; 0 if the path ends.
+    weight: vec3f,
+    kind: u32,
+    // Density of the direction per unit of solid angle; 0 for mirrored and refracted rays.
+    density: f32,
+}
+
+fn lobes_unlit(m: Material) -> bool {
+    return material_is(m, OBJECT_UNLIT);
+}
+
+fn lobes_emission(m: Material) -> vec3f {
+    return m.emission;
+}
+
+// The lobes at a surface; `direction` is the unit direction of the incident ray.
+fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
+    var lobes: Lobes;
+    lobes.cosine = clamp(-dot(s.normal, direction), 0.0, 1.0);
+    if material_is(m, OBJECT_WEIGHTS) {
+        lobes.diffuse = material_diffuse(m, lobes.cosine, s.inside);
+        lobes.mirror = material_mirror(m, lobes.cosine, s.inside);
+        lobes.refraction = material_refraction(m, lobes.cosine, s.inside);
+    } else {
+        lobes_add_layers(&lobes, s, m, -direction);
+    }
+    lobes.albedo += lobes.diffuse;
+    if lobes.glossy.chance == 0.0 {
+        lobes.beyond = fresnel_transmitted(lobes.cosine, material_ratio(m, s.inside));
+        if lobes.beyond <= 0.0 && !material_is(m, OBJECT_THIN) {
+            lobes.refraction = vec3f(0.0);
+        }
+    }
+    lobes.chances = vec3f(max_component(lobes.diffuse), max_component(lobes.mirror), max_component(lobes.refraction));
+    if lobes.glossy.chance > 0.0 {
+        // By how much is refracted, but never 0, as some microfacets may refract where the surface does not.
+        lobes.chances.z *= max(0.25, 1.0 - max_component(microfacets_fresnel(lobes.glossy, lobes.cosine)));
+    }
+    lobes.sum = lobes.chances.x + lobes.chances.y + lobes.chances.z + lobes.glossy.chance + lobes.coat.chance;
+    return lobes;
+}
+
+// A coat over the surface, whose dielectric part covers the diffuse lobe and refraction.
+fn lobes_add_layers(lobes: ptr<function, Lobes>, s: Surface, m: Material, view: vec3f) {
+    let cosine = (*lobes).cosine;
+    let frame = directions_frame(s.normal);
+    var under = vec3f(material_under(m, cosine));
+    let coat = material_coat(m);
+    if coat.x > 0.0 && coat.y >= LEAST_ROUGHNESS {
+        var albedo: vec3f;
+        (*lobes).coat = microfacets_of(frame, vec2f(coat.y * coat.y), view, vec3f(0.04 * coat.x), vec3f(coat.x), 0.0, &albedo);
+        (*lobes).albedo += albedo;
+        under = 1.0 - albedo;
+    } else {
+        (*lobes).mirror = 1.0 - under;
+    }
+    let diffuse = m.base * ((1.0 - m.metallic) * (1.0 - m.transmission));
+    let refraction = m.base * ((1.0 - m.metallic) * m.transmission);
+    if m.roughness < LEAST_ROUGHNESS {
+        let fresnel = material_fresnel(m, cosine, s.inside);
+        (*lobes).mirror += under * fresnel;
+        (*lobes).diffuse = under * diffuse * (1.0 - fresnel);
+        (*lobes).refraction = under * refraction * (1.0 - fresnel);
+        return;
+    }
+    if m.roughness >= 1.0 && m.metallic == 0.0 && m.transmission == 0.0 {
+        (*lobes).diffuse = under * diffuse;
+        return;
+    }
+    let thin = material_is(m, OBJECT_THIN);
+    let ratio = select(0.0, material_ratio(m, s.inside && !thin), m.transmission > 0.0);
+    var dielectric = m;
+    dielectric.metallic = 0.0;
+    var covered: vec3f;
+    lobes_reflection(dielectric, frame, view, ratio, &covered);
+    var albedo: vec3f;
+    (*lobes).glossy = lobes_reflection(m, frame, view, ratio, &albedo);
+    (*lobes).glossy.scale *= under;
+    (*lobes).glossy.chance *= max_component(under);
+    (*lobes).albedo += under * albedo;
+    (*lobes).diffuse = under * diffuse * (1.0 - covered);
+    (*lobes).refraction = under * refraction;
+}
+
+// Reflection by a rough surface without its coat.
+fn lobes_reflection(m: Material, frame: mat3x3f, view: vec3f, ratio: f32, albedo: ptr<function, vec3f>) -> Microfacets {
+    var f0 = material_f0(m);
+    f0 += m.metallic * (m.base - f0);
+    var f90 = material_f90(m);
+    if material_is(m, OBJECT_THIN) {
+        // Both faces of the pane.
+        f0 = 2.0 * f0 / (1.0 + f0);
+        f90 = 2.0 * f90 / (1.0 + f90);
+    }
+    return microfacets_of(frame, vec2f(m.roughness * m.roughness), view, f0, f90, ratio, albedo);
+}
+
+// Samples mirroring or smooth refraction, for a number between the diffuse lobe's chance and the sum of the first three.
+fn lobes_specular(s: Surface, m: Material, lobes: Lobes, ray: Ray, direction: vec3f, number: f32) -> BsdfSample {
+    if lobes.chances.z == 0.0 || number < lobes.chances.x + lobes.chances.y {
+        let reflected = surface_spawn(s, normalize(reflect(direction, s.normal)), FAR, cone_bent(s, 1.0, 2.0));
+        return BsdfSample(reflected, lobes.mirror * (lobes.sum / lobes.chances.y), RAY_REFLECTION, 0.0);
+    }
+    let weight = lobes.refraction * (lobes.sum / lobes.chances.z);
+    if material_is(m, OBJECT_THIN) {
+        return BsdfSample(surface_pass(s, ray), weight, RAY_REFRACTION, 0.0);
+    }
+    let ratio = material_ratio(m, s.inside);
+    let refracted = fresnel_refracted(direction, s.normal, lobes.cosine, ratio, lobes.beyond);
+    let cone = cone_bent(s, ratio, ratio * lobes.cosine - lobes.beyond);
+    return BsdfSample(surface_spawn(s, refracted, FAR, cone), weight, RAY_REFRACTION, 0.0);
+}
