@@ -92,12 +92,10 @@ fn lobes_add_layers(lobes: ptr<function, Lobes>, s: Surface, m: Material, view: 
     }
     let thin = material_is(m, OBJECT_THIN);
     let ratio = select(0.0, material_ratio(m, s.inside && !thin), m.transmission > 0.0);
-    var dielectric = m;
-    dielectric.metallic = 0.0;
     var covered: vec3f;
-    lobes_reflection(dielectric, frame, view, ratio, &covered);
+    lobes_reflection(m, 0.0, frame, view, ratio, &covered);
     var albedo: vec3f;
-    (*lobes).glossy = lobes_reflection(m, frame, view, ratio, &albedo);
+    (*lobes).glossy = lobes_reflection(m, m.metallic, frame, view, ratio, &albedo);
     (*lobes).glossy.scale *= under;
     (*lobes).glossy.chance *= max_component(under);
     (*lobes).albedo += under * albedo;
@@ -105,11 +103,15 @@ fn lobes_add_layers(lobes: ptr<function, Lobes>, s: Surface, m: Material, view: 
     (*lobes).refraction = under * refraction;
 }
 
-// Reflection by a rough surface without its coat.
-fn lobes_reflection(m: Material, frame: mat3x3f, view: vec3f, ratio: f32, albedo: ptr<function, vec3f>) -> Microfacets {
-    var f0 = material_f0(m);
-    f0 += m.metallic * (m.base - f0);
-    var f90 = material_f90(m);
+// Reflection by a rough surface without its coat, as if it had this metalness.
+fn lobes_reflection(
+    m: Material, metallic: f32, frame: mat3x3f, view: vec3f, ratio: f32, albedo: ptr<function, vec3f>
+) -> Microfacets {
+    // The bound changes no value: it keeps compilers from rearranging the sums below by how the value was found.
+    var f0 = min(material_f0(m), vec3f(1.0));
+    f0 += metallic * (m.base - f0);
+    var f90 = vec3f(material_strength(m));
+    f90 += metallic * (1.0 - f90);
     if material_is(m, OBJECT_THIN) {
         // Both faces of the pane.
         f0 = 2.0 * f0 / (1.0 + f0);

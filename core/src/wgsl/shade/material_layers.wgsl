@@ -64,6 +64,14 @@ fn material_f0(m: Material) -> vec3f {
     return min(at_normal * at_normal * m.specular.rgb, vec3f(1.0)) * m.specular.a;
 }
 
+// The same at grazing incidence.
+fn material_strength(m: Material) -> f32 {
+    if !HAS_LAYERS {
+        return 1.0;
+    }
+    return m.specular.a;
+}
+
 fn material_f90(m: Material) -> vec3f {
     if !HAS_LAYERS || m.specular.a == 1.0 {
         return vec3f(1.0);

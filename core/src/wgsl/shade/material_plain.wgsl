@@ -51,6 +51,11 @@ fn material_f0(m: Material) -> vec3f {
     return vec3f(at_normal * at_normal);
 }
 
+// The same at grazing incidence.
+fn material_strength(m: Material) -> f32 {
+    return 1.0;
+}
+
 fn material_f90(m: Material) -> vec3f {
     return vec3f(1.0);
 }
