@@ -35,9 +35,7 @@ pub(crate) struct Loaded {
 /// What the user is told of a scene.
 fn told(scene: &mut Scene) -> Vec<String> {
     let mut lines = std::mem::take(&mut scene.warnings);
-    lines.extend(
-        scene.is_lit_by_studio.then(|| "The file brings no light: the built-in studio lights it".to_owned()),
-    );
+    lines.extend(scene.is_lit_by_studio.then(|| Scene::STUDIO_LIT.to_owned()));
     lines
 }
 

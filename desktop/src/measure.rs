@@ -16,7 +16,6 @@ use crate::cpu_tracer::{Sides, Unfinished};
 use crate::focus::FrameRequest;
 use crate::pan::{Pan, Panned};
 use crate::progress::Progress;
-use crate::scene_file;
 use crate::statistics::ErrorAgainst;
 
 /// A scene on the device with a camera and the methods to measure.
@@ -74,7 +73,7 @@ impl<'g> Workbench<'g> {
         let specialize = requests.first().map_or(Specialize::Auto, |request| request.settings.specialize);
         let statistics = SceneStatistics::of(name, &scene, specialize);
         let (mut warnings, not_shown) = (scene.warnings.clone(), scene.not_shown.clone());
-        warnings.extend(scene.is_lit_by_studio.then(|| scene_file::STUDIO_LIT.to_owned()));
+        warnings.extend(scene.is_lit_by_studio.then(|| Scene::STUDIO_LIT.to_owned()));
         let exposure = |request: &FrameRequest| request.settings.exposure.unwrap_or(scene.auto_exposure());
         let cpu_threads: Vec<_> = requests.iter().map(|request| request.settings.paths.cpu_threads).collect();
         let reference = cpu_threads.iter().any(|cpu_threads| *cpu_threads > 0).then(|| {

@@ -245,6 +245,10 @@ impl Environment {
 }
 
 impl Scene {
+    /// What people are told of a scene that [`Scene::is_lit_by_studio`].
+    pub const STUDIO_LIT: &str =
+        "the file brings no light: the built-in studio lights it (option `environment`)";
+
     /// Reads glTF 2.0: `.glb`, or `.gltf`; `resolve` returns the bytes of an external URI, a relative reference as the
     /// file has it (RFC 3986), or why there are none.
     ///

@@ -8,9 +8,6 @@ use glimpse::scene::{BUILTIN_NAMES, ImportOptions, builtin};
 
 use crate::files;
 
-/// What people are told of a scene that [`Scene::is_lit_by_studio`].
-pub const STUDIO_LIT: &str = "the file brings no light: the built-in studio lights it (--environment)";
-
 /// Fails early, without reading any content, where [`load`] cannot succeed; called before long work.
 pub fn check(name: &str) -> anyhow::Result<()> {
     if let Some(builtin_name) = name.strip_prefix("builtin:") {

@@ -47,6 +47,17 @@ const NAMES: &str = match (cfg!(feature = "webp"), cfg!(feature = "ktx2")) {
     (false, false) => "PNG, JPEG",
 };
 
+/// Why a texture has no image: extensions that are not read define other sources than the core's.
+const NOT_READ: &str = match (cfg!(feature = "webp"), cfg!(feature = "ktx2")) {
+    (true, true) => "it has no image in PNG, JPEG, WebP or KTX 2.0",
+    (true, false) => "it has no image in PNG, JPEG or WebP",
+    (false, true) => "it has no image in PNG, JPEG or KTX 2.0",
+    (false, false) => "it has no image in PNG or JPEG",
+};
+
+/// A texture of the scene, or why there is none.
+pub(super) type Loaded = std::result::Result<u32, &'static str>;
+
 /// Extensions of textures that name another image than the core's.
 const EXTENSIONS: &[&str] = &[
     #[cfg(feature = "ktx2")]
@@ -73,7 +84,7 @@ pub(super) struct Textures {
     pub warnings: Vec<String>,
     /// Number of texels that may still be decoded.
     room: u64,
-    texture_of: HashMap<usize, Option<u32>>,
+    texture_of: HashMap<usize, Loaded>,
     image_of: HashMap<Origin, Option<u32>>,
 }
 
@@ -84,14 +95,8 @@ impl Textures {
         Self { textures, images, warnings, room, texture_of: HashMap::new(), image_of: HashMap::new() }
     }
 
-    /// The scene's texture for a texture of the file, loaded on first use; `None` if it has no image that is there, of a
-    /// format that is read (some extensions define other sources).
-    pub fn load(
-        &mut self,
-        source: &Source<'_>,
-        external: &mut External<'_>,
-        index: usize,
-    ) -> Result<Option<u32>> {
+    /// The scene's texture for a texture of the file, loaded on first use, or why it has no image.
+    pub fn load(&mut self, source: &Source<'_>, external: &mut External<'_>, index: usize) -> Result<Loaded> {
         if let Some(known) = self.texture_of.get(&index) {
             return Ok(*known);
         }
@@ -101,8 +106,8 @@ impl Textures {
             Error::scene(&what, format!("no such texture; the file has {}", root.textures.len()))
         })?;
         let image = match image_of(json, &what)? {
-            None => None,
-            Some(index) => self.image(source, external, index)?,
+            None => Err(NOT_READ),
+            Some(index) => self.image(source, external, index)?.ok_or("its image is missing"),
         };
         let texture = sampler(root, json, &what)?;
         let loaded = image.map(|image| {

@@ -8,6 +8,7 @@ use json::extensions::texture::TextureTransform;
 use json::texture::Info;
 use serde_json::{Map, Value};
 
+use super::images::Loaded;
 use super::layers;
 use super::normalized::flushed2;
 use crate::scene::{Material, SlotCoordinates, TextureSlot};
@@ -130,7 +131,7 @@ pub(super) fn read(
     what: &str,
     material: &mut Material,
     warnings: &mut Vec<String>,
-    load: &mut dyn FnMut(usize) -> Result<Option<u32>>,
+    load: &mut dyn FnMut(usize) -> Result<Loaded>,
 ) -> Result<Reads> {
     let mut reads = Reads::default();
     let mut coordinates = BTreeMap::new();
@@ -155,9 +156,12 @@ pub(super) fn read(
             ));
             continue;
         }
-        let Some(texture) = load(texture)? else {
-            warnings.push(format!("{what}: its {name} texture is dropped, for it has no PNG or JPEG image"));
-            continue;
+        let texture = match load(texture)? {
+            Ok(texture) => texture,
+            Err(reason) => {
+                warnings.push(format!("{what}: its {name} texture is dropped, for {reason}"));
+                continue;
+            }
         };
         match slot {
             TextureSlot::BaseColor => material.base_color_texture = Some(texture),

@@ -295,7 +295,7 @@ fn what_cannot_be_shown_is_said() {
     file.json["textures"][0] = json!({ "extensions": { "EXT_texture_avif": { "source": 0 } } });
     let scene = file.scene();
     assert_eq!(scene.materials[0].base_color_texture, None);
-    assert!(scene.warnings[0].contains("no PNG or JPEG"), "{:?}", scene.warnings);
+    assert!(scene.warnings[0].contains("no image in PNG, JPEG"), "{:?}", scene.warnings);
 
     let mut file =
         textured(json!({ "pbrMetallicRoughness": { "baseColorTexture": { "index": 0, "texCoord": 3 } } }));
