@@ -6,6 +6,10 @@ use std::str::FromStr;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use glimpse::{Method, Show};
 
+use crate::diff::DiffKind;
+
+#[path = "bounds_options.rs"]
+mod bounds_options;
 #[path = "environment_options.rs"]
 mod environment_options;
 #[path = "frame_options.rs"]
@@ -17,6 +21,7 @@ mod scene_options;
 #[path = "vary.rs"]
 mod vary;
 
+pub use bounds_options::BoundsOptions;
 pub use environment_options::EnvironmentOptions;
 #[cfg(test)]
 pub use frame_options::default_text;
@@ -56,6 +61,8 @@ pub enum Command {
     Compare(CompareOptions),
     /// Say what a scene holds and what is left out because of it
     Info(InfoOptions),
+    /// Render a scene, or all cases of a file, and compare with reference pictures
+    Check(CheckOptions),
     /// List the graphics adapters
     Devices(DevicesOptions),
     /// Compare the methods' times, interleaved in one run
@@ -136,6 +143,14 @@ pub struct CompareOptions {
     pub a: PathBuf,
     /// The reference
     pub b: PathBuf,
+    #[command(flatten)]
+    pub bounds: BoundsOptions,
+    /// Write a picture of A, B and their difference side by side
+    #[arg(long, value_name = "OUT.png")]
+    pub diff: Option<PathBuf>,
+    /// What shows the difference
+    #[arg(long, value_enum, value_name = "KIND", default_value = "error", requires = "diff")]
+    pub diff_kind: DiffKind,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -151,6 +166,32 @@ pub struct InfoOptions {
     /// Print JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// `glimpse check`
+#[derive(Clone, Debug, Args)]
+#[command(args_override_self = true)]
+pub struct CheckOptions {
+    /// A .glb or .gltf file, or builtin:NAME; or a .toml file of cases
+    pub scene: String,
+    /// The reference picture, PNG
+    pub reference: Option<PathBuf>,
+    #[command(flatten)]
+    pub frame: FrameOptions,
+    /// How the frame is made
+    #[arg(long, value_name = "NAME", value_parser = method_parser(), default_value = "adaptive", ignore_case = true)]
+    pub method: Method,
+    #[command(flatten)]
+    pub bounds: BoundsOptions,
+    /// Write what is rendered as the references; the command fails nevertheless
+    #[arg(long)]
+    pub update: bool,
+    /// Where a case fails, write its picture beside the reference and their difference: NAME.png in this folder
+    #[arg(long, value_name = "DIR")]
+    pub failures: Option<PathBuf>,
+    /// Write the results as JUnit XML
+    #[arg(long, value_name = "FILE")]
+    pub junit: Option<PathBuf>,
 }
 
 /// `glimpse devices`

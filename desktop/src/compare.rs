@@ -1,27 +1,79 @@
-//! `glimpse compare`: the error of image A against image B.
+//! `glimpse compare`: the error of image A against image B, and whether it is within bounds.
 
 use std::path::Path;
 
 use anyhow::{Context, anyhow};
-use glimpse::metrics::{self, ErrorReport};
-use glimpse::{Error, Picture};
+use glimpse::metrics::{self, Bounds, ErrorReport, Violation};
+use glimpse::{DisplayImage, Error, Picture, to_png};
+use serde::Serialize;
 
 use crate::args::CompareOptions;
+use crate::diff;
 use crate::{files, output, summary};
+
+/// What was measured of a picture against its reference.
+#[derive(Serialize)]
+pub struct Comparison {
+    #[serde(flatten)]
+    pub report: ErrorReport,
+    /// Number of pixels of which a channel differs by more than the threshold.
+    pub failed_pixels: u64,
+    /// Bounds that do not hold.
+    pub violations: Vec<Violation>,
+}
+
+impl Comparison {
+    pub fn of(a: &DisplayImage, b: &DisplayImage, bounds: &Bounds) -> glimpse::Result<Self> {
+        Self::reported(metrics::compare(a, b)?, a, b, bounds)
+    }
+
+    fn reported(
+        report: ErrorReport,
+        a: &DisplayImage,
+        b: &DisplayImage,
+        bounds: &Bounds,
+    ) -> glimpse::Result<Self> {
+        let failed_pixels = metrics::failed_pixels(a, b, bounds.threshold)?;
+        Ok(Self { violations: bounds.violations(&report, failed_pixels), report, failed_pixels })
+    }
+
+    /// One line of what was measured.
+    pub fn text(&self, bounds: &Bounds) -> String {
+        let counted = output::counted(self.failed_pixels as usize, "pixel");
+        format!("{}, {counted} beyond {}", summary::error(&self.report), bounds.threshold)
+    }
+
+    /// The bounds that do not hold, with what was found; `None` if all hold.
+    pub fn complaint(&self) -> Option<String> {
+        let lines: Vec<_> = self.violations.iter().map(|violation| format!("--{violation}")).collect();
+        (!lines.is_empty()).then(|| lines.join("; "))
+    }
+}
 
 /// Runs `glimpse compare`.
 pub fn run(options: &CompareOptions) -> anyhow::Result<()> {
-    let report = measure(&options.a, &options.b)?;
+    let (a, b) = (options.a.as_path(), options.b.as_path());
+    files::check(&options.diff.iter().map(std::path::PathBuf::as_path).collect::<Vec<_>>(), &[a, b])?;
+    let bounds = options.bounds.bounds();
+    let (comparison, [shown, reference]) = measure(a, b, &bounds)?;
+    if let Some(path) = &options.diff {
+        let picture = diff::picture(&shown, &reference, bounds.threshold, options.diff_kind)?;
+        files::write(path, &to_png(&picture)?)?;
+    }
     if options.json {
-        output::print(&output::json(&report)?)
+        output::print(&output::json(&comparison)?)?;
     } else {
-        output::print(&(summary::error(&report) + "\n"))
+        output::print(&(comparison.text(&bounds) + "\n"))?;
+    }
+    match comparison.complaint() {
+        None => Ok(()),
+        Some(complaint) => Err(anyhow!("{} against {}: {complaint}", a.display(), b.display())),
     }
 }
 
 /// Measures the error of display-encoded images, and the RMSE of linear radiance as well if both files
-/// contain it.
-fn measure(a: &Path, b: &Path) -> anyhow::Result<ErrorReport> {
+/// contain it. Returns the display-encoded images too.
+fn measure(a: &Path, b: &Path, bounds: &Bounds) -> anyhow::Result<(Comparison, [DisplayImage; 2])> {
     let both = || format!("{} against {}", a.display(), b.display());
     let (a, b) = (read(a)?, read(b)?);
     let linear_rmse = match (&a, &b) {
@@ -30,20 +82,21 @@ fn measure(a: &Path, b: &Path) -> anyhow::Result<ErrorReport> {
         }
         _ => None,
     };
-    let report =
-        metrics::compare(&a.into_display(), &b.into_display()).map_err(not_usage).with_context(both)?;
-    Ok(ErrorReport { linear_rmse, ..report })
+    let (a, b) = (a.into_display(), b.into_display());
+    let report = metrics::compare(&a, &b).map_err(not_usage).with_context(both)?;
+    let comparison = Comparison::reported(ErrorReport { linear_rmse, ..report }, &a, &b, bounds)?;
+    Ok((comparison, [a, b]))
 }
 
 /// Turns a mismatch between the images into an error that is not reported as wrong usage.
-fn not_usage(error: Error) -> anyhow::Error {
+pub fn not_usage(error: Error) -> anyhow::Error {
     match error {
         Error::Setting { expected, found, .. } => anyhow!("expected {expected}, found {found}"),
         other => other.into(),
     }
 }
 
-fn read(path: &Path) -> anyhow::Result<Picture> {
+pub fn read(path: &Path) -> anyhow::Result<Picture> {
     let bytes = files::read(path)?;
     let name = path.display();
     Picture::decode(&bytes).map_err(|error| match error {
@@ -71,6 +124,7 @@ mod tests {
         let (white, light) = (write("white.exr", linear(1.0)), write("light.exr", linear(3.0)));
         let (png, dim) = (write("white.png", grey(255)), write("dim.png", grey(250)));
 
+        let measure = |a: &Path, b: &Path| measure(a, b, &Bounds::default()).map(|(found, _)| found.report);
         let report = measure(&white, &light).unwrap();
         assert_eq!((report.rmse, report.linear_rmse), (0.0, Some(2.0)), "clipped alike, radiance apart");
         assert_eq!(measure(&white, &png).unwrap().psnr_db, None);

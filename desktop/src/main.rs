@@ -3,9 +3,11 @@
 
 mod args;
 mod bench;
+mod check;
 mod compare;
 mod cpu_tracer;
 mod devices;
+mod diff;
 mod errors;
 mod focus;
 mod info;
@@ -53,6 +55,7 @@ fn run(arguments: Arguments) -> anyhow::Result<()> {
         Some(Command::View(options)) => view::run(&options, adapter),
         Some(Command::Render(options)) => render::run(&options, adapter),
         Some(Command::Compare(options)) => compare::run(&options),
+        Some(Command::Check(options)) => check::run(&options, adapter),
         Some(Command::Info(options)) => info::run(&options),
         Some(Command::Devices(options)) => devices::run(&options, adapter),
         Some(Command::Bench(options)) => bench::run(&options, adapter),

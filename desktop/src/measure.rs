@@ -150,6 +150,23 @@ impl Plan {
         methods as u64 * (2 + u64::from(self.frames))
     }
 
+    /// Renders the picture of the workbench's first method, without measuring anything.
+    pub fn picture(&self, workbench: &Workbench<'_>) -> anyhow::Result<DisplayImage> {
+        let settings = workbench.methods.first().context("expected a method, found none")?;
+        let size = settings.method.picture(self.size);
+        let mut renderer = Renderer::new(workbench.gpu, &workbench.scene, size, settings)?;
+        renderer.render(&workbench.camera)?;
+        let unfinished = Unfinished {
+            renderer: &mut renderer,
+            camera: &workbench.camera,
+            size: self.size,
+            reference: workbench.reference.as_ref(),
+            cpu_threads: workbench.cpu_threads[0],
+        };
+        unfinished.finish(|_| ())?;
+        Ok(renderer.display_image()?)
+    }
+
     /// Measures all methods of the workbench, in their order.
     pub fn measure(&self, workbench: &Workbench<'_>, progress: &Progress) -> anyhow::Result<Vec<Run>> {
         let name = &workbench.statistics.file;

@@ -5,9 +5,7 @@
 
 pub mod agreement;
 pub mod builder;
-pub mod compare;
 pub mod gallery;
-pub mod golden;
 pub mod minray;
 
 use std::{

@@ -13,7 +13,6 @@ mod gpu {
     mod environment;
     mod extended;
     mod eyes;
-    mod golden;
     mod minray;
     mod mip;
     mod path;

@@ -3,7 +3,6 @@
 mod no_gpu {
     mod compare;
     mod device;
-    mod golden;
     mod limits;
     mod minray;
     mod pages;

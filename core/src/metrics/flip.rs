@@ -31,6 +31,21 @@ pub fn flip(a: &DisplayImage, b: &DisplayImage) -> Result<Flip> {
     Ok(Flip { mean, p99: f64::from(*p99) })
 }
 
+/// The error map of `a` against the reference `b` in the colours of Andersson et al. 2020 (magma): black for no error, pale
+/// yellow for 1.
+///
+/// # Errors
+/// As [`flip`].
+pub fn flip_picture(a: &DisplayImage, b: &DisplayImage) -> Result<DisplayImage> {
+    same_size(a.dimensions(), b.dimensions())?;
+    let map = nv_flip::flip(rgb(b), rgb(a), PIXELS_PER_DEGREE).apply_color_lut(&nv_flip::magma_lut());
+    let bytes = map.to_vec();
+    Ok(DisplayImage::from_fn(a.width(), a.height(), |x, y| {
+        let at = 3 * (y * a.width() + x) as usize;
+        image::Rgba([bytes[at], bytes[at + 1], bytes[at + 2], 255])
+    }))
+}
+
 fn rgb(image: &DisplayImage) -> FlipImageRgb8 {
     let bytes: Vec<u8> = image.pixels().flat_map(|p| [p.0[0], p.0[1], p.0[2]]).collect();
     FlipImageRgb8::with_data(image.width(), image.height(), &bytes)

@@ -2,6 +2,7 @@
 //!
 //! SSIM is computed here rather than by a crate: the crates for it bring their own thread pool.
 
+mod bounds;
 #[cfg(feature = "flip")]
 mod flip;
 pub(crate) mod missing;
@@ -13,11 +14,12 @@ mod tests;
 
 use serde::{Deserialize, Serialize};
 
+pub use bounds::{Bounds, ROUNDING_THRESHOLD, Violation, failed_pixels, pixel_fails};
 pub use pixelwise::{TILE, Tile, linear_rmse, psnr_db, rmse, worst_tile};
 pub use ssim::ssim;
 
 #[cfg(feature = "flip")]
-pub use flip::{Flip, PIXELS_PER_DEGREE, flip};
+pub use flip::{Flip, PIXELS_PER_DEGREE, flip, flip_picture};
 
 use crate::{DisplayImage, Error, Result};
 

@@ -1,9 +1,8 @@
-//! Tests of the comparison of pictures.
+//! The bounds of frame tests find wrong pictures and let rounding pass.
 
-use glimpse::DisplayImage;
-use glimpse_tests::{
-    compare::{Tolerance, compare, difference_image},
-    golden::TOLERANCE,
+use glimpse::{
+    DisplayImage,
+    metrics::{self, Bounds},
 };
 use image::Rgba;
 
@@ -15,12 +14,25 @@ fn picture() -> DisplayImage {
     })
 }
 
+/// The bounds that do not hold, each with what was found.
+fn violations(a: &DisplayImage, b: &DisplayImage, bounds: &Bounds) -> Vec<(String, f64)> {
+    let report = metrics::compare(a, b).expect("one size");
+    let failed = metrics::failed_pixels(a, b, bounds.threshold).expect("one size");
+    let violations = bounds.violations(&report, failed).into_iter();
+    violations.map(|violation| (violation.bound, violation.found.expect("measured"))).collect()
+}
+
 #[test]
 fn a_picture_is_like_itself() {
-    let difference = compare(&picture(), &picture(), &TOLERANCE).unwrap();
-    assert_eq!((difference.failed_pixels, difference.largest), (0, 0));
-    assert_eq!(difference.worst_tile_rmse, 0.0);
-    assert!(difference.sweep.iter().all(|(_, count)| *count == 0));
+    let exact = Bounds {
+        max_rmse: Some(0.0),
+        min_psnr: Some(1e6),
+        max_failed_pixels: Some(0),
+        threshold: 0,
+        max_worst_tile: Some(0.0),
+        ..Bounds::default()
+    };
+    assert_eq!(violations(&picture(), &picture(), &exact), []);
 }
 
 #[test]
@@ -29,7 +41,7 @@ fn rounding_is_allowed() {
     for (i, pixel) in other.pixels_mut().enumerate().filter(|(i, _)| i % 16 == 0) {
         pixel[i % 3] += 1;
     }
-    compare(&other, &picture(), &TOLERANCE).unwrap();
+    assert_eq!(violations(&other, &picture(), &Bounds::rounding()), []);
 }
 
 #[test]
@@ -38,15 +50,16 @@ fn two_swapped_pixels_are_found() {
     let (inside, outside) = (*other.get_pixel(30, 18), *other.get_pixel(2, 2));
     other.put_pixel(30, 18, outside);
     other.put_pixel(2, 2, inside);
-    let error = compare(&other, &picture(), &TOLERANCE).unwrap_err();
-    assert!(error.starts_with("2 pixels fail"), "{error}");
+    let none = Bounds { max_failed_pixels: Some(0), ..Bounds::rounding() };
+    assert_eq!(violations(&other, &picture(), &none)[0], ("max-failed-pixels".to_owned(), 2.0));
+    assert_eq!(violations(&other, &picture(), &Bounds::rounding())[0].0, "max-worst-tile");
 }
 
 #[test]
 fn a_shift_by_one_pixel_is_found() {
     let original = picture();
     let shifted = DisplayImage::from_fn(61, 37, |x, y| *original.get_pixel(x.saturating_sub(1), y));
-    assert!(compare(&shifted, &original, &TOLERANCE).is_err());
+    assert_eq!(violations(&shifted, &original, &Bounds::rounding()).len(), 2);
 }
 
 #[test]
@@ -57,8 +70,9 @@ fn one_percent_less_light_is_found() {
             pixel[channel] = (f64::from(pixel[channel]) * 0.99).round() as u8;
         }
     }
-    let error = compare(&dim, &picture(), &TOLERANCE).unwrap_err();
-    assert!(error.contains("worst tile RMSE"), "{error}");
+    assert!(
+        violations(&dim, &picture(), &Bounds::rounding()).iter().any(|(bound, _)| bound == "max-worst-tile")
+    );
 }
 
 #[test]
@@ -68,37 +82,30 @@ fn one_wrong_tile_is_found_however_large_the_picture() {
     for (x, y) in (0..8).flat_map(|x| (0..8).map(move |y| (x, y))) {
         other.put_pixel(256 + x, 128 + y, Rgba([102, 102, 102, 255]));
     }
-    let error = compare(&other, &large, &TOLERANCE).unwrap_err();
-    assert!(error.contains("worst tile RMSE 2.000 at (256, 128)"), "{error}");
+    assert_eq!(violations(&other, &large, &Bounds::rounding()), [("max-worst-tile".to_owned(), 2.0)]);
+    assert_eq!(metrics::worst_tile(&other, &large).expect("one size").position, [256, 128]);
 }
 
 #[test]
-fn each_number_of_the_tolerance_counts() {
+fn each_number_of_the_bounds_counts() {
     let mut other = picture();
     other.get_pixel_mut(20, 20)[1] += 40;
-    let check = |tolerance: &Tolerance| compare(&other, &picture(), tolerance).is_ok();
-    let lenient = Tolerance { threshold: 40, max_failed_pixels: 1, worst_tile_rmse: 3.0 };
-    assert!(check(&lenient));
-    assert!(check(&Tolerance { max_failed_pixels: 0, ..lenient }), "40 is not beyond 40");
-    assert!(check(&Tolerance { threshold: 39, ..lenient }));
-    assert!(!check(&Tolerance { threshold: 39, max_failed_pixels: 0, ..lenient }));
+    let holds = |bounds: &Bounds| violations(&other, &picture(), bounds).is_empty();
+    let lenient =
+        Bounds { max_failed_pixels: Some(1), threshold: 40, max_worst_tile: Some(3.0), ..Bounds::default() };
+    assert!(holds(&lenient));
+    assert!(holds(&Bounds { max_failed_pixels: Some(0), ..lenient }), "40 is not beyond 40");
+    assert!(holds(&Bounds { threshold: 39, ..lenient }));
+    assert!(!holds(&Bounds { threshold: 39, max_failed_pixels: Some(0), ..lenient }));
     // 40 / sqrt(3 x 64) = 2.887
-    assert!(!check(&Tolerance { worst_tile_rmse: 2.8, ..lenient }));
-    assert!(!check(&Tolerance { worst_tile_rmse: f64::NAN, ..lenient }));
+    assert!(!holds(&Bounds { max_worst_tile: Some(2.8), ..lenient }));
+    assert!(!holds(&Bounds { max_worst_tile: Some(f64::NAN), ..lenient }));
 }
 
 #[test]
-fn pictures_of_other_sizes_differ() {
-    let error = compare(&DisplayImage::new(61, 36), &picture(), &TOLERANCE).unwrap_err();
-    assert!(error.contains("(61, 37)") && error.contains("(61, 36)"), "{error}");
-    assert!(compare(&DisplayImage::new(0, 0), &DisplayImage::new(0, 0), &TOLERANCE).is_err());
-}
-
-#[test]
-fn the_difference_shows_where() {
-    let mut other = picture();
-    other.get_pixel_mut(7, 9)[2] += 10;
-    let shown = difference_image(&other, &picture());
-    assert_eq!(shown.get_pixel(7, 9), &Rgba([0, 0, 80, 255]));
-    assert_eq!(shown.get_pixel(8, 9), &Rgba([0, 0, 0, 255]));
+fn pictures_of_other_sizes_cannot_be_compared() {
+    let error =
+        metrics::failed_pixels(&DisplayImage::new(61, 36), &picture(), 2).expect_err("sizes").to_string();
+    assert!(error.contains("61x37") && error.contains("61x36"), "{error}");
+    assert!(metrics::compare(&DisplayImage::new(0, 0), &DisplayImage::new(0, 0)).is_err());
 }
