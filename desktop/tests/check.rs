@@ -53,7 +53,7 @@ fn references_are_written_and_differences_are_found() {
     let passed = with(&[]);
     assert!(passed.status.success(), "{}", printed(&passed));
 
-    let failed = with(&["--eye", "1,2,9", "--failures", "seen", "--junit", "junit.xml"]);
+    let failed = with(&["--depth", "1", "--failures", "seen", "--junit", "junit.xml"]);
     assert_eq!(failed.status.code(), Some(1));
     let text = printed(&failed);
     assert!(text.contains("--max-failed-pixels 4: found") && text.contains("see seen/r.png"), "{text}");
