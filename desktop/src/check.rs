@@ -118,7 +118,7 @@ impl Case {
         let Some(complaint) = comparison.complaint() else { return Ok(comparison.text(&bounds)) };
         let mut reason = format!("{complaint}; {}", comparison.text(&bounds));
         if let Some(folder) = &run.failures {
-            let path = folder.join(format!("{}.png", self.name));
+            let path = folder.join(format!("{}.png", self.name.replace(['/', '\\'], "_")));
             let shown = diff::picture(&picture, &reference, bounds.threshold, DiffKind::Error)?;
             files::write(&path, &to_png(&shown)?)?;
             reason += &format!("; see {}", path.display());
