@@ -156,14 +156,17 @@ impl Reference {
 }
 
 impl super::Material {
-    /// The shading normal for a view direction: that of the normal map, bent so that the mirrored ray leaves on the
-    /// viewer's side of the face.
+    /// The shading normal for a view direction: that of the normal map, where the surface mirrors bent so that the mirrored
+    /// ray leaves on the viewer's side of the face.
     pub(super) fn normal(&self, normal: DVec3, face: DVec3, view: DVec3, maps: &Maps) -> DVec3 {
         let along = maps.tangent - normal.dot(maps.tangent) * normal;
         let Some(bump) = self.bump.filter(|_| along.length_squared() >= 1.0e-8) else { return normal };
         let tangent = along.normalize();
         let bitangent = maps.sign * normal.cross(tangent);
         let bent = (bump.x * tangent + bump.y * bitangent + bump.z * normal).normalize_or_zero();
+        if self.gloss() <= 0.0 {
+            return bent;
+        }
         let mirrored = 2.0 * bent.dot(view) * bent - view;
         let below = LEAST_MIRRORED.min(0.9 * face.dot(view).max(0.0)) - mirrored.dot(face);
         if below <= 0.0 {

@@ -137,7 +137,7 @@ impl Reference {
 
 impl Material {
     /// The fraction of the specular lobe that is traced as a mirror.
-    fn gloss(&self) -> f64 {
+    pub(super) fn gloss(&self) -> f64 {
         (1.0 - 2.0 * self.roughness).max(0.0)
     }
 

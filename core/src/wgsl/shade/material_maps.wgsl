@@ -54,7 +54,8 @@ fn material_toksvig(roughness: f32, length: f32) -> f32 {
 // Cosine between the face and mirrored rays, at least.
 const LEAST_MIRRORED: f32 = 0.01;
 
-// The shading normal of a normal map, bent so that a mirrored ray leaves on the viewer's side of the face.
+// The shading normal of a normal map. Where the surface mirrors it is bent so that the mirrored ray leaves on the viewer's
+// side of the face.
 fn material_normal(m: Material, normal: vec3f, face: vec3f, view: vec3f, maps: Maps) -> vec3f {
     let along = maps.tangent.xyz - dot(normal, maps.tangent.xyz) * normal;
     let length2 = dot(along, along);
@@ -64,6 +65,9 @@ fn material_normal(m: Material, normal: vec3f, face: vec3f, view: vec3f, maps: M
     let tangent = along * inverseSqrt(length2);
     let bitangent = maps.tangent.w * cross(normal, tangent);
     let bent = normalize(m.bump.x * tangent + m.bump.y * bitangent + m.bump.z * normal);
+    if material_gloss(m) <= 0.0 {
+        return bent;
+    }
     let mirrored = 2.0 * dot(bent, view) * bent - view;
     let least = min(0.9 * max(dot(face, view), 0.0), LEAST_MIRRORED);
     let below = least - dot(mirrored, face);
