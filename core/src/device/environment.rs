@@ -6,20 +6,21 @@ use wgpu::{TextureFormat, TextureUsages};
 use crate::{
     Gpu, Result,
     device::mirror::gpu_struct,
-    scene::{EnvironmentDistribution, EnvironmentMap, Harmonics},
+    scene::{EnvironmentDistribution, EnvironmentMap},
 };
 
 gpu_struct! {
-    /// The map's irradiance and rotation, as shaders read them.
+    /// The map's rotation, as shaders read it.
     pub struct EnvironmentUniform {
-        harmonics: [[f32; 4]; 9], rotation: [f32; 2], padding: [f32; 2],
+        rotation: [f32; 2], padding: [f32; 2],
     }
 }
 
-/// Images of radiance and of the distribution of directions, 32-bit floating point, and the constants of the map.
+/// Images of radiance, of irradiance and of the distribution of directions, 32-bit floating point, and the constants of the map.
 pub struct GpuEnvironment {
     map: wgpu::TextureView,
     levels: wgpu::TextureView,
+    irradiance: wgpu::TextureView,
     shares: wgpu::TextureView,
     uniform: wgpu::Buffer,
     bytes: u64,
@@ -38,19 +39,22 @@ impl GpuEnvironment {
             levels.iter().map(|(side, texels)| (*side, bytemuck::cast_slice(texels))).collect();
         let whole = rgba(map.texels());
         let whole = [(map.side(), bytemuck::cast_slice(&whole))];
+        let irradiance = map.irradiance_over_pi();
+        let matte = rgba(&irradiance.texels);
+        let matte = [(irradiance.side, bytemuck::cast_slice(&matte))];
         let distribution = EnvironmentDistribution::of(map);
         let shares = [(distribution.side, bytemuck::cast_slice(&distribution.shares))];
         let (sine, cosine) = map.rotation().sin_cos();
-        let uniform = EnvironmentUniform {
-            harmonics: Harmonics::of(map).0.map(|c| c.extend(0.0).to_array()),
-            rotation: [cosine, sine],
-            padding: [0.0; 2],
-        };
-        let bytes =
-            [&whole[..], &levels, &shares].concat().iter().map(|(_, texels)| texels.len() as u64).sum();
+        let uniform = EnvironmentUniform { rotation: [cosine, sine], padding: [0.0; 2] };
+        let bytes = [&whole[..], &levels, &matte, &shares]
+            .concat()
+            .iter()
+            .map(|(_, texels)| texels.len() as u64)
+            .sum();
         Ok(Self {
             map: texture(gpu, "environment_map", TextureFormat::Rgba32Float, &whole)?,
             levels: texture(gpu, "environment_levels", TextureFormat::Rgba32Float, &levels)?,
+            irradiance: texture(gpu, "environment_diffuse", TextureFormat::Rgba32Float, &matte)?,
             shares: texture(gpu, "environment_shares", TextureFormat::Rg32Float, &shares)?,
             uniform: gpu.filled("environment", bytemuck::bytes_of(&uniform), wgpu::BufferUsages::UNIFORM)?,
             bytes,
@@ -58,11 +62,12 @@ impl GpuEnvironment {
     }
 
     /// Names and bindings of the resources that shaders read.
-    pub fn resources(&self) -> [(&'static str, wgpu::BindingResource<'_>); 4] {
+    pub fn resources(&self) -> [(&'static str, wgpu::BindingResource<'_>); 5] {
         [
             ("environment", self.uniform.as_entire_binding()),
             ("environment_map", wgpu::BindingResource::TextureView(&self.map)),
             ("environment_levels", wgpu::BindingResource::TextureView(&self.levels)),
+            ("environment_diffuse", wgpu::BindingResource::TextureView(&self.irradiance)),
             ("environment_shares", wgpu::BindingResource::TextureView(&self.shares)),
         ]
     }

@@ -5,17 +5,14 @@ use glam::DVec3;
 use super::{Reference, Rounding, Surface, emission::Emitted};
 use crate::{
     Scene,
-    scene::{
-        EnvironmentDistribution, EnvironmentMap, FIRST_FILTERED, FilteredLevel, Harmonics, WIDEST_LOBE,
-        bilinear,
-    },
+    scene::{EnvironmentDistribution, EnvironmentMap, FIRST_FILTERED, FilteredLevel, WIDEST_LOBE, bilinear},
 };
 
-/// A map with what is derived from it; the bytes of the filtered levels and the harmonics are the renderer's.
+/// A map with what is derived from it; the bytes of the filtered levels and of the irradiance are the renderer's.
 pub(super) struct Surroundings {
     map: EnvironmentMap,
     levels: Vec<FilteredLevel>,
-    harmonics: Harmonics,
+    irradiance: FilteredLevel,
     distribution: EnvironmentDistribution,
 }
 
@@ -24,7 +21,7 @@ impl Surroundings {
         let map = scene.environment_map.clone()?;
         Some(Self {
             levels: map.filtered(),
-            harmonics: Harmonics::of(&map),
+            irradiance: map.irradiance_over_pi(),
             distribution: EnvironmentDistribution::of(&map),
             map,
         })
@@ -59,7 +56,7 @@ impl Reference {
     /// Irradiance over pi of a surface with a unit normal, without what surfaces hide.
     pub(super) fn environment_ambient(&self, normal: DVec3) -> DVec3 {
         match &self.surroundings {
-            Some(s) => s.harmonics.irradiance_over_pi(s.map.turned(normal)),
+            Some(s) => bilinear(&s.irradiance.texels, s.irradiance.side, s.map.turned(normal)),
             None => self.scene.environment.ambient.as_dvec3(),
         }
     }

@@ -1,16 +1,15 @@
-//! Light from infinitely far away in all directions: an octahedral map of radiance, the irradiance of its first nine
-//! spherical harmonics, and levels that are filtered for rough reflection.
+//! Light from infinitely far away in all directions: an octahedral map of radiance, one of irradiance, and levels that are
+//! filtered for rough reflection.
 
 mod distribution;
 mod filtered;
-mod harmonics;
+mod irradiance;
 mod studio;
 
 use glam::{DVec2, DVec3, Vec3};
 
 pub use distribution::EnvironmentDistribution;
 pub use filtered::{FIRST_FILTERED, FilteredLevel, WIDEST_LOBE};
-pub use harmonics::Harmonics;
 
 use super::MAX_RADIANCE;
 use crate::{Error, LinearImage, Result};

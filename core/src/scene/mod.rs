@@ -30,7 +30,7 @@ pub use builtin::{BUILTIN_NAMES, builtin};
 pub use emitters::Emitters;
 pub(crate) use environment_map::bilinear;
 pub use environment_map::{
-    EnvironmentDistribution, EnvironmentMap, FIRST_FILTERED, FilteredLevel, Harmonics, WIDEST_LOBE,
+    EnvironmentDistribution, EnvironmentMap, FIRST_FILTERED, FilteredLevel, WIDEST_LOBE,
 };
 pub use features::Features;
 #[cfg(feature = "gltf")]

@@ -19,8 +19,9 @@ pub const WIDEST_LOBE: f32 = LAST_FILTERED as f32;
 /// Directions that are averaged for a texel of the finest filtered level; each further level takes twice as many.
 const DIRECTIONS: u32 = 64;
 
-/// A level for the lobe of a GGX distribution with `alpha = 8 / side`, seen along the normal: radiance weighted by the
-/// probability of microfacets that reflect it, times the cosine.
+/// Radiance averaged over lobes, in the projection of the map. Of [`EnvironmentMap::filtered`] a level is for the lobe of
+/// a GGX distribution with `alpha = 8 / side`, seen along the normal: weighted by the probability of microfacets that
+/// reflect the radiance, times the cosine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FilteredLevel {
     /// Width and height in texels.

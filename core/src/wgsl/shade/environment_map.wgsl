@@ -1,9 +1,6 @@
 // An environment map: radiance by direction in octahedral projection, centred on +Y (Cigolle et al. 2014).
 
 struct EnvironmentUniform {
-    // Irradiance over pi as a polynomial of the normal (Ramamoorthi & Hanrahan 2001): the coefficients of 1, y, z, x,
-    // xy, yz, 3 z^2 - 1, xz, x^2 - y^2.
-    harmonics: array<vec4f, 9>,
     // Cosine and sine of the map's rotation about +Y.
     rotation: vec2f,
     padding: vec2f,
@@ -13,6 +10,8 @@ var<uniform> environment: EnvironmentUniform;
 var environment_map: texture_2d<f32>;
 // Levels filtered for rough reflection, from the narrowest lobe to the widest.
 var environment_levels: texture_2d<f32>;
+// Irradiance over pi by normal.
+var environment_diffuse: texture_2d<f32>;
 
 // A direction of the world in the map's own frame.
 fn environment_turned(d: vec3f) -> vec3f {
@@ -90,12 +89,13 @@ fn environment_missed(kind: u32, direction: vec3f) -> vec3f {
     return environment_lobe(direction, f32(kind >> 8u) / 255.0);
 }
 
+// Radiance in the place of a ray that a limit cuts off: it is taken to meet nothing.
+fn environment_cut_off(kind: u32, direction: vec3f) -> vec3f {
+    return environment_missed(kind, direction);
+}
+
 // Irradiance over pi of a surface with a unit normal.
 fn environment_ambient(normal: vec3f) -> vec3f {
-    let n = environment_turned(normal);
-    let h = environment.harmonics;
-    let linear = h[0] + n.y * h[1] + n.z * h[2] + n.x * h[3];
-    let mixed = n.x * n.y * h[4] + n.y * n.z * h[5] + n.x * n.z * h[7];
-    let squares = (3.0 * n.z * n.z - 1.0) * h[6] + (n.x * n.x - n.y * n.y) * h[8];
-    return frame.exposure * max((linear + mixed + squares).rgb, vec3f(0.0));
+    let side = i32(textureDimensions(environment_diffuse).x);
+    return environment_bilinear(environment_diffuse, 0, side, environment_turned(normal));
 }
