@@ -79,7 +79,7 @@ impl Reference {
         let beyond = BsdfSample { direction: from.ray.direction, cone, share: DVec3::ONE };
         let level = from.level.max(2) - 1;
         let Some(seen) = self.followed((s, 0.0), &beyond, weight, level, limits, rounding) else {
-            return (self.cut_off(weight), None);
+            return (self.cut_off(weight, beyond.direction, 0.0), None);
         };
         (seen.color, seen.hit().map(|hit| (weight.max_element(), hit)))
     }
@@ -101,7 +101,7 @@ impl Reference {
             let Some(seen) =
                 self.followed((s, m.roughness), bsdf_sample, weight, from.level, limits, rounding)
             else {
-                scattered.radiance += self.cut_off(weight);
+                scattered.radiance += self.cut_off(weight, bsdf_sample.direction, m.roughness);
                 continue;
             };
             scattered.radiance += seen.color;
@@ -116,8 +116,11 @@ impl Reference {
         scattered
     }
 
-    /// Radiance that takes the place of a ray which a limit cuts off.
-    fn cut_off(&self, weight: DVec3) -> DVec3 {
+    /// Radiance that takes the place of a ray which a limit cuts off: that of a map along it, else the same for all.
+    fn cut_off(&self, weight: DVec3, direction: DVec3, roughness: f64) -> DVec3 {
+        if self.has_environment_map() {
+            return weight * self.environment_lobe(direction, stepped(roughness));
+        }
         weight * self.scene.environment.fallback_radiance.as_dvec3()
     }
 

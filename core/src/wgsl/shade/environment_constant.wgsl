@@ -11,3 +11,7 @@ fn environment_missed(kind: u32, direction: vec3f) -> vec3f {
 fn environment_ambient(normal: vec3f) -> vec3f {
     return frame.ambient;
 }
+
+fn environment_cut_off(kind: u32, direction: vec3f) -> vec3f {
+    return frame.fallback_radiance;
+}

@@ -1,5 +1,6 @@
 // Specular reflection and refraction: a tree of rays, traversed with a stack of pending branches. Rays cut off by
-// the depth limit, the least weight or the limit of rays have the environment's fallback radiance.
+// the depth limit, the least weight or the limit of rays are taken to meet nothing where there is an environment map, else
+// they have the fallback radiance.
 
 struct PathState {
     ray: Ray,
@@ -23,7 +24,7 @@ fn scatter_next(state: ptr<function, PathState>) -> bool {
     return true;
 }
 
-// Pushes a branch; returns the fallback radiance in its place if a limit cuts it off.
+// Pushes a branch; returns radiance in its place if a limit cuts it off.
 fn scatter_push(ray: Ray, weight: vec3f, level: u32, kind: u32) -> vec3f {
     let largest = max(weight.x, max(weight.y, weight.z));
     if largest <= 0.0 {
@@ -31,7 +32,7 @@ fn scatter_push(ray: Ray, weight: vec3f, level: u32, kind: u32) -> vec3f {
     }
     // The primary ray counts among the MAX_RAYS rays of a sample.
     if level > frame.depth || largest < frame.min_weight || scatter_count + 1u >= MAX_RAYS {
-        return weight * frame.fallback_radiance;
+        return weight * environment_cut_off(kind, ray.direction);
     }
     scatter_stack[scatter_stack_size] = PathState(ray, weight, level, kind);
     scatter_stack_size += 1u;

@@ -1,5 +1,5 @@
 // Specular reflection as an iterated chain of rays, up to the depth limit or the least weight. Rays that are cut
-// off have the environment's fallback radiance.
+// off are taken to meet nothing where there is an environment map, else they have the fallback radiance.
 
 struct PathState {
     ray: Ray,
@@ -26,11 +26,13 @@ fn scatter(s: Surface, m: Material, state: PathState, direction: vec3f) -> vec3f
     if largest <= 0.0 {
         return vec3f(0.0);
     }
+    let kind = RAY_REFLECTION | environment_kind(m);
+    let reflected = normalize(reflect(direction, s.normal));
     if state.level >= frame.depth || largest < frame.min_weight {
-        return weight * frame.fallback_radiance;
+        return weight * environment_cut_off(kind, reflected);
     }
-    let ray = surface_spawn(s, normalize(reflect(direction, s.normal)), FAR, cone_bent(s, 1.0, 2.0));
-    scatter_pending = PathState(ray, weight, state.level + 1u, RAY_REFLECTION | environment_kind(m));
+    let ray = surface_spawn(s, reflected, FAR, cone_bent(s, 1.0, 2.0));
+    scatter_pending = PathState(ray, weight, state.level + 1u, kind);
     scatter_is_pending = true;
     return vec3f(0.0);
 }
