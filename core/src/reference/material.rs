@@ -126,12 +126,14 @@ impl Reference {
             return diffuse * ambient;
         }
         let cosine = normal.dot(view).clamp(0.0, 1.0);
-        let dielectric = m.rough_dielectric(cosine) * (1.0 - m.metallic) * (1.0 - m.gloss());
+        let rough = 1.0 - m.gloss();
+        let dielectric = m.rough_reflectance(m.at_normal(), m.at_grazing(), cosine) * rough;
+        let metal = m.rough_reflectance(m.base, DVec3::ONE, cosine) * m.metallic * rough;
         let mirrored = 2.0 * cosine * normal - view;
         let dominant = mirrored.lerp(normal, m.roughness * m.roughness);
         let lobe = self.environment_lobe(dominant, m.roughness);
         let matte = diffuse * ambient;
-        matte + m.rough_metal() * lobe + dielectric * (lobe - matte)
+        matte + metal * lobe + dielectric * ((1.0 - m.metallic) * lobe - matte)
     }
 }
 
@@ -150,7 +152,7 @@ impl Material {
                     * self.base
                     * (1.0 - self.metallic)
                     * (1.0 - self.transmission)
-                    * (1.0 - self.fresnel(cosine, inside) * self.gloss())
+                    * (1.0 - self.dielectric(cosine, inside) * self.gloss())
             }
         }
     }
@@ -178,14 +180,17 @@ impl Material {
         }
     }
 
-    /// Reflectance of a rough dielectric for light from all directions (Karis 2014, "Physically Based Shading on
-    /// Mobile").
-    fn rough_dielectric(&self, cosine: f64) -> DVec3 {
+    /// Reflectance of the microfacets for light from all directions, from those of one at normal and at grazing
+    /// incidence: single scattering (Karis 2014, "Physically Based Shading on Mobile") and what is scattered several
+    /// times (Fdez-Aguera 2019, "A Multiple-Scattering Microfacet Model for Real-Time Image Based Lighting").
+    fn rough_reflectance(&self, f0: DVec3, f90: DVec3, cosine: f64) -> DVec3 {
         let r = self.roughness;
         let r = [1.0 - r, 0.0425 - 0.0275 * r, 1.04 - 0.572 * r, 0.022 * r - 0.04];
         let a = (r[0] * r[0]).min((-9.28 * cosine).exp2()) * r[0] + r[1];
-        let reflected = self.at_normal() * (r[2] - 1.04 * a) + self.at_grazing() * (r[3] + 1.04 * a);
-        reflected.clamp(DVec3::ZERO, DVec3::ONE)
+        let single = (f0 * (r[2] - 1.04 * a) + f90 * (r[3] + 1.04 * a)).max(DVec3::ZERO);
+        let average = f0 + (f90 - f0) / 21.0;
+        let missing = 1.0 - r[2] - r[3];
+        (single + missing * single * average / (1.0 - missing * average)).min(DVec3::ONE)
     }
 
     /// The viewer's index of refraction over that of the other side.
@@ -194,17 +199,21 @@ impl Material {
         if inside { self.ior } else { 1.0 / self.ior }
     }
 
-    /// Reflectance at this cosine of the view angle.
-    #[must_use]
-    pub fn fresnel(&self, cosine: f64, inside: bool) -> DVec3 {
+    /// Reflectance of the dielectric part at this cosine of the view angle.
+    fn dielectric(&self, cosine: f64, inside: bool) -> DVec3 {
         let from_within = inside && self.transmission > 0.0 && !self.thin;
         let mut dielectric = self.colored(fresnel_dielectric(cosine, self.ratio(from_within)));
         if self.thin {
             // Both faces of the pane with all internal reflections.
             dielectric = 2.0 * dielectric / (1.0 + dielectric);
         }
-        let metal = schlick(self.base, cosine);
-        dielectric.lerp(metal, self.metallic)
+        dielectric
+    }
+
+    /// Reflectance at this cosine of the view angle.
+    #[must_use]
+    pub fn fresnel(&self, cosine: f64, inside: bool) -> DVec3 {
+        self.dielectric(cosine, inside).lerp(schlick(self.base, cosine), self.metallic)
     }
 
     /// Reflectance of the dielectric part at normal incidence.
@@ -259,7 +268,7 @@ impl Material {
             None if self.unlit => DVec3::ZERO,
             None => {
                 let enters = self.transmission * (1.0 - self.metallic);
-                self.under(cosine) * self.base * enters * (1.0 - self.fresnel(cosine, inside))
+                self.under(cosine) * self.base * enters * (1.0 - self.dielectric(cosine, inside))
             }
         }
     }

@@ -5,12 +5,16 @@ fn environment_kind(m: Material) -> u32 {
     return u32(clamp(m.roughness, 0.0, 1.0) * 255.0 + 0.5) << 8u;
 }
 
-// Reflectance of a rough dielectric for light from all directions (Karis 2014, "Physically Based Shading on Mobile").
-fn environment_dielectric(m: Material, cosine: f32) -> vec3f {
-    let r = m.roughness * vec4f(-1.0, -0.0275, -0.572, 0.022) + vec4f(1.0, 0.0425, 1.04, -0.04);
+// Reflectance of microfacets for light from all directions, from those of one at normal and at grazing incidence: single
+// scattering (Karis 2014, "Physically Based Shading on Mobile") and what is scattered several times (Fdez-Aguera 2019, "A
+// Multiple-Scattering Microfacet Model for Real-Time Image Based Lighting").
+fn environment_reflectance(f0: vec3f, f90: vec3f, roughness: f32, cosine: f32) -> vec3f {
+    let r = roughness * vec4f(-1.0, -0.0275, -0.572, 0.022) + vec4f(1.0, 0.0425, 1.04, -0.04);
     let a = min(r.x * r.x, exp2(-9.28 * cosine)) * r.x + r.y;
-    let reflected = material_f0(m) * (r.z - 1.04 * a) + material_f90(m) * (r.w + 1.04 * a);
-    return clamp(reflected, vec3f(0.0), vec3f(1.0));
+    let single = max(f0 * (r.z - 1.04 * a) + f90 * (r.w + 1.04 * a), vec3f(0.0));
+    let average = f0 + (f90 - f0) / 21.0;
+    let missing = 1.0 - r.z - r.w;
+    return min(single + missing * single * average / (1.0 - missing * average), vec3f(1.0));
 }
 
 // Direction in which the filtered map holds the radiance that a rough surface reflects: between those of the mirrored ray
@@ -26,13 +30,14 @@ fn environment_reflected(m: Material, diffuse: vec3f, normal: vec3f, view: vec3f
         return diffuse * ambient;
     }
     let cosine = clamp(dot(normal, view), 0.0, 1.0);
-    let dielectric = environment_dielectric(m, cosine) * (1.0 - m.metallic) * (1.0 - material_gloss(m));
-    let metal = material_rough_metal(m);
-    let specular = metal + dielectric;
+    let rough = 1.0 - material_gloss(m);
+    let dielectric = environment_reflectance(material_f0(m), material_f90(m), m.roughness, cosine) * rough;
+    let metal = environment_reflectance(m.base, vec3f(1.0), m.roughness, cosine) * (m.metallic * rough);
+    let specular = metal + (1.0 - m.metallic) * dielectric;
     let matte = diffuse * ambient;
     if max(specular.x, max(specular.y, specular.z)) <= 0.0 {
         return matte;
     }
     let lobe = environment_lobe(environment_dominant(m, cosine, normal, view), m.roughness);
-    return matte + metal * lobe + dielectric * (lobe - matte);
+    return matte + metal * lobe + dielectric * ((1.0 - m.metallic) * lobe - matte);
 }

@@ -22,7 +22,8 @@ fn material_grazing(cosine: f32) -> f32 {
     return x2 * x2 * x;
 }
 
-fn material_fresnel(m: Material, cosine: f32, inside: bool) -> vec3f {
+// Reflectance of the dielectric part.
+fn material_dielectric(m: Material, cosine: f32, inside: bool) -> vec3f {
     let solid_inside = inside && m.transmission > 0.0 && !material_is(m, OBJECT_THIN);
     let ratio = material_ratio(m, solid_inside);
     var dielectric = material_specular(m, fresnel_reflectance(cosine, ratio, fresnel_transmitted(cosine, ratio)));
@@ -30,9 +31,12 @@ fn material_fresnel(m: Material, cosine: f32, inside: bool) -> vec3f {
         // Reflectance of a thin pane: both faces with all internal reflections.
         dielectric = 2.0 * dielectric / (1.0 + dielectric);
     }
-    let grazing = material_grazing(cosine);
-    let metal = m.base + (1.0 - m.base) * grazing;
-    return mix(dielectric, metal, m.metallic);
+    return dielectric;
+}
+
+fn material_fresnel(m: Material, cosine: f32, inside: bool) -> vec3f {
+    let metal = m.base + (1.0 - m.base) * material_grazing(cosine);
+    return mix(material_dielectric(m, cosine, inside), metal, m.metallic);
 }
 
 // Weight of the reflected ray's radiance.
@@ -55,7 +59,7 @@ fn material_refraction(m: Material, cosine: f32, inside: bool) -> vec3f {
     if material_is(m, OBJECT_UNLIT) || m.transmission == 0.0 {
         return vec3f(0.0);
     }
-    let entering = m.base * m.transmission * (1.0 - m.metallic) * (1.0 - material_fresnel(m, cosine, inside));
+    let entering = m.base * m.transmission * (1.0 - m.metallic) * (1.0 - material_dielectric(m, cosine, inside));
     return material_under(m, cosine) * entering;
 }
 
@@ -67,7 +71,7 @@ fn material_diffuse(m: Material, cosine: f32, inside: bool) -> vec3f {
     let gloss = material_gloss(m);
     let diffuse = material_under(m, cosine) * m.base * ((1.0 - m.metallic) * (1.0 - m.transmission));
     if gloss > 0.0 {
-        return diffuse * (1.0 - material_fresnel(m, cosine, inside) * gloss);
+        return diffuse * (1.0 - material_dielectric(m, cosine, inside) * gloss);
     }
     return diffuse;
 }
