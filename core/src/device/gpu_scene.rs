@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::Vec3;
 
 use crate::{
-    Error, Features, Gpu, Result, Settings,
+    Camera, Error, Features, Gpu, Result, Settings,
     acceleration::Bvh,
     device::atlas::Atlas,
     device::environment::{self, GpuEnvironment},
@@ -13,7 +13,7 @@ use crate::{
     device::{SceneStorage, Tier, mirror::gpu_struct},
     scene::{
         self, ALBEDO_SIDE, Emitters, Environment, LightKind, LobeAlbedos, MAX_LIGHTS, Material, Scene,
-        Thinness, WHITE,
+        Thinness, WHITE, touching_solids,
     },
 };
 
@@ -33,13 +33,18 @@ pub const SURFACE_ALPHA: u32 = 0x8000_0000;
 const MAX_OBJECTS: usize = SURFACE_OBJECT as usize + 1;
 
 /// Flags of an object's material: unlit, thin-walled, with explicit weights, matte (only the base colour is read),
-/// with alpha as its coverage, extended (the bits of `weights[0]` are the place of its record).
+/// with alpha as its coverage, extended (the bits of `weights[0]` are the place of its record), bounding a solid that
+/// transmits light, transmitting all light without a tint.
 pub const OBJECT_UNLIT: u32 = 1;
 pub const OBJECT_THIN: u32 = 2;
 pub const OBJECT_WEIGHTS: u32 = 4;
 pub const OBJECT_MATTE: u32 = 8;
 pub const OBJECT_BLEND: u32 = 16;
 pub const OBJECT_EXTENDED: u32 = 32;
+pub const OBJECT_SOLID: u32 = 64;
+pub const OBJECT_CLEAR: u32 = 128;
+/// The bits from here on are a solid's priority, offset to be positive.
+pub const OBJECT_PRIORITY_SHIFT: u32 = 24;
 
 /// Kinds of lights: the irradiance of a point light falls off with the square of the distance, that of a
 /// directional and of a constant one does not.
@@ -134,6 +139,8 @@ pub struct GpuScene {
     features: Features,
     thinness: Arc<Thinness>,
     bounds: (Vec3, Vec3),
+    /// Bounding boxes of the solids that touch others.
+    solids: Arc<[(Vec3, Vec3)]>,
 }
 
 impl GpuScene {
@@ -159,6 +166,7 @@ impl GpuScene {
         gpu.check_corners("primitives", primitive_count)?;
         let features = Features::of(&scene);
         let auto_exposure = scene.auto_exposure();
+        let solids = touching_solids(&scene).into();
         let thinness = Thinness::of(&scene);
         let probe_points: Vec<[f32; 3]> = thinness.probe_points().iter().map(|p| p.to_array()).collect();
         let emitting = Emitters::of(&scene);
@@ -222,6 +230,7 @@ impl GpuScene {
             features,
             thinness: Arc::new(thinness),
             bounds,
+            solids,
         })
     }
 
@@ -263,6 +272,21 @@ impl GpuScene {
     #[must_use]
     pub fn longest_side(&self) -> f32 {
         (self.bounds.1 - self.bounds.0).max_element()
+    }
+
+    /// Whether rays of a camera may start inside of a solid that touches others: those of an orthographic camera start
+    /// anywhere in a plane.
+    pub(crate) fn may_be_in_solid(&self, camera: &Camera) -> bool {
+        let reach = Vec3::splat(2.0 * camera.right.length().max(camera.up.length()));
+        self.solids.iter().any(|(low, high)| {
+            camera.orthographic
+                || (low - reach).cmple(camera.origin).all() && (high + reach).cmpge(camera.origin).all()
+        })
+    }
+
+    /// Whether solids touch, overlap or contain one another.
+    pub(crate) fn nests_media(&self) -> bool {
+        !self.solids.is_empty()
     }
 
     /// Names and bindings of all scene resources that shaders read.
@@ -374,6 +398,7 @@ fn object(m: &Material, atlas: &Atlas, record: u32) -> Object {
     // Of a material without a base colour's texture, the second slot says how coordinates are stored.
     let first = if m.base_color_texture.is_none() && m.is_extended() { m.textures().next() } else { None };
     let flag = |set: bool, bit: u32| if set { bit } else { 0 };
+    let priority = (i32::from(m.priority) - i32::from(i8::MIN)) as u32;
     Object {
         base_color: m.base_color.into(),
         alpha: m.alpha,
@@ -391,7 +416,9 @@ fn object(m: &Material, atlas: &Atlas, record: u32) -> Object {
             | flag(m.weights.is_some(), OBJECT_WEIGHTS)
             | flag(m.is_matte(), OBJECT_MATTE)
             | flag(m.blends, OBJECT_BLEND)
-            | flag(record != 0, OBJECT_EXTENDED),
+            | flag(record != 0, OBJECT_EXTENDED)
+            | flag(m.is_solid(), OBJECT_SOLID | (priority << OBJECT_PRIORITY_SHIFT))
+            | flag(m.is_clear(), OBJECT_CLEAR),
         base_color_texture: atlas.place(m.base_color_texture),
         metallic_roughness_texture: atlas.place(first.or(m.metallic_roughness_texture)),
         emissive_texture: atlas.place(m.emissive_texture),

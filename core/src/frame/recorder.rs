@@ -54,7 +54,7 @@ gpu_struct! {
         ambient: [f32; 3], depth: u32,
         fallback_radiance: [f32; 3], seed: u32,
         size: [u32; 2], refresh_first: u32, refresh_count: u32,
-        still: u32, exposure: f32, padding_y: u32, padding_z: u32,
+        still: u32, exposure: f32, eye_in_solid: u32, padding_z: u32,
     }
 }
 
@@ -76,6 +76,7 @@ impl FrameUniform {
         let environment = &scene.environment;
         let t = &settings.thresholds;
         let exposure = scene.exposure(settings);
+        let eye_in_solid = u32::from(scene.may_be_in_solid(camera));
         let extent = settings.method.eye(size).map(|side| side as f32);
         let gaze = [0, 1].map(|axis| settings.paths.gaze[axis] * extent[axis]);
         Self {
@@ -91,7 +92,8 @@ impl FrameUniform {
             },
             part: FramePart::default(),
             tolerances: FrameTolerances {
-                pos: settings.tolerances.pos * scene.longest_side(),
+                // Interpolated samples know no medium around the camera: all are traced.
+                pos: if eye_in_solid == 0 { settings.tolerances.pos * scene.longest_side() } else { 0.0 },
                 norm: settings.tolerances.norm,
                 tex: settings.tolerances.tex,
                 gcol: settings.tolerances.gcol,
@@ -121,6 +123,7 @@ impl FrameUniform {
             exposure,
             seed: settings.seed,
             size,
+            eye_in_solid,
             ..Default::default()
         }
     }

@@ -31,6 +31,9 @@ pub const REFINE_WORDS: u32 = 15;
 /// Factor on the smallest threshold: cells of a refined pixel get a sample if its subpixels differ by more.
 pub const STRATUM_CONTRAST: f32 = 2.0;
 
+/// The most solids that a point is known to lie in.
+const MEDIA_MOST: u32 = 8;
+
 /// Mask of the index of a ray's counter in its kind; the bits above hold the roughness of the surface that it left.
 const RAY_KIND: u32 = 0xff;
 
@@ -134,6 +137,8 @@ impl FrameSpec {
             // Each level but the last leaves at most one branch for later, two where rays also go straight on; a
             // level pushes one more.
             ("SCATTER_STACK", (1 + u32::from(f.coverage)) * self.settings.depth + 1),
+            // Solids beyond the depth of the recursion are not told apart.
+            ("MEDIA_MOST", self.settings.depth.clamp(2, MEDIA_MOST)),
             ("MAX_RAYS", MAX_RAYS),
             ("LIGHT_COUNT", self.scene.lights),
             ("VERTEX_STRIDE", SceneFacts::vertex_stride(self.scene.has_texcoords, self.scene.has_colors)),
@@ -169,6 +174,9 @@ impl FrameSpec {
             ("OBJECT_MATTE", gpu_scene::OBJECT_MATTE),
             ("OBJECT_BLEND", gpu_scene::OBJECT_BLEND),
             ("OBJECT_EXTENDED", gpu_scene::OBJECT_EXTENDED),
+            ("OBJECT_SOLID", gpu_scene::OBJECT_SOLID),
+            ("OBJECT_CLEAR", gpu_scene::OBJECT_CLEAR),
+            ("OBJECT_PRIORITY_SHIFT", gpu_scene::OBJECT_PRIORITY_SHIFT),
             ("RECORD_SLOTS", material_records::RECORD_SLOTS),
             ("SLOT_PARTS", material_records::SLOT_PARTS),
             ("RECORD_SPECULAR_GLOSSINESS", material_records::RECORD_SPECULAR_GLOSSINESS),

@@ -198,8 +198,26 @@ impl FrameSpec {
                 },
             ]
             .into_iter()
+            .chain(self.media_sources())
             .chain(self.vertex_sources()),
         )
+    }
+
+    fn media_sources(&self) -> Vec<Source> {
+        if self.features.nested_media {
+            vec![
+                wgsl!("wgsl/media/media_list.wgsl"),
+                pick(
+                    self.features.extended_materials,
+                    wgsl!("wgsl/media/media_absorbing.wgsl"),
+                    wgsl!("wgsl/media/media_transparent.wgsl"),
+                ),
+                wgsl!("wgsl/media/media_boundary.wgsl"),
+                wgsl!("wgsl/media/media_trace.wgsl"),
+            ]
+        } else {
+            vec![wgsl!("wgsl/media/media_none.wgsl")]
+        }
     }
 
     fn vertex_sources(&self) -> Vec<Source> {

@@ -102,6 +102,7 @@ impl FrameSpec {
                 let features = Features {
                     environment_map: needed.environment_map,
                     microfacets: needed.microfacets,
+                    nested_media: needed.nested_media,
                     ..Features::all()
                 };
                 (features, SceneFacts { bvh_stack: MAX_STACK, ..scene })

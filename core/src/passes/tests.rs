@@ -43,6 +43,7 @@ fn features(bits: u32) -> Features {
         layers: bit(1) && bit(5),
         environment_map: bit(3),
         microfacets: bit(2) && bit(5),
+        nested_media: bit(3) && bit(6),
     }
 }
 

@@ -140,7 +140,9 @@ impl<'a> Probe<'a> {
         let settings_of_kernel = Settings { depth: settings.depth, ..self.spec.settings };
         let spec = FrameSpec { settings: settings_of_kernel, ..self.spec };
         let camera = Camera::framing(self.scene.bounds().0, self.scene.bounds().1);
-        let frame = FrameUniform::new(self.scene, settings, [1, 1], &camera);
+        // Rays start anywhere.
+        let eye_in_solid = u32::from(self.scene.nests_media());
+        let frame = FrameUniform { eye_in_solid, ..FrameUniform::new(self.scene, settings, [1, 1], &camera) };
         let frame = self.gpu.filled("frame", bytemuck::bytes_of(&frame), wgpu::BufferUsages::UNIFORM)?;
         let more = [("frame", frame.as_entire_binding())];
         let rescale = |sample: &mut ProbeSample, scale| {

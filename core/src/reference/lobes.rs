@@ -168,7 +168,7 @@ impl Lobes {
             }
             Chosen::Mirror | Chosen::Refraction => {
                 let i = usize::from(chosen == Chosen::Refraction);
-                let BsdfSample { direction, cone, share } = self.specular[i]?;
+                let BsdfSample { direction, cone, share, .. } = self.specular[i]?;
                 return Some(Continued { direction, cone, weight: of(share, i + 1), density: None });
             }
         };

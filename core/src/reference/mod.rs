@@ -7,6 +7,7 @@
 //! | [`Reference::surface`], [`Reference::texture`], [`Reference::material`], [`Reference::arrival`] | `surface.wgsl`, `ray_cone.wgsl`, `texture_*.wgsl`, `material.wgsl`, `lights_punctual.wgsl` |
 //! | [`Reference::bumped`] | `surface_maps.wgsl`, `material_maps.wgsl` |
 //! | `Reference::environment_*` | `environment_*.wgsl` |
+//! | `Reference::boundary` | `media_*.wgsl` |
 //! | [`Reference::sample`] | `sample.wgsl`, `scatter_*.wgsl` |
 //! | [`ReferenceFrame::ray`], [`ReferenceFrame::traced`], [`ReferenceFrame::adaptive`], [`ReferenceFrame::checkerboard`] | `frame.wgsl`, the passes |
 //! | [`ReferenceFrame::failed`], [`ReferenceFrame::interpolated`], [`ReferenceFrame::shaded`], [`Attributes::stored`] | `similarity.wgsl`, `attributes_channels.wgsl` |
@@ -47,6 +48,7 @@ mod lights;
 mod lobes;
 mod maps;
 mod material;
+mod media;
 mod microfacets;
 mod path;
 mod postcorrection;

@@ -11,6 +11,7 @@ use super::{
     Cause, GBufferPixel, Material, Ray, ReferenceFrame, Rng, Rounding, Surface,
     gbuffer::Search,
     lobes::{Chosen, Lobes},
+    media::Media,
     stereo_reuse::{Mirror, Splat},
 };
 use crate::{DirectLight, Foveation, LightSelection, MAX_RAYS, Roulette};
@@ -63,6 +64,8 @@ struct Path<'a> {
     ray: Ray,
     /// The primitive that the ray starts on; `None` at the eye.
     left: Option<usize>,
+    /// The media at the ray's start.
+    media: Media,
     /// Throughput: the weight of the radiance that arrives along the ray.
     throughput: DVec3,
     /// Bounce level: 1 for the primary ray.
@@ -91,6 +94,7 @@ impl ReferenceFrame<'_> {
         let place = rng.pair(PLACE_IN_PIXEL);
         let (ray, length) = self.eye_ray(pixel, place);
         let mut path = Path {
+            media: self.reference.media_at_start(&ray, rounding),
             frame: self,
             pixel,
             rng,
@@ -132,18 +136,23 @@ impl Path<'_> {
     /// Traces the ray to the next surface and scatters it there; `None` if the path ends.
     fn step(&mut self, rounding: &mut Rounding) -> Option<()> {
         let reference = self.frame.reference;
-        let Some(intersection) = reference.first(&self.ray, self.left, false, rounding) else {
+        let Some(boundary) = reference.boundary(&self.ray, self.left, &self.media, rounding) else {
             let weight = self.environment_weight();
             self.radiance += self.throughput * reference.environment_radiance(self.ray.direction) * weight;
             return None;
         };
-        let s = reference.surface(&self.ray, &intersection, rounding);
+        let (intersection, s) = (boundary.intersection, boundary.surface);
+        self.throughput *= boundary.through.unwrap_or(DVec3::ONE);
         if self.goes_straight_on(&s, intersection.t, rounding) {
+            self.media = boundary.beyond;
             return Some(());
         }
         let m = reference.material(s.object, s.texcoord, s.footprint, s.color, &s.maps);
+        let m = reference.relative(m, &boundary);
         let s = reference.bumped(&s, &m, self.ray.direction);
-        self.throughput *= reference.absorbed(&s, self.passed + intersection.t);
+        if boundary.through.is_none() {
+            self.throughput *= reference.absorbed(&s, self.passed + intersection.t);
+        }
         self.search.arrive(intersection.t, m.emission);
         if m.unlit {
             self.radiance += self.throughput * m.base;
@@ -172,7 +181,9 @@ impl Path<'_> {
             self.radiance += self.throughput * light;
         }
         self.foveate(foveation, rounding)?;
-        self.leave((&s, &m), &lobes, chosen?, rounding)
+        let chosen = chosen?;
+        self.media = if chosen == Chosen::Refraction { boundary.beyond } else { boundary.here };
+        self.leave((&s, &m), &lobes, chosen, rounding)
     }
 
     /// Continues the path straight through a surface that covers in part what is behind it, by chance.

@@ -69,20 +69,28 @@ impl Reference {
         rounding: &mut Rounding,
         counts: impl Fn(&Intersection, &mut Rounding) -> bool,
     ) -> Option<Intersection> {
+        let ray = self.displaced(ray, shadow, rounding);
+        let rounding = std::cell::RefCell::new(rounding);
+        self.tracer.first(&ray, left, |c| {
+            self.stops(c, &ray, shadow, &mut rounding.borrow_mut()) && counts(c, &mut rounding.borrow_mut())
+        })
+    }
+
+    /// A ray whose origin and direction are displaced by rounding errors.
+    pub(super) fn displaced(&self, ray: &Ray, shadow: bool, rounding: &mut Rounding) -> Ray {
         // Numbers in the intersection are as large as the scene's extent seen from the origin.
         let span = (self.bounds.0 - ray.origin).abs().max((self.bounds.1 - ray.origin).abs()).max_element();
         let cause = if shadow { Cause::ShadowEdge } else { Cause::Silhouette };
-        let ray = Ray {
+        Ray {
             origin: rounding.vector(cause, ray.origin, span),
             direction: rounding.direction(cause, ray.direction),
             ..*ray
-        };
-        let rounding = std::cell::RefCell::new(rounding);
-        self.tracer.first(&ray, left, |c| {
-            (shadow || !self.passes_back(c, ray.direction))
-                && self.hit_counts(c, shadow, &mut rounding.borrow_mut())
-                && counts(c, &mut rounding.borrow_mut())
-        })
+        }
+    }
+
+    /// Whether a hit stops the ray.
+    pub(super) fn stops(&self, c: &Intersection, ray: &Ray, shadow: bool, rounding: &mut Rounding) -> bool {
+        (shadow || !self.passes_back(c, ray.direction)) && self.hit_counts(c, shadow, rounding)
     }
 
     /// Whether a ray in this direction arrives at the back of a single-sided triangle.
@@ -122,8 +130,9 @@ impl Reference {
     /// Traces and shades one primary ray by Whitted's model.
     #[must_use]
     pub fn sample(&self, ray: &Ray, limits: &Limits, rounding: &mut Rounding) -> Sample {
+        let media = self.media_at_start(ray, rounding);
         self.follow(
-            &PathState { ray: *ray, left: None, weight: DVec3::ONE, level: 1, roughness: 0.0 },
+            &PathState { ray: *ray, left: None, weight: DVec3::ONE, level: 1, roughness: 0.0, media },
             limits,
             rounding,
         )
@@ -131,12 +140,13 @@ impl Reference {
 
     pub(super) fn follow(&self, state: &PathState, limits: &Limits, rounding: &mut Rounding) -> Sample {
         let ray = &state.ray;
-        let Some(intersection) = self.first(ray, state.left, false, rounding) else {
+        let Some(boundary) = self.boundary(ray, state.left, &state.media, rounding) else {
             let color = state.weight * self.environment_lobe(ray.direction, state.roughness);
             return Sample { attributes: Attributes::miss(), secondary: None, color };
         };
-        let smooth = self.surface(ray, &intersection, rounding);
+        let (intersection, smooth) = (&boundary.intersection, boundary.surface);
         let m = self.material(smooth.object, smooth.texcoord, smooth.footprint, smooth.color, &smooth.maps);
+        let m = self.relative(m, &boundary);
         let shadow = self.shadow_bits(&smooth, rounding);
         let s = self.bumped(&smooth, &m, ray.direction);
         let local = self.local(Shading {
@@ -149,13 +159,15 @@ impl Reference {
             rounding,
         });
         let distance = intersection.t * ray.direction.length();
-        let state = &PathState { weight: state.weight * self.absorbed(&s, distance), ..*state };
+        let through = boundary.through.unwrap_or_else(|| self.absorbed(&s, distance));
+        let state = &PathState { weight: state.weight * through, media: boundary.here.clone(), ..*state };
         let covered = self.coverage(s.object, s.texcoord, s.footprint, s.alpha);
         let weight = covered * state.weight;
         let dimmed = self.dimmed(&s, m, -ray.direction, rounding);
-        let (beyond, behind) = self.straight(&s, state, covered, limits, rounding);
+        let (beyond, behind) = self.straight(&s, state, &boundary.beyond, covered, limits, rounding);
+        let from = PathState { weight, media: state.media.clone(), ..*state };
         let Scattered { radiance: scattered, hit: secondary, mirrored } =
-            self.scattered(&s, &m, &PathState { weight, ..*state }, limits, rounding);
+            self.scattered(&s, &m, &from, &boundary.beyond, limits, rounding);
         // Of equal weights the scattered ray counts.
         let behind = behind.filter(|(w, _)| secondary.is_none_or(|(other, _)| *w > other));
         let secondary = behind.or(secondary).map(|(_, attributes)| attributes);

@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 
-use super::{Attributes, Cause, Limits, Material, Ray, Reference, Rounding, Sample, Surface};
+use super::{Attributes, Cause, Limits, Material, Ray, Reference, Rounding, Sample, Surface, media::Media};
 
 /// A ray of the recursion with its state.
 pub(super) struct PathState {
@@ -16,6 +16,8 @@ pub(super) struct PathState {
     pub level: u32,
     /// Roughness of the surface that the ray leaves, in steps of 1/255; 0 for primary rays.
     pub roughness: f64,
+    /// The media at the ray's start.
+    pub media: Media,
 }
 
 /// A reflected or refracted ray that leaves a surface.
@@ -26,6 +28,8 @@ pub(super) struct BsdfSample {
     pub cone: (f64, f64),
     /// Weight of the ray's radiance in the pixel, for each channel.
     pub share: DVec3,
+    /// Whether the ray crosses the surface.
+    pub crosses: bool,
 }
 
 /// What the rays that leave a surface bring.
@@ -52,21 +56,24 @@ impl Reference {
             direction: (direction - 2.0 * s.normal.dot(direction) * s.normal).normalize_or_zero(),
             cone: self.bent(s, 1.0, 2.0),
             share: m.mirror(cosine, s.inside),
+            crosses: false,
         };
         let through = refracted(s, m, direction, cosine).map(|(refracted, kept, turned)| BsdfSample {
             direction: refracted.normalize_or_zero(),
             cone: self.bent(s, kept, turned),
             share: m.refraction(cosine, s.inside),
+            crosses: true,
         });
         [Some(mirrored), through]
     }
 
-    /// Radiance of the ray that goes straight on through a surface which covers this share of what is behind it, and
-    /// its weight with its hit. All straight rays together count as one level.
+    /// Radiance of the ray that goes straight on, into the media `beyond`, through a surface which covers this share of
+    /// what is behind it, and its weight with its hit. All straight rays together count as one level.
     pub(super) fn straight(
         &self,
         s: &Surface,
         from: &PathState,
+        beyond: &Media,
         covered: f64,
         limits: &Limits,
         rounding: &mut Rounding,
@@ -76,20 +83,21 @@ impl Reference {
         }
         let weight = (1.0 - covered) * from.weight;
         let cone = (s.width, s.growth);
-        let beyond = BsdfSample { direction: from.ray.direction, cone, share: DVec3::ONE };
-        let level = from.level.max(2) - 1;
-        let Some(seen) = self.followed((s, 0.0), &beyond, weight, level, limits, rounding) else {
-            return (self.cut_off(weight, beyond.direction, 0.0), None);
+        let straight = BsdfSample { direction: from.ray.direction, cone, share: DVec3::ONE, crosses: true };
+        let start = (from.level.max(2) - 1, beyond);
+        let Some(seen) = self.followed((s, 0.0), &straight, weight, start, limits, rounding) else {
+            return (self.cut_off(weight, straight.direction, 0.0), None);
         };
         (seen.color, seen.hit().map(|hit| (weight.max_element(), hit)))
     }
 
-    /// Traces the reflected and the refracted ray.
+    /// Traces the reflected ray, and the refracted one into the media `beyond`.
     pub(super) fn scattered(
         &self,
         s: &Surface,
         m: &Material,
         from: &PathState,
+        beyond: &Media,
         limits: &Limits,
         rounding: &mut Rounding,
     ) -> Scattered {
@@ -98,8 +106,8 @@ impl Reference {
         for (ray, bsdf_sample) in rays.iter().enumerate() {
             let Some(bsdf_sample) = bsdf_sample else { continue };
             let weight = from.weight * bsdf_sample.share;
-            let Some(seen) =
-                self.followed((s, m.roughness), bsdf_sample, weight, from.level, limits, rounding)
+            let start = (from.level, if bsdf_sample.crosses { beyond } else { &from.media });
+            let Some(seen) = self.followed((s, m.roughness), bsdf_sample, weight, start, limits, rounding)
             else {
                 scattered.radiance += self.cut_off(weight, bsdf_sample.direction, m.roughness);
                 continue;
@@ -138,7 +146,7 @@ impl Reference {
         (s, roughness): (&Surface, f64),
         bsdf_sample: &BsdfSample,
         weight: DVec3,
-        level: u32,
+        (level, media): (u32, &Media),
         limits: &Limits,
         rounding: &mut Rounding,
     ) -> Option<Sample> {
@@ -157,6 +165,7 @@ impl Reference {
             weight,
             level: level + 1,
             roughness: stepped(roughness),
+            media: media.clone(),
         };
         Some(self.follow(&state, limits, rounding))
     }

@@ -37,11 +37,20 @@ pub struct Surface {
     pub maps: Maps,
     /// Scale of the position's rounding errors: coordinates along the normal and the primitive's size.
     pub extent: f64,
+    /// Distance within which other surfaces touch this one where solids touch.
+    pub offset: f64,
+    /// Distance from the face at which spawned rays start: beyond all surfaces that touch.
+    pub contact: f64,
 }
 
 /// If the corners of a triangle have one normal within 1 - cos of this of the face's, the face's is used: the
 /// difference is due to the encoding.
 const FLAT_ERROR: f64 = 2.0e-7;
+
+/// Surfaces touch within the offset of the shaders' rays from a face: these shares of its coordinates along the normal
+/// and of its size.
+const TOUCHING_COORDINATES: f64 = 4.0 / 16_777_216.0;
+const TOUCHING_SIZE: f64 = 40.0 / 16_777_216.0;
 
 impl Reference {
     /// The surface where `ray` crosses a primitive.
@@ -79,6 +88,8 @@ impl Reference {
             (normal, face) = (-normal, -face);
         }
         let color = self.vertex_color(intersection);
+        let coordinates = face.abs().dot(low.abs().max(high.abs()));
+        let size = (high - low).max_element();
         Surface {
             position,
             object: intersection.object,
@@ -93,7 +104,9 @@ impl Reference {
             growth: ray.growth,
             footprint: self.covered(ray, intersection),
             maps: self.maps(ray, intersection, inside, rounding),
-            extent: face.abs().dot(low.abs().max(high.abs())) + (high - low).max_element(),
+            extent: coordinates + size,
+            offset: TOUCHING_COORDINATES * coordinates + TOUCHING_SIZE * size,
+            contact: 0.0,
         }
     }
 
@@ -118,7 +131,7 @@ impl Surface {
     /// A ray that leaves the surface, with its cone's width and growth.
     #[must_use]
     pub fn spawn(&self, direction: DVec3, (width, growth): (f64, f64), rounding: &mut Rounding) -> Ray {
-        let off = rounding.spawn(Cause::Silhouette, self.extent);
+        let off = self.contact + rounding.spawn(Cause::Silhouette, self.extent);
         let side = if direction.dot(self.face) >= 0.0 { off } else { -off };
         let origin = self.position + side * self.face;
         Ray { origin, direction, t_max: f64::INFINITY, width, growth }

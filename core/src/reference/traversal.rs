@@ -101,6 +101,30 @@ impl Tracer {
         best
     }
 
+    /// The nearest accepted intersection of a ray that starts on the primitive `left`, if on any, beyond those at which
+    /// it `crossed` primitives before.
+    pub(super) fn next(
+        &self,
+        ray: &Ray,
+        left: Option<usize>,
+        crossed: &[Intersection],
+        counts: impl Fn(&Intersection) -> bool,
+    ) -> Option<Intersection> {
+        let mut best: Option<Intersection> = None;
+        self.visit(ray, &mut |primitive, reach: &mut f64| {
+            let before = crossed.iter().rev().find(|c| c.primitive == primitive.index);
+            let intersection = match before {
+                None => primitive.intersection(ray, left == Some(primitive.index)),
+                Some(before) => primitive.intersection(ray, true).filter(|c| c.t > before.t),
+            };
+            if let Some(intersection) = intersection.filter(|c| c.t < *reach && counts(c)) {
+                *reach = intersection.t;
+                best = Some(intersection);
+            }
+        });
+        best
+    }
+
     /// All intersections of a ray, nearest first, at most one per primitive, found without the tree.
     #[must_use]
     pub fn intersections(&self, ray: &Ray, left: Option<usize>) -> Vec<Intersection> {

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::{Material, Scene};
+use super::{Material, Scene, touching_solids};
 
 /// Defines [`Features`] with the value that has all of them, and their names.
 macro_rules! features {
@@ -60,8 +60,11 @@ pub struct Features {
     pub reflection: bool,
     /// Some material transmits light.
     pub refraction: bool,
-    /// Rays go straight on through some surfaces: thin ones that transmit light, or partial coverage.
+    /// Rays go straight on through some surfaces: thin ones that transmit light, partial coverage, or boundaries
+    /// between equal media.
     pub panes: bool,
+    /// Solids that transmit light may touch, overlap or contain one another.
+    pub nested_media: bool,
     /// The environment is a map instead of constant radiances.
     pub environment_map: bool,
     /// There are punctual lights: shadow rays and check SH are linked.
@@ -86,6 +89,7 @@ impl Features {
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let used = || scene.objects.iter().filter_map(|o| scene.materials.get(o.material as usize));
+        let nested_media = !touching_solids(scene).is_empty();
         Self {
             textures: used().any(|m| m.textures().next().is_some()),
             glossy: scene.environment_map.is_some()
@@ -103,7 +107,8 @@ impl Features {
             spheres: !scene.spheres.is_empty(),
             reflection: used().any(|m| m.reflects()),
             refraction: used().any(|m| m.refracts()),
-            panes: used().any(|m| m.blends || m.thin && m.refracts()),
+            panes: nested_media || used().any(|m| m.blends || m.thin && m.refracts()),
+            nested_media,
             environment_map: scene.environment_map.is_some(),
             lights: !scene.lights.is_empty(),
             several_lights: scene.lights.len() > 1,
@@ -118,8 +123,9 @@ impl Features {
     /// All features switched on, for kernels that link every piece.
     #[must_use]
     pub fn all() -> Self {
-        // The textures of an environment map and the table of microfacet lobes exist only where they are needed.
-        Self { environment_map: false, microfacets: false, ..Self::EVERY }
+        // The textures of an environment map, the table of microfacet lobes and lists of media exist only where they are
+        // needed.
+        Self { environment_map: false, microfacets: false, nested_media: false, ..Self::EVERY }
     }
 
     /// Whether a sample may trace rays besides the primary one and shadow rays, so that their radiance is stored.

@@ -72,6 +72,9 @@ pub struct Material {
     /// Absorption coefficient of what the surface bounds, linear RGB: transmittance over a distance d is exp(-d times
     /// this).
     pub absorption: Vec3,
+    /// Of two solids that take up the same space, the one of the higher priority fills it; of the same priority, the one
+    /// that the ray enters later.
+    pub priority: i8,
     /// Explicit weights in place of Fresnel's equations (Heckbert's minray).
     pub weights: Option<Weights>,
 }
@@ -126,6 +129,7 @@ impl Default for Material {
             clearcoat: 0.0,
             clearcoat_roughness: 0.0,
             absorption: Vec3::ZERO,
+            priority: 0,
             weights: None,
         }
     }
@@ -227,5 +231,27 @@ impl Material {
             Some(weights) => weights.refraction > 0.0,
             None => !self.unlit && self.transmission > 0.0,
         }
+    }
+
+    /// Whether the surface bounds a solid that transmits light.
+    #[must_use]
+    pub fn is_solid(&self) -> bool {
+        !self.thin && self.refracts()
+    }
+
+    /// Whether the surface of a solid shows only by refraction and reflection: the solid transmits all other light
+    /// without a tint.
+    #[must_use]
+    pub fn is_clear(&self) -> bool {
+        self.is_solid()
+            && self.transmission == 1.0
+            && self.metallic == 0.0
+            && self.base_color == Vec3::ONE
+            && self.emission == Vec3::ZERO
+            && self.clearcoat == 0.0
+            && self.absorption == Vec3::ZERO
+            && !self.blends
+            && self.weights.is_none()
+            && self.textures().next().is_none()
     }
 }

@@ -17,6 +17,7 @@ pub(crate) mod look_at;
 mod material;
 mod not_shown;
 mod octahedral;
+mod solids;
 mod tangent;
 mod texture_slot;
 mod thinness;
@@ -42,6 +43,7 @@ pub use octahedral::{
     MAX_ERROR as OCTAHEDRAL_ERROR, decode as octahedral_decode, decode_exact as octahedral_decode_exact,
     encode as octahedral_encode,
 };
+pub(crate) use solids::touching_solids;
 pub use tangent::{decode_exact as tangent_decode_exact, encode as tangent_encode};
 pub use texture_slot::{SlotCoordinates, TextureSlot};
 pub use thinness::Thinness;

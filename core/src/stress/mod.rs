@@ -16,6 +16,7 @@ mod self_hits;
 mod slivers;
 mod time;
 mod tolerances;
+mod touching;
 mod trees;
 mod vertices;
 mod watertight;
@@ -108,7 +109,7 @@ impl Outcome {
 }
 
 /// Every case, in the order of the table.
-pub const CASES: [Case; 15] = [
+pub const CASES: [Case; 16] = [
     watertight::CASE,
     vertices::CASE,
     slivers::CASE,
@@ -119,6 +120,7 @@ pub const CASES: [Case; 15] = [
     coplanar::CASE,
     directions::CASE,
     recursion::CASE,
+    touching::CASE,
     camera::CASE,
     trees::CASE,
     tolerances::CASE,

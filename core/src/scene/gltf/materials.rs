@@ -66,6 +66,7 @@ impl Materials {
                     None => format!("material {index}"),
                 };
                 let mut material = factors(json, &what, warnings)?;
+                material.priority = priority(source, index, &what, warnings);
                 let mut load = |texture: usize| textures.load(source, external, texture);
                 let reads = slots::read(json, &what, &mut material, warnings, &mut load)?;
                 if json.emissive_texture.is_some() && material.emissive_texture.is_none() {
@@ -80,6 +81,20 @@ impl Materials {
         self.imported.insert(index, imported);
         Ok(imported)
     }
+}
+
+/// Reads `extras.priority` of a material, by which solids that take up the same space are ordered.
+fn priority(source: &Source<'_>, index: usize, what: &str, warnings: &mut Vec<String>) -> i8 {
+    let Some(value) = source.document.pointer(&format!("/materials/{index}/extras/priority")) else {
+        return 0;
+    };
+    serde_json::from_value(value.clone()).unwrap_or_else(|_| {
+        let found = clipped(&value.to_string(), MAX_NAME);
+        warnings.push(format!(
+            "{what}: extras.priority: expected an integer from -128 to 127, found {found}; 0 is used"
+        ));
+        0
+    })
 }
 
 /// Reads the factors of a material, without its textures.

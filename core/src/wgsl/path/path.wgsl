@@ -48,22 +48,22 @@ fn path_begin(pixel: vec2u) -> Path {
 fn path_step(path: ptr<function, Path>) -> bool {
     let ray = (*path).ray;
     inspect_ray((*path).kind);
-    let hit = bvh_traverse(ray, false);
+    let hit = media_trace(ray, (*path).kind);
     if hit.primitive == MISS {
         (*path).radiance +=
             (*path).throughput * environment_radiance(ray.direction) * environment_weight((*path).density, ray.direction);
         return false;
     }
     let direction = normalize(ray.direction);
-    var s = surface_at(ray, hit);
+    var s = media_surface(surface_at(ray, hit));
     if layers_pass(path, s) {
         return true;
     }
     if !layers_passed() {
         stereo_reuse_record(path, hit.primitive);
     }
-    let m = surface_material(&s, direction);
-    (*path).throughput *= surface_absorbed(s, ray);
+    let m = media_material(surface_material(&s, direction), s);
+    (*path).throughput *= media_absorbed(s, ray);
     if COUNTS && (*path).level == 1u {
         (*path).object = s.object + 1u;
         (*path).depth = hit.t;

@@ -25,7 +25,7 @@ fn sample_follow(ray: Ray) -> Sample {
     var state = PathState(ray, vec3f(1.0), 1u, RAY_PRIMARY);
     loop {
         inspect_ray(state.kind & RAY_KIND);
-        let hit = bvh_traverse(state.ray, false);
+        let hit = media_trace(state.ray, state.kind & RAY_KIND);
         let direction = normalize(state.ray.direction);
         var arriving = vec3f(0.0);
         if hit.primitive == MISS {
@@ -34,9 +34,9 @@ fn sample_follow(ray: Ray) -> Sample {
                 mirrored = state.weight * arriving;
             }
         } else {
-            let smooth_surface = surface_at(state.ray, hit);
+            let smooth_surface = media_surface(surface_at(state.ray, hit));
             var s = smooth_surface;
-            let m = surface_material(&s, direction);
+            let m = media_material(surface_material(&s, direction), s);
             let shadow = shadow_bits(smooth_surface);
             arriving = material_local(m, s.position, s.normal, -direction, s.inside, shadow);
             if state.level == 1u {
@@ -53,7 +53,7 @@ fn sample_follow(ray: Ray) -> Sample {
             } else if state.level == 2u {
                 secondary_hit(state.weight, smooth_surface, shadow);
             }
-            state.weight *= surface_absorbed(s, state.ray);
+            state.weight *= media_absorbed(s, state.ray);
             straight_continue(&state, s, &gcol);
             if state.level == 1u {
                 whole = !s.inside && all(state.weight == vec3f(1.0));

@@ -21,6 +21,7 @@ fn scatter_next(state: ptr<function, PathState>) -> bool {
     }
     scatter_stack_size -= 1u;
     *state = scatter_stack[scatter_stack_size];
+    media_pop(scatter_stack_size);
     return true;
 }
 
@@ -35,6 +36,7 @@ fn scatter_push(ray: Ray, weight: vec3f, level: u32, kind: u32) -> vec3f {
         return weight * environment_cut_off(kind, ray.direction);
     }
     scatter_stack[scatter_stack_size] = PathState(ray, weight, level, kind);
+    media_push(scatter_stack_size, kind & RAY_KIND);
     scatter_stack_size += 1u;
     scatter_count += 1u;
     return vec3f(0.0);

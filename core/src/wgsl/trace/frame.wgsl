@@ -92,7 +92,8 @@ struct FrameUniform {
     still: u32,
     // Factor on the light of all sources.
     exposure: f32,
-    padding_y: u32,
+    // Not 0 if the camera may be inside of a solid that touches others.
+    eye_in_solid: u32,
     padding_z: u32,
 }
 

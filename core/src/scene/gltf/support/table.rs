@@ -201,6 +201,7 @@ static MATERIAL: Object = object(
         shown("doubleSided"),
         shown("emissiveFactor"),
         shown("emissiveTexture").object(&TEXTURE_INFO),
+        shown("extras"),
         shown("name"),
         shown("normalTexture").object(&NORMAL_TEXTURE_INFO),
         shown("occlusionTexture").object(&OCCLUSION_TEXTURE_INFO),

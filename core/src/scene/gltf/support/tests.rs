@@ -57,8 +57,8 @@ EXT_structural_metadata EXT_texture_avif EXT_texture_procedurals_mx_1_39
 KHR_materials_pbrSpecularGlossiness KHR_techniques_webgl KHR_xmp
 ";
 
-/// `extras` of scenes are this program's own.
-const OWN: [(&str, &str); 1] = [("scene", "extras")];
+/// `extras` of scenes and materials are this program's own.
+const OWN: [(&str, &str); 2] = [("scene", "extras"), ("material", "extras")];
 
 #[test]
 fn every_property_of_the_specification_has_a_line() {

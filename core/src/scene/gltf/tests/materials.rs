@@ -324,3 +324,16 @@ fn untextured_objects_next_to_textured_ones_get_zero_coordinates() {
     assert_eq!(scene.texcoords[1][1].x, 1.0);
     assert_eq!(scene.materials.iter().map(|m| m.base_color).collect::<Vec<_>>(), [Vec3::ONE; 2]);
 }
+
+#[test]
+fn extras_give_the_priority_of_a_solid() {
+    let with = |extras: Value| with_material(json!({ "extras": extras }));
+    assert_eq!(with(json!({ "priority": -3, "author": "me" })).scene().materials[0].priority, -3);
+    assert_eq!(with(json!({ "author": "me" })).scene().materials[0].priority, 0);
+    for bad in [json!(128), json!(0.5), json!("high"), json!(null)] {
+        let scene = with(json!({ "priority": bad })).scene();
+        assert_eq!(scene.materials[0].priority, 0);
+        let told = format!("material 0: extras.priority: expected an integer from -128 to 127, found {bad}");
+        assert!(scene.warnings.iter().any(|warning| warning.starts_with(&told)), "{:?}", scene.warnings);
+    }
+}
