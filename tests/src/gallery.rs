@@ -415,6 +415,42 @@ pub fn glasshouse() -> Scene {
     b.seen_by(Camera::look_at(vec3(0.3, 1.3, 4.2), vec3(0.0, 0.8, 0.0), 0.75).expect("a valid camera"))
 }
 
+/// A block of glass with a hole that is partly filled with water and ice, bodies that touch and overlap, with and
+/// without priorities, and a bubble; some of them absorb light.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn media() -> Scene {
+    let mut b = Builder::new();
+    let dyed = |absorption: Vec3, m: Material| Material { absorption, ..m };
+    let cup = b.object(glass(1.5));
+    cuboid(&mut b, cup, vec3(-1.4, 0.1, -0.5), vec3(-0.2, 1.4, 0.5));
+    let water = b.object(dyed(vec3(0.6, 0.2, 0.1), glass(1.33)));
+    cuboid(&mut b, water, vec3(-1.3, 0.2, -0.4), vec3(-0.3, 1.1, 0.4));
+    let air = b.object(Material { priority: -1, ..glass(1.0) });
+    cuboid(&mut b, air, vec3(-1.25, 0.9, -0.35), vec3(-0.35, 1.4, 0.35));
+    let ice = b.object(Material { priority: 1, ..glass(1.31) });
+    b.sphere(ice, vec3(-0.85, 1.1, 0.05), 0.25);
+    let red = b.object(dyed(vec3(0.1, 1.5, 1.5), glass(1.6)));
+    cuboid(&mut b, red, vec3(0.3, 0.1, -0.2), vec3(0.8, 0.7, 0.3));
+    let clear = b.object(glass(1.4));
+    cuboid(&mut b, clear, vec3(0.8, 0.1, -0.3), vec3(1.3, 0.9, 0.4));
+    let tinted = b.object(Material { base_color: vec3(0.7, 0.9, 1.0), ..glass(1.5) });
+    b.sphere(tinted, vec3(0.8, 1.1, 0.0), 0.35);
+    let bubble = b.object(glass(1.0));
+    b.sphere(bubble, vec3(0.75, 1.15, 0.05), 0.15);
+    let stone = b.object(Material { roughness: 0.2, ior: 1.5, ..matte(vec3(0.6, 0.4, 0.3)) });
+    b.sphere(stone, vec3(-0.6, 0.45, 0.0), 0.15);
+    let floor = b.object(Material { ior: 1.5, ..matte(vec3(0.6, 0.6, 0.55)) });
+    b.quad(floor, vec3(-2.0, 0.0, 2.0), 4.0 * Vec3::X, -4.0 * Vec3::Z);
+    let back = b.object(matte(vec3(0.7, 0.5, 0.3)));
+    b.quad(back, vec3(-2.0, 0.0, -2.0), 4.0 * Vec3::X, 2.5 * Vec3::Y);
+    b.point_light(vec3(0.3, 2.3, 1.4), vec3(6.0, 5.5, 5.0));
+    b.environment(vec3(0.3, 0.5, 0.8), vec3(0.08, 0.08, 0.1));
+    b.seen_by(Camera::look_at(vec3(0.3, 1.6, 3.6), vec3(-0.1, 0.7, 0.0), 0.75).expect("a valid camera"))
+}
+
 fn cuboid(b: &mut Builder, object: u32, low: Vec3, high: Vec3) {
     let size = high - low;
     let (x, y, z) = (size.x * Vec3::X, size.y * Vec3::Y, size.z * Vec3::Z);

@@ -13,6 +13,8 @@ mod gpu {
     mod environment;
     mod extended;
     mod eyes;
+    mod golden;
+    mod media;
     mod minray;
     mod mip;
     mod path;

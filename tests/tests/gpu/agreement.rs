@@ -232,6 +232,16 @@ fn glasshouse() {
 }
 
 #[test]
+fn media() {
+    agree(
+        "media",
+        gallery::media(),
+        [101, 67],
+        Settings { depth: 6, min_weight: 0.01, ..Settings::default() },
+    );
+}
+
+#[test]
 fn blocks() {
     for (name, block) in [("room", 4), ("room", 8), ("minray", 8)] {
         let settings = Settings { block, ..Settings::default() };
