@@ -13,7 +13,6 @@ mod gpu {
     mod environment;
     mod extended;
     mod eyes;
-    mod golden;
     mod media;
     mod minray;
     mod mip;
