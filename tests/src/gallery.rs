@@ -13,7 +13,7 @@ use glimpse::{
 
 use crate::builder::{Builder, front_camera, glass, matte, mirror, unlit};
 
-pub use lobes::lobes;
+pub use lobes::{cloth, lobes};
 
 const WRAPS: [Wrap; 3] = [Wrap::Repeat, Wrap::MirroredRepeat, Wrap::ClampToEdge];
 

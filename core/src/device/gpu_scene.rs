@@ -131,7 +131,7 @@ pub struct GpuScene {
     pub(crate) emitter_scale: f32,
     pub(crate) environment: Environment,
     environment_map: Option<Arc<GpuEnvironment>>,
-    /// Table of the albedos of microfacet lobes, where there are such.
+    /// Table of the albedos of lobes, where there are microfacets or sheen.
     lobe_albedos: Option<wgpu::TextureView>,
     auto_exposure: f32,
     /// The tier that the scene's data is laid out for.
@@ -225,7 +225,7 @@ impl GpuScene {
                 Some(map) => Some(Arc::new(GpuEnvironment::upload(gpu, map)?)),
                 None => None,
             },
-            lobe_albedos: features.microfacets.then(|| lobe_albedos(gpu)).transpose()?,
+            lobe_albedos: (features.microfacets || features.sheen).then(|| lobe_albedos(gpu)).transpose()?,
             tier: gpu.tier,
             features,
             thinness: Arc::new(thinness),
@@ -326,7 +326,7 @@ impl GpuScene {
 fn lobe_albedos(gpu: &Gpu) -> Result<wgpu::TextureView> {
     let table = LobeAlbedos::new();
     let level = (ALBEDO_SIDE as u32, bytemuck::cast_slice(&table.entries));
-    environment::texture(gpu, "lobe_albedos", wgpu::TextureFormat::Rg32Float, &[level])
+    environment::texture(gpu, "lobe_albedos", wgpu::TextureFormat::Rgba32Float, &[level])
 }
 
 fn primitives(scene: &Scene, order: &[u32]) -> Vec<[[f32; 3]; 3]> {

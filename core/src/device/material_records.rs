@@ -1,7 +1,7 @@
 //! Data of extended materials, behind the objects in the same storage: a record for each material, then tables of
 //! tangents and of second texture coordinates by primitive. A record is: places of the tables, scale of normals,
 //! strength of occlusion; specular colour and strength, or specular reflectance and glossiness; absorption, flags;
-//! clearcoat and its roughness; then the slots.
+//! clearcoat and its roughness; sheen's colour and roughness; then the slots.
 
 use glam::{Affine2, Vec4};
 
@@ -13,7 +13,7 @@ type Words = [u32; 4];
 
 /// Place of the first slot in a record, and words per slot: the texture's place, the transform's columns, its offset
 /// and which set it maps.
-pub const RECORD_SLOTS: u32 = 4;
+pub const RECORD_SLOTS: u32 = 5;
 pub const SLOT_PARTS: u32 = 3;
 
 /// Flag in the third part of a record: the material has specular-glossiness factors.
@@ -84,6 +84,7 @@ fn record(m: &Material, atlas: &Atlas, [tangents, second]: [u32; 2]) -> Vec<Word
         floats(reflectance.extend(strength)),
         absorption,
         floats(Vec4::new(m.clearcoat, m.clearcoat_roughness, 0.0, 0.0)),
+        floats(m.sheen_color.extend(m.sheen_roughness)),
     ];
     for slot in TextureSlot::ALL {
         let coordinates = m.coordinates.get(&slot);

@@ -115,8 +115,10 @@ impl FrameSpec {
     pub(super) fn lobes(&self) -> Vec<Source> {
         let mut sources = vec![wgsl!("wgsl/path/max_component.wgsl"), wgsl!("wgsl/path/directions.wgsl")];
         if self.features.microfacets {
+            if !self.features.sheen {
+                sources.push(wgsl!("wgsl/shade/lobe_albedos.wgsl"));
+            }
             sources.extend([
-                wgsl!("wgsl/path/lobe_albedos.wgsl"),
                 wgsl!("wgsl/path/microfacets.wgsl"),
                 wgsl!("wgsl/path/lobes_microfacet.wgsl"),
             ]);

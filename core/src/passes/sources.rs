@@ -313,6 +313,11 @@ impl FrameSpec {
             wgsl!("wgsl/shade/lights_none.wgsl")
         }]);
         if f.glossy || f.extended_materials {
+            if f.sheen {
+                sources.extend([wgsl!("wgsl/shade/lobe_albedos.wgsl"), wgsl!("wgsl/shade/sheen.wgsl")]);
+            } else {
+                sources.push(wgsl!("wgsl/shade/sheen_none.wgsl"));
+            }
             sources.push(pick(
                 f.environment_map,
                 wgsl!("wgsl/shade/environment_lobes.wgsl"),

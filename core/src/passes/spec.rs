@@ -103,6 +103,7 @@ impl FrameSpec {
                     environment_map: needed.environment_map,
                     microfacets: needed.microfacets,
                     nested_media: needed.nested_media,
+                    sheen: needed.sheen,
                     ..Features::all()
                 };
                 (features, SceneFacts { bvh_stack: MAX_STACK, ..scene })

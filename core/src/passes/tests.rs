@@ -44,6 +44,7 @@ fn features(bits: u32) -> Features {
         environment_map: bit(3),
         microfacets: bit(2) && bit(5),
         nested_media: bit(3) && bit(6),
+        sheen: bit(1) && bit(2) && bit(5),
     }
 }
 

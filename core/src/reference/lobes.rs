@@ -17,8 +17,10 @@ pub(super) struct Lobes {
     specular: [Option<BsdfSample>; 2],
     /// Reflection by the rough surface, and by a rough coat over it.
     glossy: [Option<Microfacets>; 2],
-    /// The largest channel of each lobe: diffuse, mirror, refraction, glossy, coat.
-    largest: [f64; 5],
+    /// The material, for its sheen; what a coat lets through to it; and the unit vector to the viewer.
+    sheen: (Material, DVec3, DVec3),
+    /// The largest channel of each lobe: diffuse, mirror, refraction, glossy, coat, sheen.
+    largest: [f64; 6],
 }
 
 /// The lobe that a path is scattered by.
@@ -29,6 +31,7 @@ pub(super) enum Chosen {
     Refraction,
     Glossy,
     Coat,
+    Sheen,
 }
 
 /// How a path continues.
@@ -68,18 +71,22 @@ impl Lobes {
         let largest = |lobe: Option<Microfacets>| lobe.map_or(0.0, |lobe| lobe.albedo.max_element());
         Self {
             diffuse: shares.diffuse,
-            albedo: shares.diffuse + [glossy, coat].into_iter().flatten().map(|l| l.albedo).sum::<DVec3>(),
+            albedo: shares.diffuse
+                + shares.sheen[0]
+                + [glossy, coat].into_iter().flatten().map(|l| l.albedo).sum::<DVec3>(),
             specular: [
                 mirror,
                 refraction.or(glossy.and(mirror)).map(|ray| BsdfSample { share: shares.refraction, ..ray }),
             ],
             glossy: [glossy, coat],
+            sheen: (*m, shares.sheen[1], -direction),
             largest: [
                 shares.diffuse.max_element(),
                 shares.mirror.max_element(),
                 transmitted,
                 largest(glossy),
                 largest(coat),
+                shares.sheen[0].max_element(),
             ],
         }
     }
@@ -117,7 +124,14 @@ impl Lobes {
             return None;
         }
         let number = rounding.number(Cause::Branch, number, 1.0).clamp(0.0, 1.0 - f64::EPSILON) * sum;
-        let all = [Chosen::Diffuse, Chosen::Mirror, Chosen::Refraction, Chosen::Glossy, Chosen::Coat];
+        let all = [
+            Chosen::Diffuse,
+            Chosen::Mirror,
+            Chosen::Refraction,
+            Chosen::Glossy,
+            Chosen::Coat,
+            Chosen::Sheen,
+        ];
         let mut end = 0.0;
         let chosen = all.into_iter().zip(self.largest).find(|(_, largest)| {
             end += largest;
@@ -134,7 +148,9 @@ impl Lobes {
             return (DVec3::ZERO, 0.0);
         }
         let mut value = self.diffuse / PI * cosine;
-        let mut density = self.largest[0] * cosine / PI;
+        let mut density = (self.largest[0] + self.largest[5]) * cosine / PI;
+        let (m, passes, view) = self.sheen;
+        value += passes * m.sheen_lobe(s.normal, view, direction) * cosine;
         for (lobe, largest) in self.glossy.iter().zip(&self.largest[3..]) {
             if let Some(lobe) = lobe.filter(|_| *largest > 0.0) {
                 let (reflected, drawn) = lobe.response(direction);
@@ -156,7 +172,7 @@ impl Lobes {
     ) -> Option<Continued> {
         let of = |weight: DVec3, lobe: usize| weight * self.sum() / self.largest[lobe];
         let (direction, cone) = match chosen {
-            Chosen::Diffuse => (cosine_weighted(s.normal, random).0, (0.0, 0.0)),
+            Chosen::Diffuse | Chosen::Sheen => (cosine_weighted(s.normal, random).0, (0.0, 0.0)),
             Chosen::Glossy => (self.glossy[0]?.draw(random), reflected),
             Chosen::Coat => (self.glossy[1]?.draw(random), reflected),
             Chosen::Refraction if self.glossy[0].is_some() => {

@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
 use super::{
     Cause, Maps, Reference, Rounding,
     maps::{Place, toksvig},
+    sheen::Sheen,
 };
 use crate::scene::{TextureSlot, Weights};
 
@@ -34,6 +35,7 @@ pub struct Material {
     pub(super) specular: DVec4,
     /// Strength and roughness of the clear coat.
     pub(super) coat: DVec2,
+    pub(super) sheen: Option<Sheen>,
 }
 
 /// A material with the geometry that shading depends on.
@@ -99,6 +101,11 @@ impl Reference {
             bump: bump.map(|bump| bump * scale),
             specular,
             coat,
+            sheen: Sheen::of(
+                m.sheen_color.as_dvec3() * slot(TextureSlot::SheenColor).xyz(),
+                f64::from(m.sheen_roughness) * slot(TextureSlot::SheenRoughness).w,
+                &self.albedos,
+            ),
         }
     }
 
@@ -112,7 +119,7 @@ impl Reference {
         let diffuse = m.diffuse(cosine, s.inside);
         m.emission
             + self.environment_reflected(&m, diffuse, s.normal, s.view) * m.occlusion
-            + self.lights_reflected(&mut s, diffuse + m.lit_metal())
+            + self.lights_reflected(&mut s, diffuse + m.lit_metal() * m.sheen_passes(cosine))
     }
 
     /// Reflected radiance of the environment: the diffuse lobe and, of a map, the part of the specular lobe that is not
@@ -120,7 +127,9 @@ impl Reference {
     fn environment_reflected(&self, m: &Material, diffuse: DVec3, normal: DVec3, view: DVec3) -> DVec3 {
         let ambient = self.environment_ambient(normal);
         if !self.has_environment_map() {
-            return ambient * (diffuse + m.rough_metal());
+            let cosine = normal.dot(view).clamp(0.0, 1.0);
+            let sheen = m.coat_passes(cosine) * m.sheen_albedo(cosine);
+            return ambient * (diffuse + m.rough_metal() * m.sheen_passes(cosine) + sheen);
         }
         if m.weights.is_some() {
             return diffuse * ambient;
@@ -133,7 +142,9 @@ impl Reference {
         let dominant = mirrored.lerp(normal, m.roughness * m.roughness);
         let lobe = self.environment_lobe(dominant, m.roughness);
         let matte = diffuse * ambient;
-        matte + metal * lobe + dielectric * ((1.0 - m.metallic) * lobe - matte)
+        let sheen = m.coat_passes(cosine) * m.sheen_albedo(cosine) * ambient;
+        let seen = m.sheen_passes(cosine) * lobe;
+        matte + metal * seen + dielectric * ((1.0 - m.metallic) * seen - matte) + sheen
     }
 }
 
@@ -243,8 +254,13 @@ impl Material {
     }
 
     /// Fraction of light that passes the clear coat.
-    pub(super) fn under(&self, cosine: f64) -> f64 {
+    pub(super) fn coat_passes(&self, cosine: f64) -> f64 {
         1.0 - self.coat_reflectance(cosine)
+    }
+
+    /// Fraction of light that passes the clear coat and the sheen.
+    fn under(&self, cosine: f64) -> f64 {
+        self.coat_passes(cosine) * self.sheen_passes(cosine)
     }
 
     /// Weight of the reflected ray's radiance.
@@ -280,13 +296,15 @@ impl Shading<'_> {
     pub fn lobe(&mut self, light: DVec3) -> DVec3 {
         let m = self.material;
         let strength = DVec3::splat(m.coat.x);
-        let coat = self.microfacets(0.04 * strength, strength, m.coat.y, light);
+        let cosine = self.normal.dot(self.view).clamp(0.0, 1.0);
+        let sheen = m.coat_passes(cosine) * m.sheen_lobe(self.normal, self.view, light);
+        let coat = sheen + self.microfacets(0.04 * strength, strength, m.coat.y, light);
         if m.roughness >= 1.0 || m.weights.is_some() {
             return coat;
         }
         let f0 = m.at_normal().lerp(m.base, m.metallic);
         let f90 = m.at_grazing();
-        let under = m.under(self.normal.dot(self.view).clamp(0.0, 1.0));
+        let under = m.under(cosine);
         coat + under * self.microfacets(f0, f90, m.roughness, light)
     }
 

@@ -61,6 +61,7 @@ mod sample;
 mod scatter;
 mod shadow;
 mod shares;
+mod sheen;
 mod similarity;
 mod stereo_reuse;
 mod supersampling;

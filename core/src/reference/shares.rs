@@ -18,6 +18,8 @@ pub(super) struct Shares {
     pub refraction: DVec3,
     /// Reflection by the rough surface, and by a rough coat over it.
     pub glossy: [Option<Microfacets>; 2],
+    /// Albedo of the sheen, and what a coat lets through to it.
+    pub sheen: [DVec3; 2],
 }
 
 impl Material {
@@ -49,6 +51,8 @@ impl Material {
             shares.mirror = DVec3::splat(self.coat_reflectance(cosine));
             under -= shares.mirror;
         }
+        shares.sheen = [under * self.sheen_albedo(cosine), under];
+        under *= self.sheen_passes(cosine);
         let scattered = self.base * (1.0 - self.metallic) * (1.0 - self.transmission);
         let entering = self.base * (1.0 - self.metallic) * self.transmission;
         if self.roughness < least {

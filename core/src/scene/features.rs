@@ -77,8 +77,10 @@ pub struct Features {
     pub normal_maps: bool,
     /// Some texture slot does not read the first set of texture coordinates as they are.
     pub slot_coordinates: bool,
-    /// Some material has a specular colour, specular-glossiness factors, a clear coat or absorption.
+    /// Some material has a specular colour, specular-glossiness factors, a clear coat, sheen or absorption.
     pub layers: bool,
+    /// Some material has a sheen.
+    pub sheen: bool,
     /// Some material has a lobe that is neither diffuse nor a mirror, which paths sample.
     pub microfacets: bool,
 }
@@ -116,6 +118,7 @@ impl Features {
             normal_maps: used().any(Material::has_normal_map),
             slot_coordinates: used().any(|m| !m.coordinates.is_empty()),
             layers: used().any(Material::is_layered),
+            sheen: used().any(Material::has_sheen),
             microfacets: used().any(Material::has_microfacets),
         }
     }
@@ -123,9 +126,9 @@ impl Features {
     /// All features switched on, for kernels that link every piece.
     #[must_use]
     pub fn all() -> Self {
-        // The textures of an environment map, the table of microfacet lobes and lists of media exist only where they are
+        // The textures of an environment map, the table of lobes' albedos and lists of media exist only where they are
         // needed.
-        Self { environment_map: false, microfacets: false, nested_media: false, ..Self::EVERY }
+        Self { environment_map: false, microfacets: false, nested_media: false, sheen: false, ..Self::EVERY }
     }
 
     /// Whether a sample may trace rays besides the primary one and shadow rays, so that their radiance is stored.

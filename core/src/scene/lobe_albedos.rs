@@ -1,8 +1,8 @@
 //! Directional albedos of microfacet lobes, tabulated by quadrature.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, DVec4, Vec4Swizzles as _};
 
 /// Entries along each axis of the table.
 pub const ALBEDO_SIDE: usize = 32;
@@ -10,6 +10,8 @@ pub const ALBEDO_SIDE: usize = 32;
 const QUADRATURE: [usize; 2] = [48, 24];
 /// Least width of a lobe in the table.
 const LEAST_ALPHA: f64 = 1.0e-3;
+/// Least roughness of a sheen.
+pub const LEAST_SHEEN_ROUGHNESS: f32 = 0.07;
 
 /// The share of white light from all directions that a lobe reflects to a viewer, by the cosine of the view angle and
 /// roughness.
@@ -17,8 +19,9 @@ const LEAST_ALPHA: f64 = 1.0e-3;
 pub struct LobeAlbedos {
     /// Row by row: roughness grows with the row from 0 to 1, and the square root of the cosine with the column. Each
     /// has the albedo of a GGX lobe of reflectance 1, and the part of it that Schlick's approximation weights by the
-    /// reflectance at grazing incidence.
-    pub entries: Vec<[f32; 2]>,
+    /// reflectance at grazing incidence; then the albedo of a white sheen, and the
+    /// factor on the sheen that keeps it at most 1.
+    pub entries: Vec<[f32; 4]>,
 }
 
 impl LobeAlbedos {
@@ -28,23 +31,36 @@ impl LobeAlbedos {
         let last = (ALBEDO_SIDE - 1) as f64;
         let entry = |row: usize, column: usize| {
             let cosine = (column as f64 / last).powi(2).max(1.0e-4);
-            let [all, grazing] = ggx(cosine, (row as f64 / last).powi(2).max(LEAST_ALPHA));
-            [all as f32, grazing as f32]
+            let roughness = row as f64 / last;
+            let [all, grazing] = ggx(cosine, roughness.powi(2).max(LEAST_ALPHA));
+            let fibres = sheen(cosine, roughness);
+            [all as f32, grazing as f32, fibres.min(1.0) as f32, fibres.max(1.0).recip() as f32]
         };
         let entries = (0..ALBEDO_SIDE).flat_map(|row| (0..ALBEDO_SIDE).map(move |column| entry(row, column)));
         Self { entries: entries.collect() }
     }
 
-    /// The entries interpolated bilinearly.
+    /// The first two numbers of the entries, interpolated bilinearly.
     #[must_use]
     pub fn at(&self, cosine: f64, roughness: f64) -> DVec2 {
+        self.interpolated(cosine, roughness).xy()
+    }
+
+    /// Albedo of a white sheen, and the factor that keeps it at most 1.
+    #[must_use]
+    pub fn sheen(&self, cosine: f64, roughness: f64) -> [f64; 2] {
+        let entry = self.interpolated(cosine, roughness);
+        [entry.z, entry.w]
+    }
+
+    fn interpolated(&self, cosine: f64, roughness: f64) -> DVec4 {
         let place = DVec2::new(cosine.clamp(0.0, 1.0).sqrt(), roughness.clamp(0.0, 1.0));
         let place = place * (ALBEDO_SIDE - 1) as f64;
         let low = place.floor().min(DVec2::splat((ALBEDO_SIDE - 2) as f64));
         let weight = place - low;
         let entry = |x: usize, y: usize| {
-            let [a, b] = self.entries[(low.y as usize + y) * ALBEDO_SIDE + low.x as usize + x];
-            DVec2::new(f64::from(a), f64::from(b))
+            let entry = self.entries[(low.y as usize + y) * ALBEDO_SIDE + low.x as usize + x];
+            DVec4::from_array(entry.map(f64::from))
         };
         entry(0, 0).lerp(entry(1, 0), weight.x).lerp(entry(0, 1).lerp(entry(1, 1), weight.x), weight.y)
     }
@@ -88,10 +104,27 @@ fn ggx(cosine: f64, alpha: f64) -> [f64; 2] {
     sums.map(|sum| (sum / (slopes * turns) as f64).min(1.0))
 }
 
+/// Albedo of a sheen of reflectance 1, over directions of light, denser near the horizon; the formulas are in
+/// `core/MATERIALS.md`.
+fn sheen(cosine: f64, roughness: f64) -> f64 {
+    let inverse = roughness.max(f64::from(LEAST_SHEEN_ROUGHNESS)).powi(-2);
+    let view = DVec3::new((1.0 - cosine * cosine).sqrt(), 0.0, cosine);
+    let [heights, turns] = QUADRATURE;
+    let mut sum = 0.0;
+    for i in 0..heights * turns {
+        let t = ((i % heights) as f64 + 0.5) / heights as f64;
+        let phi = PI * ((i / heights) as f64 + 0.5) / turns as f64;
+        let (z, r) = (t * t, (1.0 - t.powi(4)).sqrt());
+        let half_way = (view + DVec3::new(r * phi.cos(), r * phi.sin(), z)).normalize();
+        let sine2 = (1.0 - half_way.z * half_way.z).max(0.0);
+        let distribution = (2.0 + inverse) * sine2.powf(0.5 * inverse) / TAU;
+        sum += 2.0 * t * distribution * z / (4.0 * (z + cosine - z * cosine));
+    }
+    sum * TAU / (heights * turns) as f64
+}
+
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::TAU;
-
     use super::*;
 
     /// The same integral over directions of light instead of normals, by another formula of the lobe.
@@ -121,7 +154,10 @@ mod tests {
             assert!((found - exact).abs() < 3.0e-3, "{cosine} {roughness}: {found}, not {exact}");
         }
         assert!(
-            albedos.entries.iter().all(|[all, grazing]| 0.0 <= *grazing && grazing <= all && *all <= 1.0)
+            albedos
+                .entries
+                .iter()
+                .all(|[all, grazing, sheen, _]| 0.0 <= *grazing && grazing <= all && all.max(*sheen) <= 1.0)
         );
     }
 }

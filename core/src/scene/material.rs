@@ -69,6 +69,10 @@ pub struct Material {
     pub clearcoat: f32,
     /// Roughness of the clear coat.
     pub clearcoat_roughness: f32,
+    /// Colour of the sheen of a cloth, linear RGB; black without sheen (KHR_materials_sheen).
+    pub sheen_color: Vec3,
+    /// Roughness of the sheen.
+    pub sheen_roughness: f32,
     /// Absorption coefficient of what the surface bounds, linear RGB: transmittance over a distance d is exp(-d times
     /// this).
     pub absorption: Vec3,
@@ -128,6 +132,8 @@ impl Default for Material {
             specular_glossiness: None,
             clearcoat: 0.0,
             clearcoat_roughness: 0.0,
+            sheen_color: Vec3::ZERO,
+            sheen_roughness: 0.0,
             absorption: Vec3::ZERO,
             priority: 0,
             weights: None,
@@ -164,16 +170,23 @@ impl Material {
         !self.maps.is_empty() || !self.coordinates.is_empty() || self.is_layered()
     }
 
-    /// Whether the material has a specular colour, specular-glossiness factors, a clear coat or absorption.
+    /// Whether the material has a specular colour, specular-glossiness factors, a clear coat, sheen or absorption.
     #[must_use]
     pub fn is_layered(&self) -> bool {
         self.specular != 1.0
             || self.specular_color != Vec3::ONE
             || self.specular_glossiness.is_some()
             || self.clearcoat > 0.0
+            || self.has_sheen()
             || self.absorption != Vec3::ZERO
             || self.maps.contains_key(&TextureSlot::Specular)
             || self.maps.contains_key(&TextureSlot::SpecularColor)
+    }
+
+    /// Whether the material has a sheen.
+    #[must_use]
+    pub fn has_sheen(&self) -> bool {
+        self.sheen_color != Vec3::ZERO
     }
 
     /// Whether the material is determined by its base colour: a rough dielectric of index 1.5 that neither emits nor
@@ -191,7 +204,8 @@ impl Material {
     }
 
     /// Whether paths leave some point of the surface by a microfacet lobe: rough metal, a rough dielectric that is
-    /// neither matte nor a mirror, rough glass, or a rough coat.
+    /// neither matte nor a mirror, rough glass, a rough coat,
+    /// or sheen.
     #[must_use]
     pub fn has_microfacets(&self) -> bool {
         let textured = self.metallic_roughness_texture.is_some() || self.specular_glossiness.is_some();
@@ -199,7 +213,7 @@ impl Material {
         let diffuse = self.roughness >= 1.0 && self.metallic == 0.0 && self.transmission == 0.0 && !textured;
         let coat =
             self.clearcoat > 0.0 && (self.clearcoat_roughness >= LEAST_ROUGHNESS || self.has_normal_map());
-        !self.unlit && self.weights.is_none() && (rough && !diffuse || coat)
+        !self.unlit && self.weights.is_none() && (rough && !diffuse || coat || self.has_sheen())
     }
 
     /// Whether some view angle makes a reflection ray worth tracing.

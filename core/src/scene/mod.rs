@@ -36,7 +36,7 @@ pub use environment_map::{
 pub use features::Features;
 #[cfg(feature = "gltf")]
 pub use gltf::ImportOptions;
-pub use lobe_albedos::{ALBEDO_SIDE, LobeAlbedos};
+pub use lobe_albedos::{ALBEDO_SIDE, LEAST_SHEEN_ROUGHNESS, LobeAlbedos};
 pub use material::{LEAST_ROUGHNESS, Material, SpecularGlossiness, Weights};
 pub use not_shown::NotShown;
 pub use octahedral::{

@@ -28,11 +28,15 @@ pub enum TextureSlot {
     Clearcoat,
     /// Roughness of the clearcoat in green.
     ClearcoatRoughness,
+    /// Colour of the sheen, sRGB.
+    SheenColor,
+    /// Roughness of the sheen in alpha.
+    SheenRoughness,
 }
 
 impl TextureSlot {
     /// All slots in order.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 13] = [
         Self::BaseColor,
         Self::MetallicRoughness,
         Self::Emissive,
@@ -44,6 +48,8 @@ impl TextureSlot {
         Self::SpecularGlossiness,
         Self::Clearcoat,
         Self::ClearcoatRoughness,
+        Self::SheenColor,
+        Self::SheenRoughness,
     ];
 
     /// The slot's name in messages.
@@ -61,13 +67,22 @@ impl TextureSlot {
             Self::SpecularGlossiness => "specular-glossiness",
             Self::Clearcoat => "clearcoat",
             Self::ClearcoatRoughness => "clearcoat roughness",
+            Self::SheenColor => "sheen colour",
+            Self::SheenRoughness => "sheen roughness",
         }
     }
 
     /// Whether the slot's texels are sRGB-encoded colours.
     #[must_use]
     pub fn is_color(self) -> bool {
-        matches!(self, Self::BaseColor | Self::Emissive | Self::SpecularColor | Self::SpecularGlossiness)
+        matches!(
+            self,
+            Self::BaseColor
+                | Self::Emissive
+                | Self::SpecularColor
+                | Self::SpecularGlossiness
+                | Self::SheenColor
+        )
     }
 }
 

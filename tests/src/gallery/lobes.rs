@@ -1,9 +1,9 @@
 //! Scenes of materials with every lobe.
 
-use glam::{Vec3, vec3};
+use glam::{Vec2, Vec3, vec2, vec3};
 use glimpse::{
     Camera, Scene,
-    scene::{EnvironmentMap, Material},
+    scene::{EnvironmentMap, Image8, Material, Texture, TextureSlot, Wrap},
 };
 
 use crate::builder::{Builder, glass, matte, mirror};
@@ -14,13 +14,16 @@ fn balls() -> Vec<Vec<Material>> {
     let plastic = |roughness| Material { roughness, ior: 1.5, ..matte(vec3(0.2, 0.4, 0.8)) };
     let frosted = |roughness| Material { roughness, ..glass(1.4) };
     let lacquer = |clearcoat_roughness| Material { clearcoat: 0.9, clearcoat_roughness, ..metal(0.5) };
+    let velvet =
+        |sheen_roughness| Material { sheen_color: vec3(0.9, 0.4, 0.6), sheen_roughness, ..plastic(0.7) };
     vec![
         vec![metal(0.08), metal(0.3), metal(0.6), metal(1.0), Material { metallic: 0.5, ..metal(0.4) }],
         vec![plastic(0.1), plastic(0.5), frosted(0.3), lacquer(0.0), lacquer(0.3)],
+        vec![velvet(0.3), velvet(0.8), Material { clearcoat: 0.7, ..velvet(0.5) }],
     ]
 }
 
-/// Balls of metal, plastic, glass and lacquer at several roughnesses, with a frosted pane, a lamp and punctual lights, in
+/// Balls of metal, plastic, glass, lacquer and velvet at several roughnesses, with a frosted pane, a lamp and punctual lights, in
 /// a studio.
 ///
 /// # Panics
@@ -45,4 +48,46 @@ pub fn lobes() -> Scene {
     let mut scene = b.seen_by(camera);
     scene.surround(EnvironmentMap::studio().rotated(0.4));
     scene
+}
+
+/// Cloth with a sheen over metal and over dielectrics, under a coat, from a texture, and with a normal of its own.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn cloth() -> Scene {
+    let mut b = Builder::new();
+    let byte = |i: u32| (i.wrapping_mul(2_654_435_761) >> 24) as u8;
+    let image = b.image(Image8 { width: 8, height: 8, rgba: (0..256).map(byte).collect() });
+    let grain = b.texture(Texture { image, wrap: [Wrap::Repeat; 2], nearest: false });
+    let cloth = |sheen_color: Vec3, sheen_roughness: f32| Material {
+        sheen_color,
+        sheen_roughness,
+        ..matte(vec3(0.5, 0.3, 0.4))
+    };
+    let looks = [
+        cloth(vec3(0.2, 0.4, 0.9), 0.15),
+        Material { clearcoat: 0.6, clearcoat_roughness: 0.2, ..cloth(vec3(0.8, 0.7, 0.6), 0.5) },
+        Material { metallic: 1.0, roughness: 0.6, ..cloth(vec3(0.3, 0.6, 0.3), 0.8) },
+        Material {
+            maps: [(TextureSlot::SheenColor, grain), (TextureSlot::SheenRoughness, grain)].into(),
+            roughness: 0.3,
+            ior: 1.5,
+            ..cloth(Vec3::ONE, 1.0)
+        },
+    ];
+    for (i, look) in looks.into_iter().enumerate() {
+        let object = b.object(look);
+        let corner = vec3(-1.3 + 0.9 * (i % 2) as f32, 0.1 + 0.7 * (i / 2) as f32, -0.2);
+        let far = vec3(0.8, 0.0, 0.7 - 0.6 * i as f32);
+        b.textured_quad(object, [corner, far, 0.65 * Vec3::Y], [Vec2::ZERO, vec2(1.1, 0.9)]);
+    }
+    let ball = b.object(cloth(vec3(0.9, 0.8, 0.9), 0.4));
+    b.sphere(ball, vec3(0.9, 0.5, 0.2), 0.45);
+    let floor = b.object(cloth(vec3(0.1, 0.2, 0.1), 0.3));
+    b.quad(floor, vec3(-3.0, 0.0, 2.0), 6.0 * Vec3::X, -4.0 * Vec3::Z);
+    b.point_light(vec3(0.8, 2.0, 1.6), vec3(5.0, 4.5, 4.0));
+    b.point_light(vec3(-1.9, 0.9, 0.4), vec3(0.5, 0.8, 1.0));
+    b.environment(vec3(0.2, 0.3, 0.5), vec3(0.2, 0.25, 0.3));
+    b.seen_by(Camera::look_at(vec3(0.2, 1.0, 3.2), vec3(0.0, 0.6, 0.0), 0.7).expect("a valid camera"))
 }

@@ -206,6 +206,19 @@ fn layers_in_a_studio() {
 }
 
 #[test]
+fn cloth() {
+    agree("cloth", gallery::cloth(), [101, 67], Settings::default());
+}
+
+#[test]
+fn cloth_in_a_studio() {
+    let mut scene = gallery::cloth();
+    scene.surround(EnvironmentMap::studio().rotated(0.7));
+    let pair = Pair::new(scene, [101, 67], Settings { exposure: Some(0.0), ..Settings::default() });
+    agree_in(Method::Full, "cloth in a studio", &pair);
+}
+
+#[test]
 fn lenses() {
     agree("lenses", gallery::lenses(), [96, 64], Settings { depth: 5, ..Settings::default() });
 }

@@ -6,7 +6,8 @@ use glam::{Affine2, Vec2, Vec3, vec2, vec3};
 use glimpse::{
     Method, Scene, Settings,
     scene::{
-        Image8, Light, LightKind, Material, SlotCoordinates, SpecularGlossiness, Texture, TextureSlot, Wrap,
+        Image8, Light, LightKind, LobeAlbedos, Material, SlotCoordinates, SpecularGlossiness, Texture,
+        TextureSlot, Wrap,
     },
 };
 use glimpse_tests::{
@@ -184,6 +185,30 @@ fn coats_and_specular_colours_follow_fresnel() {
         let image = TestScene::new(b.seen_by(front_camera())).full([33, 33]);
         let found = image.get_pixel(16, 16).0[0];
         assert!((found - at_normal).abs() < 1.0e-4, "{what}: {found}, expected {at_normal}");
+    }
+}
+
+/// Under ambient light, white cloth with a white sheen reflects all of it, and black cloth the sheen's albedo, which grows
+/// towards grazing angles.
+#[test]
+fn sheen_takes_from_the_cloth_what_it_reflects() {
+    let picture = |base: Vec3| {
+        let mut b = Builder::new();
+        wall(&mut b, Material { sheen_color: vec3(1.0, 1.0, 0.5), sheen_roughness: 0.5, ..matte(base) });
+        b.environment(Vec3::ZERO, Vec3::ONE);
+        TestScene::new(b.seen_by(front_camera())).full(SIZE)
+    };
+    let albedos = LobeAlbedos::new();
+    let camera = front_camera();
+    let (white, black) = (picture(Vec3::ONE), picture(Vec3::ZERO));
+    for (x, y, pixel) in black.enumerate_pixels() {
+        let (_, direction) = glimpse_tests::pixel_ray(&camera, SIZE, x, y);
+        let [albedo, _] = albedos.sheen(-direction.z, 0.5);
+        let expected = albedo as f32 * vec3(1.0, 1.0, 0.5);
+        let sum = expected + (1.0 - albedo as f32);
+        assert!((Vec3::from(pixel.0) - expected).abs().max_element() < 1.0e-4, "({x}, {y}): {:?}", pixel.0);
+        let whole = Vec3::from(white.get_pixel(x, y).0);
+        assert!((whole - sum).abs().max_element() < 1.0e-4, "({x}, {y}): {whole}, not {sum}");
     }
 }
 

@@ -1,4 +1,5 @@
-//! Reads the material extensions of specular colours, specular-glossiness factors, clear coats and absorption.
+//! Reads the material extensions of specular colours, specular-glossiness factors, clear coats, sheen and
+//! absorption.
 
 use glam::Vec3;
 use gltf::json;
@@ -12,14 +13,17 @@ use crate::{Error, Result};
 const SPECULAR: &str = "KHR_materials_specular";
 const GLOSSINESS: &str = "KHR_materials_pbrSpecularGlossiness";
 const CLEARCOAT: &str = "KHR_materials_clearcoat";
+const SHEEN: &str = "KHR_materials_sheen";
 
 /// The textures of the extensions: slot, extension and property.
-const TEXTURES: [(TextureSlot, &str, &str); 5] = [
+const TEXTURES: [(TextureSlot, &str, &str); 7] = [
     (TextureSlot::Specular, SPECULAR, "specularTexture"),
     (TextureSlot::SpecularColor, SPECULAR, "specularColorTexture"),
     (TextureSlot::SpecularGlossiness, GLOSSINESS, "specularGlossinessTexture"),
     (TextureSlot::Clearcoat, CLEARCOAT, "clearcoatTexture"),
     (TextureSlot::ClearcoatRoughness, CLEARCOAT, "clearcoatRoughnessTexture"),
+    (TextureSlot::SheenColor, SHEEN, "sheenColorTexture"),
+    (TextureSlot::SheenRoughness, SHEEN, "sheenRoughnessTexture"),
 ];
 
 /// The least transmittance of a channel over the attenuation distance.
@@ -85,6 +89,12 @@ pub(super) fn read(json: &json::Material, material: &mut Material, numbers: &mut
         let roughness = property(e, "clearcoatRoughnessFactor", 0.0, what)?;
         material.clearcoat = numbers.share("clearcoatFactor", property(e, "clearcoatFactor", 0.0, what)?)?;
         material.clearcoat_roughness = numbers.share("clearcoatRoughnessFactor", roughness)?;
+    }
+    if let Some(e) = extension(json, SHEEN) {
+        let color = property(e, "sheenColorFactor", [0.0_f32; 3], what)?;
+        material.sheen_color = within(color, "sheenColorFactor", 1.0, numbers)?;
+        let roughness = property(e, "sheenRoughnessFactor", 0.0, what)?;
+        material.sheen_roughness = numbers.share("sheenRoughnessFactor", roughness)?;
     }
     material.absorption = absorption(json, numbers)?;
     Ok(())

@@ -15,6 +15,11 @@ struct Lobes {
     // Reflection by the rough surface, and by a rough coat over it.
     glossy: Microfacets,
     coat: Microfacets,
+    // Largest channel of the sheen's albedo, what a coat lets through to it, and what it needs to be evaluated.
+    sheen_chance: f32,
+    sheen_scale: vec3f,
+    view: vec3f,
+    material: Material,
     albedo: vec3f,
 }
 
@@ -59,7 +64,8 @@ fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
         // By how much is refracted, but never 0, as some microfacets may refract where the surface does not.
         lobes.chances.z *= max(0.25, 1.0 - max_component(microfacets_fresnel(lobes.glossy, lobes.cosine)));
     }
-    lobes.sum = lobes.chances.x + lobes.chances.y + lobes.chances.z + lobes.glossy.chance + lobes.coat.chance;
+    lobes.sum = lobes.chances.x + lobes.chances.y + lobes.chances.z + lobes.glossy.chance + lobes.coat.chance
+        + lobes.sheen_chance;
     return lobes;
 }
 
@@ -67,7 +73,7 @@ fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
 fn lobes_add_layers(lobes: ptr<function, Lobes>, s: Surface, m: Material, view: vec3f) {
     let cosine = (*lobes).cosine;
     let frame = directions_frame(s.normal);
-    var under = vec3f(material_under(m, cosine));
+    var under = vec3f(material_coat_passes(m, cosine));
     let coat = material_coat(m);
     if coat.x > 0.0 && coat.y >= LEAST_ROUGHNESS {
         var albedo: vec3f;
@@ -76,6 +82,15 @@ fn lobes_add_layers(lobes: ptr<function, Lobes>, s: Surface, m: Material, view: 
         under = 1.0 - albedo;
     } else {
         (*lobes).mirror = 1.0 - under;
+    }
+    if material_has_sheen(m) {
+        let sheen = under * material_sheen_albedo(m, cosine);
+        (*lobes).sheen_chance = max_component(sheen);
+        (*lobes).sheen_scale = under;
+        (*lobes).view = view;
+        (*lobes).material = m;
+        (*lobes).albedo += sheen;
+        under *= material_sheen_passes(m, cosine);
     }
     let diffuse = m.base * ((1.0 - m.metallic) * (1.0 - m.transmission));
     let refraction = m.base * ((1.0 - m.metallic) * m.transmission);

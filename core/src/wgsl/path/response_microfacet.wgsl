@@ -10,7 +10,7 @@ struct Response {
 
 // Whether light is looked for.
 fn response_exists(lobes: Lobes) -> bool {
-    return lobes.chances.x + lobes.glossy.chance + lobes.coat.chance > 0.0;
+    return lobes.chances.x + lobes.glossy.chance + lobes.coat.chance + lobes.sheen_chance > 0.0;
 }
 
 fn response_reaches(s: Surface, direction: vec3f) -> bool {
@@ -21,8 +21,12 @@ fn response_to(s: Surface, lobes: Lobes, direction: vec3f) -> Response {
     let cosine = max(dot(s.normal, direction), 0.0);
     let glossy = microfacets_response(lobes.glossy, direction);
     let coat = microfacets_response(lobes.coat, direction);
-    let value = lobes.diffuse * (cosine / PI) + glossy.rgb + coat.rgb;
-    let density = lobes.chances.x * (cosine / PI) + lobes.glossy.chance * glossy.a + lobes.coat.chance * coat.a;
+    var value = lobes.diffuse * (cosine / PI) + glossy.rgb + coat.rgb;
+    var density = lobes.chances.x * (cosine / PI) + lobes.glossy.chance * glossy.a + lobes.coat.chance * coat.a;
+    if lobes.sheen_chance > 0.0 {
+        value += lobes.sheen_scale * cosine * material_sheen_lobe(lobes.material, s.normal, lobes.view, direction);
+        density += lobes.sheen_chance * (cosine / PI);
+    }
     return Response(value, density / lobes.sum);
 }
 
@@ -58,8 +62,12 @@ fn response_sample(
         kind = RAY_REFLECTION;
         if number < specular + lobes.glossy.chance {
             drawn = microfacets_draw(lobes.glossy, random);
-        } else {
+        } else if lobes.sheen_chance == 0.0 || number < specular + lobes.glossy.chance + lobes.coat.chance {
             drawn = microfacets_draw(lobes.coat, random);
+        } else {
+            drawn = directions_cosine(s.normal, random);
+            cone = vec2f(0.0);
+            kind = RAY_DIFFUSE;
         }
     }
     let response = response_to(s, lobes, drawn);

@@ -34,10 +34,12 @@ fn environment_reflected(m: Material, diffuse: vec3f, normal: vec3f, view: vec3f
     let dielectric = environment_reflectance(material_f0(m), material_f90(m), m.roughness, cosine) * rough;
     let metal = environment_reflectance(m.base, vec3f(1.0), m.roughness, cosine) * (m.metallic * rough);
     let specular = metal + (1.0 - m.metallic) * dielectric;
+    let sheen = material_coat_passes(m, cosine) * material_sheen_albedo(m, cosine) * ambient;
     let matte = diffuse * ambient;
     if max(specular.x, max(specular.y, specular.z)) <= 0.0 {
-        return matte;
+        return matte + sheen;
     }
     let lobe = environment_lobe(environment_dominant(m, cosine, normal, view), m.roughness);
-    return matte + metal * lobe + dielectric * ((1.0 - m.metallic) * lobe - matte);
+    let seen = material_sheen_passes(m, cosine) * lobe;
+    return matte + metal * seen + dielectric * ((1.0 - m.metallic) * seen - matte) + sheen;
 }

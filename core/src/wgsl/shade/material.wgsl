@@ -39,6 +39,11 @@ fn material_fresnel(m: Material, cosine: f32, inside: bool) -> vec3f {
     return mix(material_dielectric(m, cosine, inside), metal, m.metallic);
 }
 
+// Fraction of light that passes the clear coat and the sheen.
+fn material_under(m: Material, cosine: f32) -> f32 {
+    return material_coat_passes(m, cosine) * material_sheen_passes(m, cosine);
+}
+
 // Weight of the reflected ray's radiance.
 fn material_mirror(m: Material, cosine: f32, inside: bool) -> vec3f {
     if material_is(m, OBJECT_WEIGHTS) {
@@ -103,20 +108,23 @@ fn material_local(m: Material, position: vec3f, normal: vec3f, view: vec3f, insi
     if material_is(m, OBJECT_UNLIT) {
         return m.base;
     }
-    let diffuse = material_diffuse(m, clamp(dot(normal, view), 0.0, 1.0), inside);
-    let lit = diffuse + material_lit_metal(m);
+    let cosine = clamp(dot(normal, view), 0.0, 1.0);
+    let diffuse = material_diffuse(m, cosine, inside);
+    let lit = diffuse + material_lit_metal(m) * material_sheen_passes(m, cosine);
     return m.emission + environment_reflected(m, diffuse, normal, view) * material_occlusion(m)
         + lights_reflected(m, lit, position, normal, view, shadow);
 }
 
 // The specular lobes for one light.
 fn material_lobe(m: Material, normal: vec3f, view: vec3f, light: vec3f) -> vec3f {
-    let coat = material_coat_lobe(m, normal, view, light);
+    let cosine = clamp(dot(normal, view), 0.0, 1.0);
+    let sheen = material_coat_passes(m, cosine) * material_sheen_lobe(m, normal, view, light);
+    let coat = material_coat_lobe(m, normal, view, light) + sheen;
     if m.roughness >= 1.0 || material_is(m, OBJECT_WEIGHTS) {
         return coat;
     }
     let f0 = mix(material_f0(m), m.base, m.metallic);
-    let under = material_under(m, clamp(dot(normal, view), 0.0, 1.0));
+    let under = material_under(m, cosine);
     return coat + under * material_microfacets(f0, material_f90(m), m.roughness, normal, view, light);
 }
 

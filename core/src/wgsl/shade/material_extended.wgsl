@@ -15,6 +15,8 @@ struct Material {
     // Colour and strength of the dielectric reflection; strength and roughness of the clear coat.
     specular: vec4f,
     coat: vec2f,
+    // Colour and roughness of the sheen.
+    sheen: vec4f,
 }
 
 fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f, maps: Maps) -> Material {

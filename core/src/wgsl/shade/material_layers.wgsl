@@ -19,6 +19,14 @@ fn material_layer(m: ptr<function, Material>, record: u32, at: Lookup, maps: Map
         texture_data(coat.place, coat.texcoord, coat.footprint).r,
         texture_data(rough.place, rough.texcoord, rough.footprint).g,
     );
+    if HAS_SHEEN {
+        let tint = material_lookup(record, SLOT_SHEENCOLOR, at, maps);
+        let fibres = material_lookup(record, SLOT_SHEENROUGHNESS, at, maps);
+        (*m).sheen = bitcast<vec4f>(object_part(0u, record + 4u)) * vec4f(
+            texture_color(tint.place, tint.texcoord, tint.footprint).rgb,
+            texture_data(fibres.place, fibres.texcoord, fibres.footprint).a,
+        );
+    }
 }
 
 // Perceived brightness of a colour.
@@ -92,7 +100,7 @@ fn material_coat_reflectance(m: Material, cosine: f32) -> f32 {
 }
 
 // Fraction of light that passes the clear coat.
-fn material_under(m: Material, cosine: f32) -> f32 {
+fn material_coat_passes(m: Material, cosine: f32) -> f32 {
     if !HAS_LAYERS || m.coat.x == 0.0 {
         return 1.0;
     }

@@ -66,7 +66,7 @@ fn material_coat(m: Material) -> vec2f {
 }
 
 // Fraction of light that passes the clear coat.
-fn material_under(m: Material, cosine: f32) -> f32 {
+fn material_coat_passes(m: Material, cosine: f32) -> f32 {
     return 1.0;
 }
 

@@ -78,6 +78,29 @@ fn coats_and_rough_glass_add_no_light() {
     }
 }
 
+/// A white sheen on white cloth reflects all light, at every roughness and angle, and on black cloth its albedo.
+#[test]
+fn sheen_keeps_energy() {
+    let albedos = LobeAlbedos::new();
+    for cosine in [0.9, 0.4, 0.15] {
+        for roughness in [0.15, 0.4, 0.9] {
+            let [albedo, _] = albedos.sheen(cosine, f64::from(roughness));
+            for (base, expected) in [(Vec3::ONE, 1.0), (Vec3::ZERO, albedo)] {
+                let material = Material { sheen_color: Vec3::ONE, sheen_roughness: roughness, ..matte(base) };
+                let found = mean(&wall(material, cosine), &settings(DirectLight::Bsdf, 2), 2000);
+                let error = found.error2().map(f64::sqrt).max_element();
+                let off = (found.value() - expected).abs().max_element();
+                assert!(error < 0.02, "{cosine} {roughness}: {error}");
+                assert!(
+                    off < 4.0 * error + 0.01,
+                    "{cosine} {roughness} {base}: {} {expected}",
+                    found.value()
+                );
+            }
+        }
+    }
+}
+
 /// What a directional light leaves on rough metal: E F D G / (4 cos), by the textbook's formulas.
 #[test]
 fn a_punctual_light_has_an_image_in_rough_metal() {
@@ -114,7 +137,13 @@ fn every_way_to_find_light_finds_the_same_in_rough_surfaces() {
         metal(vec3(0.5, 0.7, 0.9), 0.7),
         Material { roughness: 0.4, ior: 1.5, ..matte(vec3(0.3, 0.1, 0.6)) },
         Material { roughness: 0.5, ..glass(1.4) },
-        Material { clearcoat: 0.8, clearcoat_roughness: 0.25, ..metal(vec3(0.6, 0.2, 0.2), 0.5) },
+        Material {
+            clearcoat: 0.8,
+            clearcoat_roughness: 0.25,
+            sheen_color: vec3(0.3, 0.5, 0.9),
+            sheen_roughness: 0.4,
+            ..metal(vec3(0.6, 0.2, 0.2), 0.5)
+        },
     ];
     for (i, material) in balls.into_iter().enumerate() {
         let ball = b.object(material);

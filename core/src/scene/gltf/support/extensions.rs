@@ -57,7 +57,7 @@ pub(super) static EXTENSIONS: [Extension; 56] = [
     shown_extension("KHR_materials_ior").object(&IOR),
     not_shown_extension("KHR_materials_iridescence", |e, _| number(e, "iridescenceFactor", 0.0) != 0.0),
     shown_extension("KHR_materials_pbrSpecularGlossiness").object(&SPECULAR_GLOSSINESS),
-    not_shown_extension("KHR_materials_sheen", |e, _| differs(e, "sheenColorFactor", 0.0)),
+    shown_extension("KHR_materials_sheen").object(&SHEEN),
     shown_extension("KHR_materials_specular").object(&SPECULAR),
     not_shown_extension("KHR_materials_subsurface", present),
     shown_extension("KHR_materials_transmission").object(&TRANSMISSION),
@@ -149,6 +149,15 @@ static MESHOPT: Object = object(
         shown("fallback"),
         shown("filter"),
         shown("mode"),
+    ],
+);
+static SHEEN: Object = object(
+    "KHR_materials_sheen",
+    &[
+        shown("sheenColorFactor"),
+        shown("sheenColorTexture").object(&TEXTURE_INFO),
+        shown("sheenRoughnessFactor"),
+        shown("sheenRoughnessTexture").object(&TEXTURE_INFO),
     ],
 );
 static SPECULAR: Object = object(

@@ -209,9 +209,24 @@ fn layers_of_extensions() {
     let glossy = SpecularGlossiness { specular: vec3(0.5, 0.6, 0.7), glossiness: 0.8 };
     assert_eq!(material.specular_glossiness, Some(glossy));
     assert_eq!(scene.images.iter().map(|i| i.rgba[0]).collect::<Vec<_>>(), [20, 30]);
+    let sheen = json!({
+        "sheenColorFactor": [0.5, 0.25, 1], "sheenRoughnessFactor": 0.75,
+        "sheenColorTexture": { "index": 1 }, "sheenRoughnessTexture": { "index": 1 },
+    });
+    let scene = textured(json!({ "extensions": { "KHR_materials_sheen": sheen } })).scene();
+    let material = &scene.materials[0];
+    assert_eq!((material.sheen_color, material.sheen_roughness), (vec3(0.5, 0.25, 1.0), 0.75));
+    assert_eq!(
+        material.maps.keys().copied().collect::<Vec<_>>(),
+        [TextureSlot::SheenColor, TextureSlot::SheenRoughness]
+    );
+    assert_eq!(scene.not_shown, []);
+    with_material(json!({ "extensions": { "KHR_materials_sheen": { "sheenColorFactor": "red" } } }))
+        .fails(&["material 0", "sheenColorFactor"]);
     // Without parameters, the extensions change nothing.
-    let plain =
-        imported(json!({ "extensions": { "KHR_materials_specular": {}, "KHR_materials_clearcoat": {} } }));
+    let plain = imported(
+        json!({ "extensions": { "KHR_materials_specular": {}, "KHR_materials_clearcoat": {}, "KHR_materials_sheen": {} } }),
+    );
     assert!(!plain.is_extended(), "{plain:?}");
     with_material(json!({ "extensions": { "KHR_materials_clearcoat": { "clearcoatFactor": "much" } } }))
         .fails(&["material 0", "clearcoatFactor"]);
