@@ -211,7 +211,7 @@ impl Material {
     }
 
     /// Reflectance of the dielectric part at this cosine of the view angle.
-    fn dielectric(&self, cosine: f64, inside: bool) -> DVec3 {
+    pub(super) fn dielectric(&self, cosine: f64, inside: bool) -> DVec3 {
         let from_within = inside && self.transmission > 0.0 && !self.thin;
         let mut dielectric = self.colored(fresnel_dielectric(cosine, self.ratio(from_within)));
         if self.thin {

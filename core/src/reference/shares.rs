@@ -58,8 +58,9 @@ impl Material {
         if self.roughness < least {
             let fresnel = self.fresnel(cosine, s.inside);
             shares.mirror += under * fresnel;
-            shares.diffuse = under * scattered * (1.0 - fresnel);
-            shares.refraction = under * entering * (1.0 - fresnel);
+            let passed = 1.0 - self.dielectric(cosine, s.inside);
+            shares.diffuse = under * scattered * passed;
+            shares.refraction = under * entering * passed;
         } else if self.roughness >= 1.0 && self.metallic == 0.0 && self.transmission == 0.0 {
             shares.diffuse = under * scattered;
         } else {

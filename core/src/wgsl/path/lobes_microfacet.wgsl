@@ -97,8 +97,9 @@ fn lobes_add_layers(lobes: ptr<function, Lobes>, s: Surface, m: Material, view: 
     if m.roughness < LEAST_ROUGHNESS {
         let fresnel = material_fresnel(m, cosine, s.inside);
         (*lobes).mirror += under * fresnel;
-        (*lobes).diffuse = under * diffuse * (1.0 - fresnel);
-        (*lobes).refraction = under * refraction * (1.0 - fresnel);
+        let passed = 1.0 - material_dielectric(m, cosine, s.inside);
+        (*lobes).diffuse = under * diffuse * passed;
+        (*lobes).refraction = under * refraction * passed;
         return;
     }
     if m.roughness >= 1.0 && m.metallic == 0.0 && m.transmission == 0.0 {
