@@ -127,7 +127,7 @@ impl Case {
     }
 
     fn read_reference(&self) -> anyhow::Result<DisplayImage> {
-        let missing = || format!("the reference cannot be read, --update writes it");
+        let missing = || "the reference cannot be read, --update writes it";
         compare::read(&self.reference).map(Picture::into_display).with_context(missing)
     }
 
