@@ -7,6 +7,7 @@ use glam::{DMat3, DVec3, Mat4, Vec3};
 use super::{
     Bench, Case, Outcome, Random,
     mesh::{Mesh, Objects, rotation},
+    unexposed,
 };
 use crate::{
     Camera, Method, Renderer, Result, Settings,
@@ -43,7 +44,7 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
     let frames = bench.rays.div_ceil(2 * pixels).max(3);
     for size in sizes {
         for method in [Method::Full, Method::Adaptive] {
-            let settings = Settings { method, ..Settings::default() };
+            let settings = Settings { method, ..unexposed() };
             let mut renderer = Renderer::new(bench.gpu, &scene, size, &settings)?;
             for frame in 0..frames {
                 let mut random = Random(bench.seed ^ frame << 8);

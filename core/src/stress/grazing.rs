@@ -7,10 +7,10 @@ use glam::{DVec3, Vec3};
 use super::{
     Bench, Case, Outcome, Random, matte,
     mesh::{Mesh, Objects, rotation},
-    ray_through,
+    ray_through, unexposed,
 };
 use crate::{
-    Result, Settings,
+    Result,
     scene::{Light, LightKind},
 };
 
@@ -67,7 +67,7 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
                 ray_through(target + (0.5 + random.unit()) * from, target)
             })
             .collect();
-        let samples = bench.probe(&scene).shade(&rays, &Settings::default())?;
+        let samples = bench.probe(&scene).shade(&rays, &unexposed())?;
         let albedo = f64::from(matte().base_color.x);
         let expected = |slack: f64| -> f64 {
             directions.iter().map(|d| albedo * (-d.dot(normal) + slack).max(0.0)).sum()

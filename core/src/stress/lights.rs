@@ -7,10 +7,10 @@ use glam::{DMat3, DVec3, Vec3, vec3};
 use super::{
     Bench, Case, Outcome, Random,
     mesh::{Mesh, Objects},
-    ray,
+    ray, unexposed,
 };
 use crate::{
-    Result, Settings,
+    Result,
     scene::{Light, LightKind, MIN_RANGE, Material},
 };
 
@@ -52,7 +52,7 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
                 ray(from, if target == from { DVec3::X } else { target - from })
             })
             .collect();
-        for (ray, sample) in rays.iter().zip(bench.probe(&scene).shade(&rays, &Settings::default())?) {
+        for (ray, sample) in rays.iter().zip(bench.probe(&scene).shade(&rays, &unexposed())?) {
             let right = sample.color.iter().all(|c| c.is_finite() && *c >= 0.0);
             outcome.check(right, || {
                 let m = (material.roughness, material.metallic);

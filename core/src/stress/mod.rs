@@ -26,7 +26,7 @@ pub use crate::random::Random;
 use glam::{DVec3, Vec3};
 
 use crate::{
-    Gpu, GpuScene, Result, Robustness, Scene,
+    Gpu, GpuScene, Result, Robustness, Scene, Settings,
     probe::{Probe, ProbeHit, ProbeRay},
     reference::{Hit, Tracer, Verdict},
     scene::Material,
@@ -148,6 +148,11 @@ fn ray_through(eye: DVec3, target: DVec3) -> ProbeRay {
 fn ray(origin: DVec3, direction: DVec3) -> ProbeRay {
     let (origin, direction) = (origin.as_vec3(), direction.as_vec3());
     ProbeRay { origin: origin.into(), t_max: 3.0e38, direction: direction.into(), ..ProbeRay::default() }
+}
+
+/// Settings under which strong lights are not exposed: cases know the radiance that their scenes emit.
+fn unexposed() -> Settings {
+    Settings { exposure: Some(0.0), ..Settings::default() }
 }
 
 fn matte() -> Material {

@@ -5,7 +5,7 @@ use glam::{DMat3, DVec3, Vec3, dvec3};
 use super::{
     Bench, Case, Outcome, Random,
     mesh::{Mesh, Objects, bare},
-    ray,
+    ray, unexposed,
 };
 use crate::{
     MAX_DEPTH, Result, Scene, Settings,
@@ -25,7 +25,7 @@ const ERROR: f32 = 64.0 * 8.0 * f32::EPSILON;
 
 fn run(bench: &Bench<'_>) -> Result<Outcome> {
     let mut outcome = Outcome::default();
-    let settings = Settings { depth: MAX_DEPTH, min_weight: 0.0, ..Settings::default() };
+    let settings = Settings { depth: MAX_DEPTH, min_weight: 0.0, ..unexposed() };
     let scenes = [
         ("facing mirrors", facing(mirror(), 2)),
         ("room of mirrors", facing(mirror(), 6)),

@@ -7,8 +7,8 @@ use std::{
 
 use glam::{DMat3, DVec3};
 
-use super::{Bench, Case, Outcome};
-use crate::{Camera, Error, Renderer, Result, Settings, scene::builtin};
+use super::{Bench, Case, Outcome, unexposed};
+use crate::{Camera, Error, Renderer, Result, scene::builtin};
 
 pub const CASE: Case = Case {
     name: "time",
@@ -28,7 +28,7 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
     let (low, high) = scene.bounds().unwrap_or_default();
     let center = (0.5 * (low + high)).as_dvec3();
     let scene = bench.upload(scene)?;
-    let mut renderer = Renderer::new(bench.gpu, &scene, SIZE, &Settings::default())?;
+    let mut renderer = Renderer::new(bench.gpu, &scene, SIZE, &unexposed())?;
     let mut outcome = Outcome::default();
     let frames = bench.rays.div_ceil(100).max(2 * STEPS as u64 + 2) as usize;
     // The first place is the still camera's.

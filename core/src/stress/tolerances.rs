@@ -1,6 +1,6 @@
 //! The tolerances of the similarity checks at their extremes and beyond.
 
-use super::{Bench, Case, Outcome};
+use super::{Bench, Case, Outcome, unexposed};
 use crate::options::{Group, Kind, Numbers, OPTIONS, OptionSpec};
 use crate::{Error, Method, Renderer, Result, Settings, scene::builtin};
 
@@ -48,10 +48,10 @@ fn run(bench: &Bench<'_>) -> Result<Outcome> {
     let width = ((bench.rays as f64 / frames as f64 * 4.0 / 3.0).sqrt() as u32 + 4).clamp(16, 2_048);
     let size = [width, width * 3 / 4];
     let frame = |settings: &Settings| Renderer::new(bench.gpu, &scene, size, settings)?.linear_image(&camera);
-    let full = frame(&Settings { method: Method::Full, ..Settings::default() })?;
+    let full = frame(&Settings { method: Method::Full, ..unexposed() })?;
     for Requests { option, field, accepted, refused } in &requests {
         let wish = |value: f32| {
-            let mut settings = Settings::default();
+            let mut settings = unexposed();
             *field(&mut settings) = value;
             settings
         };

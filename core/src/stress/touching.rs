@@ -5,7 +5,7 @@ use glam::{DMat3, DVec3, Vec3, dvec3};
 use super::{
     Bench, Case, Outcome, Random,
     mesh::{Mesh, Objects, bare, rotation},
-    ray,
+    ray, unexposed,
 };
 use crate::{
     Result, Scene, Settings,
@@ -31,7 +31,7 @@ const WIDE: f64 = 0.8;
 
 fn run(bench: &Bench<'_>) -> Result<Outcome> {
     let mut outcome = Outcome::default();
-    let settings = Settings { depth: 6, min_weight: 1.0e-3, ..Settings::default() };
+    let settings = Settings { depth: 6, min_weight: 1.0e-3, ..unexposed() };
     let limits = Limits::of(&settings);
     let names = SCENES.len() as u64;
     for (index, (name, build)) in SCENES.iter().enumerate() {

@@ -5,7 +5,7 @@ use glam::{DVec3, Vec3};
 use super::{
     Bench, Case, Outcome, Random,
     mesh::{Mesh, Objects},
-    ray, thin_pane,
+    ray, thin_pane, unexposed,
 };
 use crate::{Result, Settings, probe::ProbeRay, scene::Environment};
 
@@ -61,7 +61,7 @@ fn cross(
     let eyes: Vec<_> = std::iter::repeat_with(|| eye(target.mesh, random)).take(64).flatten().collect();
     let aimed: Vec<_> = (0..share).map(|_| through(target.mesh, &eyes, random)).collect();
     let rays: Vec<_> = aimed.iter().map(|(ray, _)| *ray).collect();
-    let settings = Settings { depth: DEPTH, min_weight: 0.0, ..Settings::default() };
+    let settings = Settings { depth: DEPTH, min_weight: 0.0, ..unexposed() };
     let counts = bench.probe(&scene).count(&rays)?;
     let samples = bench.probe(&scene).shade(&rays, &settings)?;
     for (i, (ray, inside)) in aimed.iter().enumerate() {
