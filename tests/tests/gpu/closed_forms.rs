@@ -86,7 +86,7 @@ fn dark_wall(ambient: Vec3, blocked: bool) -> Scene {
         let screen = builder.object(matte(Vec3::ONE));
         builder.quad(screen, vec3(-4.0, -4.0, 3.0), 8.0 * Vec3::X, 8.0 * Vec3::Y);
     }
-    builder.point_light(vec3(0.1, 0.2, if blocked { 4.0 } else { -1.0 }), Vec3::splat(10.0));
+    builder.point_light(vec3(0.1, 0.2, if blocked { 4.0 } else { -1.0 }), Vec3::splat(5.0));
     builder.environment(Vec3::ONE, ambient);
     builder.seen_by(front_camera())
 }
@@ -124,7 +124,7 @@ fn light_from_the_front_arrives() {
         let point = origin - origin.z / direction.z * direction;
         let to_light = vec3(0.1, 0.2, 1.0).as_dvec3() - point;
         let cos = to_light.normalize().z;
-        Some(dvec3(0.5, 0.25, 0.125) / PI * 10.0 / to_light.length_squared() * cos)
+        Some(dvec3(0.5, 0.25, 0.125) / PI * 5.0 / to_light.length_squared() * cos)
     });
 }
 
