@@ -6,8 +6,6 @@ use std::str::FromStr;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use glimpse::{Method, Show};
 
-use crate::diff::DiffKind;
-
 #[path = "bounds_options.rs"]
 mod bounds_options;
 #[path = "environment_options.rs"]
@@ -21,7 +19,7 @@ mod scene_options;
 #[path = "vary.rs"]
 mod vary;
 
-pub use bounds_options::BoundsOptions;
+pub use bounds_options::{BoundsOptions, DiffKind};
 pub use environment_options::EnvironmentOptions;
 #[cfg(test)]
 pub use frame_options::default_text;

@@ -1,6 +1,6 @@
 //! Options that bound the error of a picture.
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use glimpse::metrics::{Bounds, ROUNDING_THRESHOLD};
 
 /// Bounds on the error of a picture; the command fails where one does not hold.
@@ -49,6 +49,16 @@ impl BoundsOptions {
         let typed = self.bounds();
         if typed.is_empty() { Bounds { threshold: typed.threshold, ..Bounds::rounding() } } else { typed }
     }
+}
+
+/// What shows the difference.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum DiffKind {
+    /// Absolute differences, eight times as large; pixels beyond the threshold in magenta
+    #[default]
+    Error,
+    /// The map of FLIP, from black to pale yellow
+    Flip,
 }
 
 fn number(text: &str) -> Result<f64, String> {

@@ -10,9 +10,9 @@ use anyhow::{Context, anyhow, bail};
 use clap::{CommandFactory, FromArgMatches};
 use glimpse::{DisplayImage, Gpu, Picture, to_png};
 
-use crate::args::{Arguments, CheckOptions, Command, Size};
+use crate::args::{Arguments, CheckOptions, Command, DiffKind, Size};
 use crate::compare::{self, Comparison};
-use crate::diff::{self, DiffKind};
+use crate::diff;
 use crate::errors::{self, Usage};
 use crate::focus::FrameRequest;
 use crate::measure::{Plan, Workbench};

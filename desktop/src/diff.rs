@@ -1,24 +1,15 @@
 //! The picture of a difference: the judged picture, its reference, and where they differ.
 
-use clap::ValueEnum;
 use glimpse::metrics::{flip_picture, pixel_fails};
 use glimpse::{DisplayImage, Error, Result};
 use image::{Rgba, imageops};
+
+use crate::args::DiffKind;
 
 /// Differences are shown eight times as large.
 const GAIN: u8 = 8;
 /// The colour of failed pixels.
 const FAILED: Rgba<u8> = Rgba([255, 0, 255, 255]);
-
-/// What shows the difference.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum DiffKind {
-    /// Absolute differences, eight times as large; pixels beyond the threshold in magenta
-    #[default]
-    Error,
-    /// The map of FLIP, from black to pale yellow
-    Flip,
-}
 
 /// The judged picture, its reference and their difference side by side.
 pub fn picture(a: &DisplayImage, b: &DisplayImage, threshold: u8, kind: DiffKind) -> Result<DisplayImage> {

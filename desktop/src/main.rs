@@ -11,6 +11,7 @@ mod diff;
 mod errors;
 mod focus;
 mod info;
+mod loading;
 #[cfg(test)]
 mod manual;
 mod measure;

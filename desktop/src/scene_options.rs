@@ -1,13 +1,8 @@
 //! Options of a scene's file.
 
-use std::path::Path;
 use std::str::FromStr;
 
 use clap::Args;
-use glimpse::Scene;
-use glimpse::scene::ImportOptions;
-
-use crate::scene_file;
 
 /// What of a scene's file is shown, and what it may cost.
 #[derive(Clone, Debug, Default, PartialEq, Args)]
@@ -21,19 +16,6 @@ pub struct SceneOptions {
     /// The most memory that the import may take, as 512MiB or 4GiB [default: half of what is available]
     #[arg(long, value_name = "SIZE")]
     pub memory: Option<MemorySize>,
-}
-
-impl SceneOptions {
-    /// Loads a scene as [`scene_file::load_seen`] does.
-    pub fn load(&self, name: &str, seen: &mut dyn FnMut(&Path, &[u8])) -> anyhow::Result<Scene> {
-        let memory = self.memory.map(|MemorySize(bytes)| bytes);
-        let scene =
-            scene_file::load_seen(name, &ImportOptions { variant: self.variant.as_deref(), memory }, seen)?;
-        if self.strict {
-            scene_file::check_whole(name, &scene)?;
-        }
-        Ok(scene)
-    }
 }
 
 /// A number of bytes.
