@@ -113,22 +113,25 @@ impl FrameSpec {
 
     /// The lobes of surfaces.
     pub(super) fn lobes(&self) -> Vec<Source> {
-        let mut sources = vec![wgsl!("wgsl/path/max_component.wgsl"), wgsl!("wgsl/path/directions.wgsl")];
-        if self.features.microfacets {
-            if !self.features.sheen {
-                sources.push(wgsl!("wgsl/shade/lobe_albedos.wgsl"));
-            }
-            sources.extend([
-                wgsl!("wgsl/path/microfacets.wgsl"),
-                wgsl!("wgsl/path/lobes_microfacet.wgsl"),
-            ]);
-        } else {
-            sources.push(pick(
-                self.features.glossy,
-                wgsl!("wgsl/path/lobes.wgsl"),
-                wgsl!("wgsl/path/lobes_matte.wgsl"),
-            ));
+        let f = &self.features;
+        let mut sources = vec![
+            wgsl!("wgsl/path/max_component.wgsl"),
+            wgsl!("wgsl/path/directions.wgsl"),
+            wgsl!("wgsl/path/bsdf_sample.wgsl"),
+        ];
+        if !f.microfacets && !f.glossy {
+            sources.push(wgsl!("wgsl/path/lobes_matte.wgsl"));
+            return sources;
         }
+        sources.push(wgsl!("wgsl/path/lobes_specular.wgsl"));
+        if !f.microfacets {
+            sources.push(wgsl!("wgsl/path/lobes.wgsl"));
+            return sources;
+        }
+        if !f.sheen {
+            sources.push(wgsl!("wgsl/shade/lobe_albedos.wgsl"));
+        }
+        sources.extend([wgsl!("wgsl/path/microfacets.wgsl"), wgsl!("wgsl/path/lobes_microfacet.wgsl")]);
         sources
     }
 }

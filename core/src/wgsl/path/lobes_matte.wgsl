@@ -6,13 +6,6 @@ struct Lobes {
     sum: f32,
 }
 
-struct BsdfSample {
-    ray: Ray,
-    weight: vec3f,
-    kind: u32,
-    density: f32,
-}
-
 fn lobes_unlit(m: Material) -> bool {
     return false;
 }
