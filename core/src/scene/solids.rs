@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::Scene;
+use super::{Material, Scene};
 
 /// Width by which boxes are enlarged, relative to the scene's coordinates: more than the offset of rays from a face.
 const TOUCHING: f32 = 64.0 / 16_777_216.0;
@@ -10,6 +10,12 @@ const TOUCHING: f32 = 64.0 / 16_777_216.0;
 /// Bounding boxes of the solid objects whose boxes meet that of another one.
 #[must_use]
 pub(crate) fn touching_solids(scene: &Scene) -> Vec<(Vec3, Vec3)> {
+    let is_solid = |material: u32| scene.materials.get(material as usize).is_some_and(Material::is_solid);
+    let solid: Vec<_> = scene.objects.iter().map(|object| is_solid(object.material)).collect();
+    // Most scenes have no two solids: their triangles are not looked at.
+    if solid.iter().filter(|solid| **solid).count() < 2 {
+        return Vec::new();
+    }
     let mut boxes = vec![(Vec3::INFINITY, Vec3::NEG_INFINITY); scene.objects.len()];
     let mut extend = |object: u32, low: Vec3, high: Vec3| {
         if let Some((least, most)) = boxes.get_mut(object as usize) {
@@ -22,11 +28,10 @@ pub(crate) fn touching_solids(scene: &Scene) -> Vec<(Vec3, Vec3)> {
     for sphere in &scene.spheres {
         extend(sphere.object, sphere.center - sphere.radius, sphere.center + sphere.radius);
     }
-    let materials = scene.objects.iter().map(|object| scene.materials.get(object.material as usize));
     let mut solids: Vec<_> = boxes
         .into_iter()
-        .zip(materials)
-        .filter(|((low, high), material)| low.cmple(*high).all() && material.is_some_and(|m| m.is_solid()))
+        .zip(solid)
+        .filter(|((low, high), solid)| *solid && low.cmple(*high).all())
         .map(|((low, high), _)| {
             let by = TOUCHING * (low.abs().max(high.abs()).max_element() + (high - low).max_element());
             (low - by, high + by)
