@@ -73,16 +73,19 @@ impl Bounds {
     /// The bounds that a picture with this report and this number of [`failed_pixels`] does not hold.
     #[must_use]
     pub fn violations(&self, report: &ErrorReport, failed_pixels: u64) -> Vec<Violation> {
+        // A bound that is not compared below is an unused variable.
+        let Self { max_rmse, min_psnr, min_ssim, max_flip, max_failed_pixels, threshold: _, max_worst_tile } =
+            *self;
         let psnr = Some(report.psnr_db.unwrap_or(f64::INFINITY));
         let failed = Some(failed_pixels as f64);
         // Each with the greatest value that it allows; of those with a least one both are negated.
         let bounds = [
-            ("max-rmse", self.max_rmse, Some(report.rmse), 1.0),
-            ("min-psnr", self.min_psnr, psnr, -1.0),
-            ("min-ssim", self.min_ssim, Some(report.ssim), -1.0),
-            ("max-flip", self.max_flip, report.flip_mean, 1.0),
-            ("max-failed-pixels", self.max_failed_pixels.map(|most| most as f64), failed, 1.0),
-            ("max-worst-tile", self.max_worst_tile, Some(report.worst_tile_rmse), 1.0),
+            ("max-rmse", max_rmse, Some(report.rmse), 1.0),
+            ("min-psnr", min_psnr, psnr, -1.0),
+            ("min-ssim", min_ssim, Some(report.ssim), -1.0),
+            ("max-flip", max_flip, report.flip_mean, 1.0),
+            ("max-failed-pixels", max_failed_pixels.map(|most| most as f64), failed, 1.0),
+            ("max-worst-tile", max_worst_tile, Some(report.worst_tile_rmse), 1.0),
         ];
         let violated = bounds.into_iter().filter_map(|(bound, allowed, found, sign)| {
             let allowed = allowed?;

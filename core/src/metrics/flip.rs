@@ -35,7 +35,7 @@ pub fn flip(a: &DisplayImage, b: &DisplayImage) -> Result<Flip> {
 /// yellow for 1.
 ///
 /// # Errors
-/// As [`flip`].
+/// [`crate::Error::Setting`] where the sizes differ or the images are empty.
 pub fn flip_picture(a: &DisplayImage, b: &DisplayImage) -> Result<DisplayImage> {
     same_size(a.dimensions(), b.dimensions())?;
     let map = nv_flip::flip(rgb(b), rgb(a), PIXELS_PER_DEGREE).apply_color_lut(&nv_flip::magma_lut());
