@@ -1,6 +1,6 @@
 //! The scene's buffers and images on the device.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use glam::Vec3;
 
@@ -131,8 +131,8 @@ pub struct GpuScene {
     pub(crate) emitter_scale: f32,
     pub(crate) environment: Environment,
     environment_map: Option<Arc<GpuEnvironment>>,
-    /// Table of the albedos of lobes, where there are microfacets or sheen.
-    lobe_albedos: Option<wgpu::TextureView>,
+    /// Table of the albedos of lobes, once a kernel reads it.
+    lobe_albedos: Arc<OnceLock<wgpu::TextureView>>,
     auto_exposure: f32,
     /// The tier that the scene's data is laid out for.
     pub(crate) tier: Tier,
@@ -225,7 +225,7 @@ impl GpuScene {
                 Some(map) => Some(Arc::new(GpuEnvironment::upload(gpu, map)?)),
                 None => None,
             },
-            lobe_albedos: (features.microfacets || features.sheen).then(|| lobe_albedos(gpu)).transpose()?,
+            lobe_albedos: Arc::default(),
             tier: gpu.tier,
             features,
             thinness: Arc::new(thinness),
@@ -289,8 +289,12 @@ impl GpuScene {
         !self.solids.is_empty()
     }
 
-    /// Names and bindings of all scene resources that shaders read.
-    pub(crate) fn resources(&self) -> Vec<(&'static str, wgpu::BindingResource<'_>)> {
+    /// Names and bindings of all scene resources that shaders read, with or without the table of the albedos of lobes.
+    pub(crate) fn resources(
+        &self,
+        gpu: &Gpu,
+        lobe_albedos: bool,
+    ) -> Result<Vec<(&'static str, wgpu::BindingResource<'_>)>> {
         let mut resources = vec![
             ("nodes", self.nodes.binding()),
             ("primitives", self.primitives.binding()),
@@ -304,10 +308,21 @@ impl GpuScene {
             ("atlas_data", wgpu::BindingResource::TextureView(&self.atlas.data)),
         ];
         resources.extend(self.environment_map.iter().flat_map(|map| map.resources()));
-        resources.extend(
-            self.lobe_albedos.iter().map(|view| ("lobe_albedos", wgpu::BindingResource::TextureView(view))),
-        );
-        resources
+        if lobe_albedos {
+            let table = self.lobe_albedos(gpu)?;
+            resources.push(("lobe_albedos", wgpu::BindingResource::TextureView(table)));
+        }
+        Ok(resources)
+    }
+
+    fn lobe_albedos(&self, gpu: &Gpu) -> Result<&wgpu::TextureView> {
+        if let Some(table) = self.lobe_albedos.get() {
+            return Ok(table);
+        }
+        let albedos = LobeAlbedos::new();
+        let level = (ALBEDO_SIDE as u32, bytemuck::cast_slice(&albedos.entries));
+        let table = environment::texture(gpu, "lobe_albedos", wgpu::TextureFormat::Rgba32Float, &[level])?;
+        Ok(self.lobe_albedos.get_or_init(|| table))
     }
 
     /// Sizes in bytes: everything except the acceleration structure, and the acceleration structure.
@@ -321,12 +336,6 @@ impl GpuScene {
             + self.environment_map.as_ref().map_or(0, |map| map.bytes());
         (scene, self.nodes.bytes())
     }
-}
-
-fn lobe_albedos(gpu: &Gpu) -> Result<wgpu::TextureView> {
-    let table = LobeAlbedos::new();
-    let level = (ALBEDO_SIDE as u32, bytemuck::cast_slice(&table.entries));
-    environment::texture(gpu, "lobe_albedos", wgpu::TextureFormat::Rgba32Float, &[level])
 }
 
 fn primitives(scene: &Scene, order: &[u32]) -> Vec<[[f32; 3]; 3]> {

@@ -168,7 +168,7 @@ impl Passes {
             .map(|stage| kernels.get(gpu, stage.name, spec.sources(stage)))
             .collect::<Result<Vec<_>>>()?;
         let color = color.create_view(&wgpu::TextureViewDescriptor::default());
-        let mut resources = scene.resources();
+        let mut resources = scene.resources(gpu, spec.reads_lobe_albedos())?;
         resources.extend([
             ("attributes", targets.attributes.as_entire_binding()),
             ("list", targets.list.as_entire_binding()),

@@ -98,16 +98,7 @@ impl FrameSpec {
         let (features, scene) = match settings.specialize {
             Specialize::Auto => (needed, scene),
             // Shaders read the number of lights and the vertex layout instead of having them as constants.
-            Specialize::All => {
-                let features = Features {
-                    environment_map: needed.environment_map,
-                    microfacets: needed.microfacets,
-                    nested_media: needed.nested_media,
-                    sheen: needed.sheen,
-                    ..Features::all()
-                };
-                (features, SceneFacts { bvh_stack: MAX_STACK, ..scene })
-            }
+            Specialize::All => (Features::all_beside(&needed), SceneFacts { bvh_stack: MAX_STACK, ..scene }),
         };
         Self {
             settings: *settings,
@@ -146,6 +137,11 @@ impl FrameSpec {
     /// Whether samples tell that their mirrored ray met nothing, where it would see an environment map.
     pub(super) fn mirrors_environment(&self) -> bool {
         self.features.environment_map && self.features.reflection
+    }
+
+    /// Whether kernels read the table of the albedos of lobes.
+    pub(crate) fn reads_lobe_albedos(&self) -> bool {
+        self.features.sheen || self.features.microfacets && self.settings.method.is_path_traced()
     }
 
     /// First bit of the shadow mask in the object's word; `None` if the mask has a word of its own.

@@ -140,7 +140,7 @@ impl<'a> Probe<'a> {
         let settings_of_kernel = Settings { depth: settings.depth, ..self.spec.settings };
         let spec = FrameSpec { settings: settings_of_kernel, ..self.spec };
         let camera = Camera::framing(self.scene.bounds().0, self.scene.bounds().1);
-        // Rays start anywhere.
+        // Any ray may start inside of a solid.
         let eye_in_solid = u32::from(self.scene.nests_media());
         let frame = FrameUniform { eye_in_solid, ..FrameUniform::new(self.scene, settings, [1, 1], &camera) };
         let frame = self.gpu.filled("frame", bytemuck::bytes_of(&frame), wgpu::BufferUsages::UNIFORM)?;
@@ -172,7 +172,7 @@ impl<'a> Probe<'a> {
         rescale: impl Fn(&mut O, f64),
         more: impl IntoIterator<Item = (&'static str, wgpu::BindingResource<'r>)>,
     ) -> Result<(Vec<O>, f64)> {
-        let mut resources = self.scene.resources();
+        let mut resources = self.scene.resources(self.gpu, self.spec.reads_lobe_albedos())?;
         resources.extend(more);
         let (sane, scales): (Vec<_>, Vec<_>) = rays.iter().map(ray::sane).unzip();
         let (mut results, ms) = dispatch(self.gpu, label, sources, &sane, &resources)?;

@@ -12,6 +12,7 @@ macro_rules! features {
 
         impl Features {
             const EVERY: Self = Self { $($name: true,)* };
+            const NONE: Self = Self { $($name: false,)* };
 
             /// The number of features.
             pub const COUNT: usize = [$(stringify!($name)),*].len();
@@ -126,9 +127,20 @@ impl Features {
     /// All features switched on, for kernels that link every piece.
     #[must_use]
     pub fn all() -> Self {
-        // The textures of an environment map, the table of lobes' albedos and lists of media exist only where they are
-        // needed.
-        Self { environment_map: false, microfacets: false, nested_media: false, sheen: false, ..Self::EVERY }
+        Self::all_beside(&Self::NONE)
+    }
+
+    /// All features switched on for a scene that needs these. The textures of an environment map, the table of lobes'
+    /// albedos and lists of media exist only where they are needed.
+    #[must_use]
+    pub(crate) fn all_beside(needed: &Self) -> Self {
+        Self {
+            environment_map: needed.environment_map,
+            microfacets: needed.microfacets,
+            nested_media: needed.nested_media,
+            sheen: needed.sheen,
+            ..Self::EVERY
+        }
     }
 
     /// Whether a sample may trace rays besides the primary one and shadow rays, so that their radiance is stored.
