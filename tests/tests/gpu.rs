@@ -24,5 +24,6 @@ mod gpu {
     mod sides;
     mod stress;
     mod supersample;
+    mod terminator;
     mod traversal;
 }

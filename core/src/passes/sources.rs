@@ -191,16 +191,27 @@ impl FrameSpec {
                     wgsl!("wgsl/trace/surface_maps.wgsl"),
                     wgsl!("wgsl/trace/surface_maps_none.wgsl"),
                 ),
-                match (f.lights, f.coverage) {
-                    (true, true) => wgsl!("wgsl/shade/shadow_coverage.wgsl"),
-                    (true, false) => wgsl!("wgsl/shade/shadow_rays.wgsl"),
-                    (false, _) => wgsl!("wgsl/shade/shadow_none.wgsl"),
-                },
             ]
             .into_iter()
+            .chain(self.shadow_sources())
             .chain(self.media_sources())
             .chain(self.vertex_sources()),
         )
+    }
+
+    fn shadow_sources(&self) -> Vec<Source> {
+        let f = &self.features;
+        if !f.lights {
+            return vec![wgsl!("wgsl/shade/shadow_none.wgsl")];
+        }
+        vec![
+            pick(f.coverage, wgsl!("wgsl/shade/shadow_coverage.wgsl"), wgsl!("wgsl/shade/shadow_rays.wgsl")),
+            pick(
+                f.smooth_normals,
+                wgsl!("wgsl/shade/terminator_smooth.wgsl"),
+                wgsl!("wgsl/shade/terminator_flat.wgsl"),
+            ),
+        ]
     }
 
     fn media_sources(&self) -> Vec<Source> {

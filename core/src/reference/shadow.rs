@@ -5,6 +5,7 @@ use std::cell::Cell;
 use glam::DVec3;
 
 use super::{Cause, Material, Ray, Reference, Rounding, Surface, material::Shading};
+use crate::scene::octahedral_decode_exact;
 
 /// Shadow rays end at this fraction of the distance to a light, so that a light that lies in a surface is not
 /// shadowed by it.
@@ -42,17 +43,53 @@ impl Reference {
         if s.normal.dot(direction) <= 0.0 && !self.material_of(s.object).has_normal_map() {
             return 1.0;
         }
-        if s.face.dot(direction) <= 0.0 {
+        if s.face.dot(direction) > 0.0 {
+            return self.share_along(light, origin, direction, arrival.distance, Some(s.primitive), rounding);
+        }
+        // The face shadows itself, but not the curved surface above it.
+        let lift = self.lift(s);
+        if s.normal.dot(direction) <= 0.0 || lift.dot(s.face) <= rounding.spawn(Cause::ShadowEdge, s.extent) {
             return 0.0;
         }
-        let t_max = REACH * arrival.distance - f64::from(self.scene.lights[light].radius);
-        let t_max = if t_max.is_finite() {
-            rounding.number(Cause::ShadowEdge, t_max, arrival.distance)
-        } else {
-            t_max
-        };
-        let ray = Ray { origin, direction, t_max, width: 0.0, growth: 0.0 };
-        self.unobstructed(&ray, Some(s.primitive), rounding)
+        let up = Ray { origin, direction: lift, t_max: 1.0, width: 0.0, growth: 0.0 };
+        let share = self.unobstructed(&up, Some(s.primitive), rounding);
+        if share == 0.0 {
+            return 0.0;
+        }
+        let above = self.arrival(light, origin + lift);
+        share * self.share_along(light, origin + lift, above.direction, above.distance, None, rounding)
+    }
+
+    /// Share of a light that arrives from a direction at a point, on the primitive `left` if on any.
+    fn share_along(
+        &self,
+        light: usize,
+        origin: DVec3,
+        direction: DVec3,
+        distance: f64,
+        left: Option<usize>,
+        rounding: &mut Rounding,
+    ) -> f64 {
+        let mut t_max = REACH * distance - f64::from(self.scene.lights[light].radius);
+        if t_max.is_finite() {
+            t_max = rounding.number(Cause::ShadowEdge, t_max, distance);
+        }
+        self.unobstructed(&Ray { origin, direction, t_max, width: 0.0, growth: 0.0 }, left, rounding)
+    }
+
+    /// Vector from a point of a triangle to the curved surface that the normals of its corners stand for (Hanika 2021,
+    /// "Hacking the Shadow Terminator").
+    fn lift(&self, s: &Surface) -> DVec3 {
+        let Some(corners) = self.scene.positions.get(s.primitive) else { return DVec3::ZERO };
+        let side = if s.inside { -1.0 } else { 1.0 };
+        let weights = DVec3::new(1.0 - s.barycentric.x - s.barycentric.y, s.barycentric.x, s.barycentric.y);
+        let planes = corners.iter().zip(self.scene.normals[s.primitive]).zip(weights.to_array());
+        let lifts = planes.map(|((corner, normal), weight)| {
+            let normal = side * octahedral_decode_exact(normal);
+            let below = (s.position - corner.as_dvec3()).dot(normal).min(0.0);
+            -weight * below * normal
+        });
+        lifts.sum()
     }
 
     /// Direct light that surfaces dim on its way, reflected to the viewer: what [`Reference::shadow_bits`] leaves

@@ -11,6 +11,8 @@ use crate::scene::octahedral_decode_exact;
 pub struct Surface {
     /// Position in world space.
     pub position: DVec3,
+    /// Barycentric weights of a triangle's second and third corner.
+    pub barycentric: DVec2,
     /// OID of the object.
     pub object: u32,
     /// Index of the primitive.
@@ -92,6 +94,7 @@ impl Reference {
         let size = (high - low).max_element();
         Surface {
             position,
+            barycentric: DVec2::new(intersection.u, intersection.v),
             object: intersection.object,
             primitive: intersection.primitive,
             normal,

@@ -58,6 +58,11 @@ fn lights_arrival(index: u32, position: vec3f) -> Arrival {
     return Arrival(direction, distance, frame.exposure * light.intensity * falloff);
 }
 
+// Length of a shadow ray: it ends in front of a surface in which the light lies.
+fn lights_reach(index: u32, distance: f32) -> f32 {
+    return max(distance * 0.99999 - lights.list[index].radius, 0.0);
+}
+
 fn lights_reflected(m: Material, diffuse: vec3f, position: vec3f, normal: vec3f, view: vec3f, shadow: u32) -> vec3f {
     var sum = vec3f(0.0);
     for (var i = 0u; i < lights_count(); i += 1u) {

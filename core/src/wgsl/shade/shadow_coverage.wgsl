@@ -13,18 +13,19 @@ fn shadow_bits(s: Surface) -> u32 {
         if dot(s.normal, arrival.direction) <= 0.0 && !material_has_normal_map(s.object) {
             continue;
         }
-        var share = 0.0;
-        if dot(s.face, arrival.direction) > 0.0 {
-            inspect_ray(RAY_SHADOW);
-            let reach = max(arrival.distance * 0.99999 - lights.list[i].radius, 0.0);
-            any_hit_through = 1.0;
-            let hit = bvh_traverse(Ray(origin, reach, arrival.direction, s.primitive, 0.0, vec2f(0.0)), true);
-            share = select(0.0, any_hit_through, hit.primitive == MISS);
-        }
+        let share = shadow_arriving(s, i, origin, arrival);
         shadow_shares[i] = share;
         bits |= select(0u, 1u << i, share < 1.0);
     }
     return bits;
+}
+
+// Share of the light that arrives along a ray.
+fn shadow_along(ray: Ray) -> f32 {
+    inspect_ray(RAY_SHADOW);
+    any_hit_through = 1.0;
+    let hit = bvh_traverse(ray, true);
+    return select(0.0, any_hit_through, hit.primitive == MISS);
 }
 
 fn shadow_share(bits: u32, light: u32) -> f32 {

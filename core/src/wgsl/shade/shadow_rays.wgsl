@@ -9,15 +9,15 @@ fn shadow_bits(s: Surface) -> u32 {
         if dot(s.normal, arrival.direction) <= 0.0 && !material_has_normal_map(s.object) {
             continue;
         }
-        var blocked = dot(s.face, arrival.direction) <= 0.0;
-        if !blocked {
-            inspect_ray(RAY_SHADOW);
-            let reach = max(arrival.distance * 0.99999 - lights.list[i].radius, 0.0);
-            blocked = bvh_traverse(Ray(origin, reach, arrival.direction, s.primitive, 0.0, vec2f(0.0)), true).primitive != MISS;
-        }
-        bits |= select(0u, 1u << i, blocked);
+        bits |= select(0u, 1u << i, shadow_arriving(s, i, origin, arrival) == 0.0);
     }
     return bits;
+}
+
+// Share of the light that arrives along a ray: 0 or 1.
+fn shadow_along(ray: Ray) -> f32 {
+    inspect_ray(RAY_SHADOW);
+    return select(0.0, 1.0, bvh_traverse(ray, true).primitive == MISS);
 }
 
 // Share of a light that arrives.

@@ -5,6 +5,8 @@ struct Surface {
     primitive: u32,
     t: f32,
     position: vec3f,
+    // Barycentric weights of the second and third corner.
+    barycentric: vec2f,
     object: u32,
     // Shading normal and face normal, both on the viewer's side of the face.
     normal: vec3f,
@@ -32,6 +34,7 @@ fn surface_at(ray: Ray, hit: Hit) -> Surface {
     }
     s.primitive = hit.primitive;
     s.t = hit.t;
+    s.barycentric = vec2f(hit.u, hit.v);
     s.object = shading_at(hit.primitive).w & SURFACE_OBJECT;
     s.cone = cone_arrived(ray, hit.t);
     if !sphere_is(hit.primitive) && texture_seam_matters(s.object) {
