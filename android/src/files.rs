@@ -45,7 +45,9 @@ pub fn assets(app: &AndroidApp) -> Vec<String> {
 /// The reader of scenes for the session; it may be called on any thread.
 pub fn reader(app: &AndroidApp, names: &Names) -> Files {
     let (app, names) = (app.clone(), names.clone());
-    Arc::new(move |name| load(&app, &names, name).map_err(|reason| format!("{name}: {reason}")))
+    Arc::new(move |name| {
+        load(&app, &names, name).map(Into::into).map_err(|reason| format!("{name}: {reason}"))
+    })
 }
 
 fn load(app: &AndroidApp, names: &Names, name: &str) -> Result<Scene, String> {

@@ -91,6 +91,12 @@ impl CameraControl {
         }
     }
 
+    /// The control with the camera moved to the pose of another one at once.
+    #[must_use]
+    pub fn moved_to(self, camera: &Camera) -> Self {
+        Self { orbit_state: OrbitState::of(camera, &self.extent), moved: true, ..self }
+    }
+
     /// Takes a motion. Values that are not finite are ignored. For [`Motion::Focus`] call [`CameraControl::focus`]
     /// instead, which takes the surface point.
     pub fn apply(&mut self, motion: Motion, navigation: Navigation) {

@@ -37,7 +37,7 @@ pub use governor::{FrameReport, Governor, Quality};
 pub use hud::{FLY_KEYS, Hud, UserRequest};
 pub use hud_state::{Busy, HISTORY, HudState};
 pub use lenses::Lenses;
-pub use loading::SceneFacts;
+pub use loading::{Opened, SceneFacts, StartCamera};
 pub use painter::{Painter, Painting};
 pub use phones::{Phone, Sourced};
 pub use scene_renderer::{Counted, Job, RenderedFrame};

@@ -5,6 +5,35 @@ use glimpse::{Camera, Gpu, GpuScene, Scene};
 
 use crate::{Files, WorkerEvent, worker::EventSender};
 
+/// A scene that was read, and the camera that shows it first.
+pub struct Opened {
+    /// The scene.
+    pub scene: Scene,
+    /// Its first camera.
+    pub camera: StartCamera,
+}
+
+/// The camera that shows a scene first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StartCamera {
+    /// The scene's camera of this index.
+    OfScene(usize),
+    /// A camera of the user's own.
+    Free(Camera),
+}
+
+impl Default for StartCamera {
+    fn default() -> Self {
+        Self::OfScene(0)
+    }
+}
+
+impl From<Scene> for Opened {
+    fn from(scene: Scene) -> Self {
+        Self { scene, camera: StartCamera::default() }
+    }
+}
+
 /// Properties of a loaded scene.
 #[derive(Clone, Debug)]
 pub struct SceneFacts {
@@ -14,6 +43,8 @@ pub struct SceneFacts {
     pub primitives: u64,
     /// Cameras of the scene with their names; at least one.
     pub cameras: Vec<(String, Camera)>,
+    /// The camera that shows it first.
+    pub start: StartCamera,
     /// The point of the file's coordinates where the scene's are zero.
     pub origin: DVec3,
     /// Lowest and highest corner of the bounding box, in world space.
@@ -47,12 +78,13 @@ pub(crate) fn load(
     event_sender: &EventSender,
 ) -> Result<Loaded, String> {
     event_sender.send(WorkerEvent::Loading(format!("reading {name}"), [1, 3]));
-    let mut scene = files(name)?;
+    let Opened { mut scene, camera } = files(name)?;
     let features = glimpse::Features::of(&scene).list().to_vec();
     let facts = SceneFacts {
         name: name.to_owned(),
         primitives: (scene.triangle_objects.len() + scene.spheres.len()) as u64,
         cameras: scene.cameras.clone(),
+        start: camera,
         origin: scene.origin,
         bounds: scene.bounds().unwrap_or_default(),
         warnings: told(&mut scene),

@@ -11,16 +11,16 @@ use std::{
 };
 
 use glam::Vec3;
-use glimpse::{Camera, DisplayImage, Gpu, Scene};
+use glimpse::{Camera, DisplayImage, Gpu};
 
 use crate::{
-    loading::{Loaded, SceneFacts, load},
+    loading::{Loaded, Opened, SceneFacts, load},
     mailbox::Mailbox,
     scene_renderer::{Counted, Job, RenderedFrame, SceneRenderer},
 };
 
 /// Reads the named scene: `builtin:NAME`, or a name that the shell gives to a file. Called on loader threads.
-pub type Files = Arc<dyn Fn(&str) -> Result<Scene, String> + Send + Sync>;
+pub type Files = Arc<dyn Fn(&str) -> Result<Opened, String> + Send + Sync>;
 
 /// Wakes the shell's event loop when the worker has sent a message. Called on any thread.
 pub type Wake = Arc<dyn Fn() + Send + Sync>;

@@ -1,7 +1,8 @@
 //! Handles messages of the worker, and requests the next frame.
 
 use crate::{
-    App, Busy, CameraControl, RenderedFrame, Request, SceneFacts, Worker, WorkerEvent, app::MAX_LOSSES,
+    App, Busy, CameraControl, RenderedFrame, Request, SceneFacts, StartCamera, Worker, WorkerEvent,
+    app::MAX_LOSSES,
 };
 
 impl App {
@@ -67,8 +68,16 @@ impl App {
         (hud_state.features, hud_state.left_out) = (named(true), named(false));
         (hud_state.counts, hud_state.psnr_db) = (None, None);
         if !again || self.control.is_none() {
-            hud_state.camera = 0;
-            self.control = facts.cameras.first().map(|(_, camera)| CameraControl::new(*camera, facts.bounds));
+            let (index, free) = match facts.start {
+                StartCamera::OfScene(index) => (index, None),
+                StartCamera::Free(camera) => (0, Some(camera)),
+            };
+            hud_state.camera = index;
+            let control = facts.cameras.get(index).map(|(_, home)| CameraControl::new(*home, facts.bounds));
+            self.control = match free {
+                Some(camera) => control.map(|control| control.moved_to(&camera)),
+                None => control,
+            };
         }
         self.delivery.scene_opened();
         self.device.scene_opened();

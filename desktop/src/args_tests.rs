@@ -12,7 +12,8 @@ use glimpse::{
 use super::*;
 
 fn parse(line: &str) -> Result<Arguments, clap::Error> {
-    Arguments::try_parse_from(std::iter::once("glimpse").chain(line.split_whitespace()))
+    let words = std::iter::once("glimpse").chain(line.split_whitespace());
+    Arguments::of(Arguments::command(), words.map(OsString::from).collect())
 }
 
 fn render(line: &str) -> RenderOptions {
@@ -82,10 +83,10 @@ fn the_definition_is_sound() {
 fn the_defaults_are_those_of_the_settings() {
     let options = render("render a.glb -o b.png");
     assert_eq!(options.frame.settings(options.method).unwrap(), Settings::default());
-    assert_eq!(options.frame.size, Size([2560, 1440]));
+    assert_eq!(options.size, Size([2560, 1440]));
     assert_eq!((options.frames, options.show, options.reference), (1, Show::Final, false));
     assert_eq!(FrameOptions::default().settings(Method::Adaptive).unwrap(), Settings::default());
-    assert_eq!(FrameOptions::default().size, options.frame.size);
+    assert_eq!(FrameOptions::default(), options.frame);
 }
 
 #[test]
@@ -126,7 +127,7 @@ fn every_option_of_render_arrives() {
             paths: glimpse::Paths::default(),
         }
     );
-    assert_eq!(options.frame.size, Size([640, 480]));
+    assert_eq!(options.size, Size([640, 480]));
     assert_eq!(options.frame.camera.as_deref(), Some("top"));
     assert_eq!(
         (options.show, options.frames, options.reference),
@@ -137,12 +138,59 @@ fn every_option_of_render_arrives() {
 
 #[test]
 fn bare_view_and_scene_alone() {
-    let bare = parse("").unwrap();
-    assert!(bare.command.is_none() && bare.scene.is_none());
-    assert_eq!(parse("a.glb --adapter nv -vv").unwrap().scene.as_deref(), Some("a.glb"));
-    let view = parse("view builtin:cornell -v").unwrap();
-    assert_eq!(view.verbose, 1);
-    assert!(matches!(view.command, Some(Command::View(ViewOptions { scene: Some(_), .. }))));
+    let Some(Command::View(bare)) = parse("").unwrap().command else { panic!("view") };
+    assert!(bare.scene.is_none() && bare.size.is_none());
+    for line in
+        ["a.glb --adapter nv -vv --size 64x48", "view a.glb -v -v --size 64x48", "-vv a.glb --size 64x48"]
+    {
+        let arguments = parse(line).unwrap();
+        assert_eq!(arguments.verbose, 2, "{line}");
+        let Some(Command::View(view)) = arguments.command else { panic!("{line}") };
+        assert_eq!((view.scene.as_deref(), view.size), (Some("a.glb"), Some(Size([64, 48]))), "{line}");
+    }
+}
+
+#[test]
+fn a_word_that_is_neither_command_nor_scene_is_told_what_it_may_mean() {
+    for (line, expected) in [
+        ("rendr builtin:room -o a.png", "rendr: expected a command"),
+        ("rendr builtin:room -o a.png", "did you mean `glimpse render`?"),
+        ("room", "did you mean `builtin:room`?"),
+        ("comprae a.png b.png", "did you mean `glimpse compare`?"),
+        ("-v chcek a.toml", "did you mean `glimpse check`?"),
+    ] {
+        let error = parse(line).expect_err(line);
+        assert!(error.to_string().contains(expected), "{line}: {error}");
+        assert_eq!(error.exit_code(), 2);
+    }
+    let error = parse("zzz").unwrap_err().to_string();
+    assert!(!error.contains("did you mean") && error.contains("builtin:NAME"), "{error}");
+    for (line, expected) in [
+        ("render builtin:room -o a.png --methd full", "'--method'"),
+        ("render builtin:room -o a.png --method ful", "'full'"),
+        ("render builtin:room -o a.png --show dept", "'depth'"),
+        ("bench builtin:room --vary blok=2", "did you mean block?"),
+        ("bench builtin:room --vary mip=onn", "did you mean on?"),
+        ("stress slivrs", "'slivers'"),
+    ] {
+        let error = parse(line).expect_err(line).to_string();
+        assert!(error.contains(expected), "{line}: {error}");
+    }
+}
+
+#[test]
+fn of_an_option_that_is_repeated_the_last_counts_and_variations_add_up() {
+    let options = render(
+        "render a.glb -o a.png --size 1x1 --depth 2 -o b.png --size 4x3 --depth 5 --stats a --stats b",
+    );
+    assert_eq!((options.size, options.stats), (Size([4, 3]), Some("b".into())));
+    assert_eq!(options.output.path, Path::new("b.png"));
+    assert_eq!(options.frame.settings(options.method).unwrap().depth, 5);
+    assert_eq!(bench("bench a.glb --vary block=2 --vary depth=1,2").unwrap().vary.len(), 2);
+    let Some(Command::View(view)) = parse("view a.glb --size 1x1 --size 2x2 -v -v").unwrap().command else {
+        panic!("view")
+    };
+    assert_eq!(view.size, Some(Size([2, 2])));
 }
 
 #[test]
@@ -222,6 +270,10 @@ fn values_that_parse_but_mean_nothing_are_named() {
 fn help_and_version_are_no_failure() {
     assert_eq!(parse("--help").unwrap_err().kind(), ErrorKind::DisplayHelp);
     assert_eq!(parse("--version").unwrap_err().exit_code(), 0);
+    for line in ["help", "help render", "render --help-all", "view -h"] {
+        assert_eq!(parse(line).unwrap_err().kind(), ErrorKind::DisplayHelp, "{line}");
+    }
+    assert_eq!(parse("help rendr").unwrap_err().exit_code(), 2);
 }
 
 #[test]

@@ -21,7 +21,7 @@ pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> 
     cpu_tracer::check(&requests, options.frames)?;
     options.scenes.iter().try_for_each(|name| scene_file::check(name))?;
     options.frame.environment.surroundings().check()?;
-    let Size(size) = options.frame.size;
+    let Size(size) = options.size;
     let against = rows.iter().map(|row| rows.iter().position(|full| full.request == row.baseline)).collect();
     let pan = options.pan.map(|degrees| Pan { degrees, against });
     let plan = Plan { size, frames: options.frames, linear: false, pan };

@@ -1,7 +1,7 @@
 //! Tests of the measured rows and the table.
 
 use super::*;
-use crate::args::FrameOptions;
+use crate::args::{FrameOptions, Size};
 use crate::statistics::tests::example;
 
 #[test]
@@ -27,6 +27,7 @@ fn without_full_there_is_nothing_to_compare() {
 fn bench(methods: &[Method], vary: &[&str]) -> BenchOptions {
     BenchOptions {
         scenes: vec![],
+        size: Size([4, 3]),
         frame: FrameOptions::default().with("block", "4").unwrap(),
         methods: methods.to_vec(),
         vary: vary.iter().map(|text| text.parse().unwrap()).collect(),

@@ -7,25 +7,31 @@ use glimpse::metrics::{Bounds, ROUNDING_THRESHOLD};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Args)]
 #[command(next_help_heading = "Bounds")]
 pub struct BoundsOptions {
-    /// The largest RMSE, in levels of 0 to 255
+    /// Largest RMSE, in levels of 0 to 255
     #[arg(long, value_name = "LEVELS", value_parser = number)]
     pub max_rmse: Option<f64>,
-    /// The least PSNR in decibels
+    /// Least PSNR in decibels
     #[arg(long, value_name = "DB", value_parser = number)]
     pub min_psnr: Option<f64>,
-    /// The least structural similarity; 1 for equal pictures
+    /// Least structural similarity, up to 1
     #[arg(long, value_name = "X", value_parser = number)]
     pub min_ssim: Option<f64>,
-    /// The largest mean FLIP, 0 to 1
+    /// Largest mean FLIP, 0 to 1
     #[arg(long, value_name = "X", value_parser = number)]
     pub max_flip: Option<f64>,
-    /// The largest number of pixels of which a channel differs by more than the threshold
+    /// Largest number of pixels that differ
+    ///
+    /// A pixel differs if one of its channels does by more than the threshold
     #[arg(long, value_name = "N")]
     pub max_failed_pixels: Option<u64>,
-    /// The difference of a channel up to which a pixel does not fail, in levels of 0 to 255 [default: 2]
+    /// Allowed difference in levels [default: 2]
+    ///
+    /// The difference of a channel up to which a pixel does not fail, 0 to 255
     #[arg(long, value_name = "LEVELS")]
     pub threshold: Option<u8>,
-    /// The largest RMSE of a tile of 8x8 pixels, in levels of 0 to 255
+    /// Largest RMSE of a tile of 8x8 pixels
+    ///
+    /// In levels of 0 to 255
     #[arg(long, value_name = "LEVELS", value_parser = number)]
     pub max_worst_tile: Option<f64>,
 }

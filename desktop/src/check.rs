@@ -91,11 +91,7 @@ fn stem(path: &Path) -> String {
 fn parsed(arguments: &[String]) -> anyhow::Result<CheckOptions> {
     let command = ["glimpse", "check"].map(str::to_owned);
     let matches = Arguments::command().try_get_matches_from(command.iter().chain(arguments));
-    let wrong = |error: clap::Error| {
-        let text = error.to_string();
-        let line = text.lines().next().unwrap_or_default().trim_start_matches("error: ");
-        anyhow!(Usage(line.to_owned()))
-    };
+    let wrong = |error: clap::Error| anyhow!(Usage(errors::of_usage(&error)));
     match Arguments::from_arg_matches(&matches.map_err(wrong)?).map_err(wrong)?.command {
         Some(Command::Check(options)) => Ok(options),
         _ => bail!(Usage("expected the arguments of `check`".to_owned())),
@@ -132,13 +128,12 @@ impl Case {
     }
 
     fn picture(&self, gpu: &Gpu, progress: &Progress) -> anyhow::Result<DisplayImage> {
-        let CheckOptions { scene, frame, method, .. } = &self.options;
+        let CheckOptions { scene, frame, method, size: Size(size), .. } = &self.options;
         scene_file::check(scene)?;
         frame.environment.surroundings().check()?;
         let requests = [FrameRequest::of(frame, *method)?];
         let workbench = Workbench::set(gpu, scene, frame, &requests, progress)?;
-        let Size(size) = frame.size;
-        Plan { size, frames: 0, linear: false, pan: None }.picture(&workbench)
+        Plan { size: *size, frames: 0, linear: false, pan: None }.picture(&workbench)
     }
 }
 

@@ -3,15 +3,20 @@
 use clap::Args;
 use glimpse_measure::surroundings::{EnvironmentChoice, Surroundings};
 
+use super::SCENE;
+
 /// What surrounds the scene instead of what its file states.
 #[derive(Clone, Debug, Default, PartialEq, Args)]
+#[command(next_help_heading = SCENE)]
 pub struct EnvironmentOptions {
-    /// Light from all around: a .hdr or .exr file (equirectangular), builtin:studio, or none [default: what the file
-    /// states; the studio if it brings no light]
+    /// Light from a .hdr or .exr file, builtin:studio, or none
+    ///
+    /// The map is equirectangular [default: what the file states; the studio if it brings no light]
     #[arg(long, value_name = "FILE", value_parser = str::parse::<EnvironmentChoice>)]
     pub environment: Option<EnvironmentChoice>,
     /// Turns the environment about the vertical axis, counter-clockwise seen from above
-    #[arg(long, value_name = "DEGREES", default_value_t = 0.0, allow_negative_numbers = true, value_parser = degrees)]
+    #[arg(long, hide_short_help = true, value_name = "DEGREES", default_value_t = 0.0, allow_negative_numbers = true,
+        value_parser = degrees)]
     pub environment_rotation: f32,
 }
 

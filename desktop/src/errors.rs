@@ -26,6 +26,15 @@ pub fn is_usage(error: &anyhow::Error) -> bool {
     })
 }
 
+/// What the parser of the command line says is wrong, as one line without the usage.
+pub fn of_usage(error: &clap::Error) -> String {
+    let text = error.to_string();
+    let of_error = |line: &&str| !line.starts_with("Usage:") && !line.starts_with("For more information");
+    let lines: Vec<_> =
+        text.lines().take_while(of_error).map(str::trim).filter(|line| !line.is_empty()).collect();
+    lines.join(" ").trim_start_matches("error: ").to_owned()
+}
+
 /// Formats the error with its causes as one line, with a suggestion if there is one.
 pub fn told(error: &anyhow::Error) -> String {
     let causes = error.chain().map(|cause| cause.downcast_ref().map_or_else(|| cause.to_string(), of_core));
@@ -108,6 +117,22 @@ mod tests {
         assert!(is_usage(&deep(Error::setting("depth", "1 to 64", "0").into())));
         assert!(is_usage(&deep(Usage("CASE: expected one of two".to_owned()).into())));
         assert!(!is_usage(&deep(Error::scene("mesh 0", "no positions").into())));
+    }
+
+    #[test]
+    fn wrong_usage_is_one_line_with_its_tip() {
+        let of = |words: &str| {
+            let words = words.split_whitespace().map(Into::into).collect();
+            of_usage(&Arguments::of(Arguments::command(), words).unwrap_err())
+        };
+        let line = of("glimpse render a.glb -o a.png --method ful");
+        assert!(
+            line.starts_with("invalid value 'ful' for '--method <NAME>' [possible values: full, "),
+            "{line}"
+        );
+        assert!(line.ends_with("tip: a similar value exists: 'full'"), "{line}");
+        let line = of("glimpse render a.glb");
+        assert_eq!(line, "the following required arguments were not provided: --output <OUT>");
     }
 
     #[test]

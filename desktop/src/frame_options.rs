@@ -5,41 +5,25 @@ use std::marker::PhantomData;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser, ValueParser};
 use clap::error::ErrorKind;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
-use glimpse::options::{Choice, Kind, OPTIONS, OptionSpec};
+use glimpse::options::{Choice, Kind, OPTIONS, OptionSpec, suggestion};
 use glimpse::{Method, Settings};
 
-use super::{EnvironmentOptions, LookAtOptions, SceneOptions, Size};
+use super::{EnvironmentOptions, LookAtOptions, SCENE, SceneOptions};
 
 /// What every rendering command takes.
-#[derive(Clone, Debug, PartialEq, Args)]
+#[derive(Clone, Debug, Default, PartialEq, Args)]
 pub struct FrameOptions {
-    /// Frame size in pixels, of each eye
-    #[arg(long, value_name = "WxH", default_value = "2560x1440")]
-    pub size: Size,
-    /// A camera of the scene, by index or name [default: the first]
-    #[arg(long, value_name = "INDEX_OR_NAME")]
+    /// Camera by index or name [default: the first]
+    #[arg(long, help_heading = SCENE, value_name = "INDEX_OR_NAME")]
     pub camera: Option<String>,
     #[command(flatten)]
     pub look_at: LookAtOptions,
     #[command(flatten)]
-    pub file: SceneOptions,
-    #[command(flatten)]
     pub environment: EnvironmentOptions,
     #[command(flatten)]
+    pub file: SceneOptions,
+    #[command(flatten)]
     pub typed: TypedOptions<ExceptMethod>,
-}
-
-impl Default for FrameOptions {
-    fn default() -> Self {
-        Self {
-            size: Size([2560, 1440]),
-            camera: None,
-            look_at: LookAtOptions::default(),
-            file: SceneOptions::default(),
-            environment: EnvironmentOptions::default(),
-            typed: TypedOptions::default(),
-        }
-    }
 }
 
 impl FrameOptions {
@@ -115,7 +99,11 @@ impl<S: Selection> TypedOptions<S> {
 
     /// Defaults of the method with the typed values applied, not validated.
     pub fn settings(&self, method: Method) -> glimpse::Result<Settings> {
-        let mut settings = Settings::for_method(method);
+        self.over(Settings::for_method(method))
+    }
+
+    /// Settings with the typed values applied, not validated.
+    pub fn over(&self, mut settings: Settings) -> glimpse::Result<Settings> {
         for (option, text) in &self.0 {
             set(option, &mut settings, text)?;
         }
@@ -130,7 +118,8 @@ impl<S: Selection> TypedOptions<S> {
         let option = Self::selected().find(|option| option.name == name || option.old_name == Some(name));
         let option = option.ok_or_else(|| {
             let names: Vec<_> = Self::selected().map(|option| option.name).collect();
-            format!("expected one of {}, found {name}", names.join(", "))
+            let suggestion = suggestion(name, names.iter().copied());
+            format!("expected one of {}{suggestion}, found {name}", names.join(", "))
         })?;
         set(option, &mut Settings::default(), text).map_err(|error| format!("--{error}"))?;
         let others = Self::selected().filter_map(|other| {
@@ -186,8 +175,10 @@ fn argument(option: &'static OptionSpec) -> Arg {
     let argument = Arg::new(option.name)
         .long(option.name)
         .aliases(option.old_name)
-        .help(help(option))
+        .help(help(option, clause(option.summary)))
+        .long_help(help(option, option.summary))
         .help_heading(option.group.title())
+        .hide_short_help(!option.essential)
         .value_name(if option.name == "focus" { "OBJECT" } else { kind.placeholder() })
         .value_parser(parser(option))
         .action(ArgAction::Set);
@@ -202,9 +193,14 @@ fn argument(option: &'static OptionSpec) -> Arg {
     }
 }
 
-/// Help text: the option's summary and its default.
-fn help(option: &OptionSpec) -> String {
-    format!("{} [default: {}]", option.summary.trim_end_matches('.'), default_text(option))
+/// Help text: a description of the option and its default.
+fn help(option: &OptionSpec, description: &str) -> String {
+    format!("{} [default: {}]", description.trim_end_matches('.'), default_text(option))
+}
+
+/// The part of a sentence before its first semicolon.
+fn clause(sentence: &str) -> &str {
+    sentence.split(';').next().unwrap_or(sentence)
 }
 
 /// Default of the option, followed by the methods with other defaults.

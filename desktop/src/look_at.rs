@@ -6,25 +6,37 @@ use clap::Args;
 use glimpse::glam::DVec3;
 use glimpse::{Camera, Lens, LookAt};
 
+use super::SCENE;
+
 /// A camera of one's own instead of one of the scene.
 #[derive(Clone, Debug, Default, PartialEq, Args)]
+#[command(next_help_heading = SCENE)]
 pub struct LookAtOptions {
     /// A camera at this point of the scene
-    #[arg(long, value_name = "X,Y,Z", value_parser = Point::from_str, allow_negative_numbers = true,
-        requires = "target", conflicts_with = "camera")]
+    #[arg(long, hide_short_help = true, value_name = "X,Y,Z", value_parser = Point::from_str,
+        allow_negative_numbers = true, requires = "target", conflicts_with = "camera")]
     pub eye: Option<Point>,
     /// The point at the centre of that camera's picture
-    #[arg(long, value_name = "X,Y,Z", value_parser = Point::from_str, allow_negative_numbers = true, requires = "eye")]
+    #[arg(long, hide_short_help = true, value_name = "X,Y,Z", value_parser = Point::from_str,
+        allow_negative_numbers = true, requires = "eye")]
     pub target: Option<Point>,
     /// The upward direction of that camera [default: 0,1,0]
-    #[arg(long, value_name = "X,Y,Z", value_parser = Point::from_str, allow_negative_numbers = true, requires = "eye")]
+    #[arg(long, hide_short_help = true, value_name = "X,Y,Z", value_parser = Point::from_str,
+        allow_negative_numbers = true, requires = "eye")]
     pub up: Option<Point>,
     /// Vertical field of view of that camera in degrees [default: 45]
-    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, requires = "eye")]
+    #[arg(
+        long,
+        hide_short_help = true,
+        value_name = "DEGREES",
+        allow_negative_numbers = true,
+        requires = "eye"
+    )]
     pub fov: Option<f32>,
     /// Use an orthographic camera that shows this height of the scene
     #[arg(
         long,
+        hide_short_help = true,
         value_name = "HEIGHT",
         allow_negative_numbers = true,
         requires = "eye",

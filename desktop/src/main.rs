@@ -6,6 +6,7 @@ mod bench;
 mod check;
 mod compare;
 mod cpu_tracer;
+mod definition;
 mod devices;
 mod diff;
 mod errors;
@@ -27,9 +28,7 @@ use std::cell::RefCell;
 use std::panic::{PanicHookInfo, UnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
-use clap::{CommandFactory, FromArgMatches};
-
-use args::{Arguments, Command, ViewOptions};
+use args::{Arguments, Command};
 use glimpse_measure::{files, output, progress, scene_file};
 
 const FAILED: u8 = 1;
@@ -37,8 +36,10 @@ const WRONG_USAGE: u8 = 2;
 
 fn main() -> ExitCode {
     std::panic::set_hook(Box::new(|panic| LAST_PANIC.set(bug(panic))));
-    let matches = report::with_tables(Arguments::command()).get_matches();
-    let arguments = Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    let arguments = match Arguments::of(definition::definition(), std::env::args_os().collect()) {
+        Ok(arguments) => arguments,
+        Err(error) => return told(&error),
+    };
     start_log(arguments.verbose);
     match reporting_panics(|| run(arguments)) {
         Ok(()) => ExitCode::SUCCESS,
@@ -52,7 +53,6 @@ fn main() -> ExitCode {
 fn run(arguments: Arguments) -> anyhow::Result<()> {
     let adapter = arguments.adapter.as_deref();
     match arguments.command {
-        None => view::run(&ViewOptions { scene: arguments.scene, ..ViewOptions::default() }, adapter),
         Some(Command::View(options)) => view::run(&options, adapter),
         Some(Command::Render(options)) => render::run(&options, adapter),
         Some(Command::Compare(options)) => compare::run(&options),
@@ -62,7 +62,18 @@ fn run(arguments: Arguments) -> anyhow::Result<()> {
         Some(Command::Bench(options)) => bench::run(&options, adapter),
         Some(Command::Report(options)) => report::run(&options, adapter),
         Some(Command::Stress(options)) => stress::run(&options, adapter),
+        // The parser replaces them.
+        None | Some(Command::Help(_) | Command::Other(_)) => Ok(()),
     }
+}
+
+/// Prints help and versions, and what is wrong with the command line.
+fn told(error: &clap::Error) -> ExitCode {
+    if !error.use_stderr() {
+        return if error.print().is_ok() { ExitCode::SUCCESS } else { ExitCode::from(FAILED) };
+    }
+    complain(&errors::of_usage(error));
+    ExitCode::from(WRONG_USAGE)
 }
 
 fn complain(line: &str) {

@@ -18,13 +18,14 @@ const HEAD: &str = "\
 
 `SCENE` is a `.glb` or `.gltf` file, or `builtin:NAME`. Results go to the standard output, diagnostics to the standard error.
 The exit code is 0 when the work is done, 1 when it failed, and 2 for wrong usage; every failure is one line that names what
-was expected and what was found.
+was expected and what was found. `glimpse COMMAND --help` prints the most useful options, `--help-all` all of them with
+their values. Of an option that is repeated the last one counts.
 ";
 
 const FRAME: &str = "
 ## Options of a frame
 
-`render` and `bench` take them as `--NAME VALUE`, `report` some of them, `bench --vary` as `NAME=VALUE,VALUE`, scripts of the
+`view`, `render`, `check` and `bench` take them as `--NAME VALUE`, `report` some of them, `bench --vary` as `NAME=VALUE,VALUE`, scripts of the
 window and the extra `set` of the phone as `set NAME VALUE`. The window has a control for each, and copies the command that
 makes its frame. The statistics hold every value, `-` in names being `_`.
 ";
@@ -35,7 +36,7 @@ fn page() -> String {
     let mut page = HEAD.to_owned();
     let shared = |argument: &Arg| argument.is_global_set();
     let _ = write!(page, "\n## Options of every command\n\n{}", arguments(&program, shared));
-    for command in program.get_subcommands().filter(|command| command.get_name() != "help") {
+    for command in program.get_subcommands() {
         let about = command.get_about().map(ToString::to_string).unwrap_or_default();
         let _ = write!(page, "\n## `glimpse {}`\n\n{about}.\n\n", command.get_name());
         page += &arguments(command, |argument| !shared(argument) && of_table(argument).is_none());
@@ -66,9 +67,11 @@ fn of_table(argument: &Arg) -> Option<&'static OptionSpec> {
 
 fn arguments(command: &Command, chosen: impl Fn(&Arg) -> bool) -> String {
     let mut table = "| argument | what it does |\n| --- | --- |\n".to_owned();
-    let hidden = |argument: &&Arg| ["help", "version"].contains(&argument.get_id().as_str());
+    let hidden = |argument: &&Arg| ["help", "help_all", "version"].contains(&argument.get_id().as_str());
     for argument in command.get_arguments().filter(|argument| chosen(argument) && !hidden(argument)) {
-        let help = argument.get_help().map(ToString::to_string).unwrap_or_default();
+        let help =
+            argument.get_long_help().or(argument.get_help()).map(ToString::to_string).unwrap_or_default();
+        let help = help.replace("\n\n", ". ");
         let defaults: Vec<_> = argument
             .get_default_values()
             .iter()

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::bail;
 use glimpse::{Gpu, Method, Settings, Show, show, to_exr, to_png};
 
-use crate::args::{FrameOptions, PictureFile, RenderOptions, Size};
+use crate::args::{PictureFile, RenderOptions, Size, ViewOptions};
 use crate::errors::Usage;
 use crate::focus::FrameRequest;
 use crate::measure::{Plan, Run, Workbench};
@@ -17,15 +17,16 @@ use crate::{cpu_tracer, files, scene_file, summary};
 const VIEW_PICTURE: &str = "glimpse.png";
 
 /// Renders a picture for `glimpse view` if there is no display.
-pub fn without_display(scene: &str, adapter: Option<&str>) -> anyhow::Result<()> {
+pub fn without_display(view: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::Result<()> {
     let options = RenderOptions {
         scene: scene.to_owned(),
+        method: view.method,
+        size: view.size.unwrap_or(Size([2560, 1440])),
+        show: view.show,
+        frame: view.frame.clone(),
         output: PictureFile { path: PathBuf::from(VIEW_PICTURE), linear: false },
-        frame: FrameOptions::default(),
-        method: Method::Adaptive,
-        show: Show::Final,
         frames: 1,
-        reference: true,
+        reference: view.method != Method::Vr,
         stats: None,
     };
     output::print(&format!("There is no display: rendering a frame to {VIEW_PICTURE}.\n"))?;
@@ -51,7 +52,7 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
     if options.reference && options.method != Method::Full {
         requests.push(FrameRequest::beside(&options.frame, Method::Full)?);
     }
-    let Size(size) = options.frame.size;
+    let Size(size) = options.size;
     cpu_tracer::check(&requests, options.frames)?;
     let plan = Plan { size, frames: options.frames, linear: options.output.linear, pan: None };
     let progress = Progress::new(plan.steps(requests.len()));

@@ -4,17 +4,20 @@ use std::str::FromStr;
 
 use clap::Args;
 
+use super::SCENE;
+
 /// What of a scene's file is shown, and what it may cost.
 #[derive(Clone, Debug, Default, PartialEq, Args)]
+#[command(next_help_heading = SCENE)]
 pub struct SceneOptions {
     /// Show the file's variant of materials with this name; `info` lists them
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, hide_short_help = true, value_name = "NAME")]
     pub variant: Option<String>,
     /// Fail where anything of the file is left out, replaced or not shown as the format has it
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub strict: bool,
     /// The most memory that the import may take, as 512MiB or 4GiB [default: half of what is available]
-    #[arg(long, value_name = "SIZE")]
+    #[arg(long, hide_short_help = true, value_name = "SIZE")]
     pub memory: Option<MemorySize>,
 }
 

@@ -38,6 +38,9 @@ struct Report {
 
 /// Runs `glimpse stress`.
 pub fn run(options: &StressOptions, adapter: Option<&str>) -> anyhow::Result<()> {
+    if options.list {
+        return output::print(&list());
+    }
     let cases = chosen(&options.cases)?;
     let gpu = Gpu::headless(adapter)?;
     let left_out = |measure| options.without.contains(&measure);
@@ -74,6 +77,12 @@ pub fn run(options: &StressOptions, adapter: Option<&str>) -> anyhow::Result<()>
 
 fn name(measure: &Measure) -> String {
     measure.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
+}
+
+/// The cases, one per line.
+fn list() -> String {
+    let width = CASES.iter().map(|case| case.name.len()).max().unwrap_or_default();
+    CASES.iter().map(|case| format!("{:width$}  {}\n", case.name, case.construction)).collect()
 }
 
 /// Cases of these names; all cases if there are no names.

@@ -4,21 +4,25 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use anyhow::{Context, anyhow};
-use glimpse::{DisplayImage, to_png};
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use glimpse::{DisplayImage, Scene, to_png};
 use glimpse_app::script::Script;
-use glimpse_app::{Choices, Files, Phone};
+use glimpse_app::{Choices, Files, Opened, Phone, StartCamera};
 use glimpse_shell::{Chosen, Screen, Setup, Wakeup, free_name};
 use winit::error::EventLoopError;
 use winit::event_loop::EventLoop;
 
-use crate::args::{SceneOptions, Size, ViewOptions};
+use crate::args::{FrameOptions, SceneOptions, Size, ViewOptions};
 use crate::errors::Usage;
-use crate::{files, render, scene_file};
+use crate::{files, output, render, scene_file};
 
 const DEFAULT_SCENE: &str = "builtin:room";
 
 /// Runs `glimpse view`; renders a picture if there is no display.
 pub fn run(options: &ViewOptions, adapter: Option<&str>) -> anyhow::Result<()> {
+    if options.list_phones {
+        return output::print(&phones_text()?);
+    }
     let scene = options.scene.as_deref().unwrap_or(DEFAULT_SCENE);
     scene_file::check(scene)?;
     let setup = setup(options, scene, adapter)?;
@@ -33,7 +37,7 @@ pub fn run(options: &ViewOptions, adapter: Option<&str>) -> anyhow::Result<()> {
             if options.script.is_none() =>
         {
             log::info!("{error}");
-            render::without_display(scene, adapter)
+            render::without_display(options, scene, adapter)
         }
         Err(error) => Err(error).context("no window; --headless plays a script without one"),
     }
@@ -43,27 +47,30 @@ fn setup(options: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::R
     let phone = options.phone.as_deref().map(Phone::named).transpose();
     let phone = phone.map_err(|reason| Usage(format!("--phone: {reason}")))?;
     let script = options.script.as_deref().map(read_script).transpose()?;
-    let (first, of_first) = (scene.to_owned(), options.file.clone());
-    let surroundings = options.environment.surroundings();
+    let choices = choices(options)?;
+    let surroundings = options.frame.environment.surroundings();
     surroundings.check()?;
+    let (first, frame) = (scene.to_owned(), options.frame.clone());
     let reader: Files = Arc::new(move |name| {
-        // The variant is one of the scene that was named with it.
-        let variant = of_first.variant.clone().filter(|_| name == first);
-        let file = SceneOptions { variant, ..of_first.clone() };
+        // Variant and camera are those of the scene that was named with them.
+        let is_first = name == first;
+        let file =
+            SceneOptions { variant: frame.file.variant.clone().filter(|_| is_first), ..frame.file.clone() };
         let loaded = file.load(name, &mut |_, _| ()).and_then(|mut scene| {
             surroundings.apply(&mut scene)?;
-            Ok(scene)
+            let camera = if is_first { first_camera(&scene, &frame)? } else { StartCamera::default() };
+            Ok(Opened { scene, camera })
         });
         loaded.map_err(|error| format!("{error:#}"))
     });
-    let Size(size) = options.size;
+    let Size(size) = options.size.unwrap_or(Size([1280, 720]));
     // A script must neither depend on recently opened scenes nor change their list.
     let scripted = script.is_some();
     Ok(Setup {
         files: reader,
         scene: scene.to_owned(),
         recent: if scripted { Vec::new() } else { recent() },
-        choices: Choices::default(),
+        choices,
         adapter: adapter.map(str::to_owned),
         limits: phone.as_ref().map(Phone::limits),
         screen: phone.as_ref().map(screen),
@@ -77,6 +84,53 @@ fn setup(options: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::R
             }
         }),
     })
+}
+
+/// The window's own choices with those of the command line.
+fn choices(options: &ViewOptions) -> anyhow::Result<Choices> {
+    let usual = Choices::default();
+    let settings = options.frame.typed.over(usual.settings.with_method(options.method))?;
+    settings.validate()?;
+    if let Some(focus) = options.frame.focus().filter(|focus| *focus != "none" && settings.focus.is_none()) {
+        let expected = "indices of objects: only `render` and `bench` find them by their names";
+        return Err(glimpse::Error::setting("focus", expected, focus).into());
+    }
+    if let Some(reason) = options.show.conflict(&settings) {
+        return Err(Usage(format!("--show {}: {reason}", options.show.name())).into());
+    }
+    for warning in options.frame.warnings(&settings) {
+        output::remark(&format!("warning: {warning}"));
+    }
+    Ok(Choices { settings, show: options.show, ..usual })
+}
+
+fn first_camera(scene: &Scene, frame: &FrameOptions) -> glimpse::Result<StartCamera> {
+    if let Some(camera) = frame.look_at.camera(scene.origin)? {
+        return Ok(StartCamera::Free(camera));
+    }
+    let camera = scene.camera(frame.camera.as_deref())?;
+    let index = scene.cameras.iter().position(|(_, known)| std::ptr::eq(known, camera));
+    Ok(StartCamera::OfScene(index.unwrap_or_default()))
+}
+
+/// Adds the names of the phones to the values of `--phone`.
+pub fn with_phones(command: clap::Command) -> clap::Command {
+    // The table is part of the program, and tests read it.
+    let phones = Phone::all().unwrap_or_default();
+    let values = phones.into_iter().map(|phone| PossibleValue::new(phone.name).help(phone.model));
+    let values = PossibleValuesParser::new(values);
+    command.mut_subcommand("view", |view| view.mut_arg("phone", |phone| phone.value_parser(values)))
+}
+
+/// The phones, one per line.
+fn phones_text() -> anyhow::Result<String> {
+    let phones = Phone::all().map_err(|reason| anyhow!(reason))?;
+    let width = phones.iter().map(|phone| phone.name.len()).max().unwrap_or_default();
+    let line = |phone: &Phone| {
+        let [pixels_x, pixels_y] = phone.size.value;
+        format!("{:width$}  {}, {}, {pixels_x}x{pixels_y}\n", phone.name, phone.model, phone.gpu)
+    };
+    Ok(phones.iter().map(line).collect())
 }
 
 fn screen(phone: &Phone) -> Screen {

@@ -85,6 +85,7 @@ mod tests {
             name: name.to_owned(),
             primitives: 0,
             cameras: Vec::new(),
+            start: crate::StartCamera::default(),
             origin: DVec3::ZERO,
             bounds: (Vec3::ZERO, Vec3::ONE),
             warnings: Vec::new(),

@@ -4,6 +4,7 @@ use std::path::{Component, Path, PathBuf};
 
 use anyhow::Context;
 use glimpse::Scene;
+use glimpse::options::{similar, suggestion};
 use glimpse::scene::{BUILTIN_NAMES, ImportOptions, builtin};
 
 use crate::files;
@@ -16,7 +17,10 @@ pub fn check(name: &str) -> anyhow::Result<()> {
     let path = Path::new(name);
     let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
     if !matches!(ending.as_deref(), Some("glb" | "gltf")) {
-        return Err(glimpse::Error::setting("scene", "a .glb or .gltf file, or builtin:NAME", name).into());
+        let builtin = name.split_once(':').and_then(|(prefix, _)| similar(prefix, ["builtin"]));
+        let meant = builtin.map_or("", |_| " (did you mean builtin:?)");
+        let expected = format!("a .glb or .gltf file, or builtin:NAME{meant}");
+        return Err(glimpse::Error::setting("scene", expected, name).into());
     }
     files::readable(path)
 }
@@ -77,7 +81,8 @@ fn check_builtin(name: &str) -> anyhow::Result<()> {
     if BUILTIN_NAMES.contains(&name) {
         return Ok(());
     }
-    let expected = format!("a built-in scene; there are {}", BUILTIN_NAMES.join(", "));
+    let meant = suggestion(name, BUILTIN_NAMES.iter().copied());
+    let expected = format!("a built-in scene{meant}; there are {}", BUILTIN_NAMES.join(", "));
     Err(glimpse::Error::setting("scene", expected, format!("builtin:{name}")).into())
 }
 
@@ -141,6 +146,10 @@ mod tests {
     fn unknown_names_say_what_there_is() {
         let message = format!("{:#}", load("builtin:attic").unwrap_err());
         assert!(message.contains("builtin:attic") && message.contains("room, cornell"), "{message}");
+        let message = format!("{:#}", load("builtin:rom").unwrap_err());
+        assert!(message.contains("(did you mean room?)"), "{message}");
+        let message = format!("{:#}", load("bulitin:room").unwrap_err());
+        assert!(message.contains("(did you mean builtin:?)"), "{message}");
         let message = format!("{:#}", load("model.stl").unwrap_err());
         assert!(message.contains("model.stl") && message.contains(".glb"), "{message}");
         let message = format!("{:#}", load("nowhere/model.glb").unwrap_err());

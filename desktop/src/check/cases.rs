@@ -108,7 +108,7 @@ mod tests {
         assert_eq!(room.reference, Path::new("a/golden/room-full.png"));
         assert_eq!((room.options.method, room.options.bounds.max_rmse), (Method::Full, Some(1.0)));
         assert_eq!((own.name.as_str(), own.options.scene.as_str()), ("own", "a/../own.glb"));
-        assert_eq!((own.options.bounds.max_rmse, own.options.frame.size), (Some(3.0), Size([64, 48])));
+        assert_eq!((own.options.bounds.max_rmse, own.options.size), (Some(3.0), Size([64, 48])));
     }
 
     #[test]

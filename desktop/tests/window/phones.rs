@@ -5,7 +5,7 @@ use crate::harness::ScriptHarness;
 /// Names of the phones as listed by the program.
 fn names(harness: &ScriptHarness) -> Vec<String> {
     let line = harness.fails("builtin:cornell --phone nothing", "settle", 2);
-    let names = line.split("expected one of ").nth(1).unwrap().split(", found nothing").next().unwrap();
+    let names = line.split("[possible values: ").nth(1).unwrap().split(']').next().unwrap();
     names.split(", ").map(str::to_owned).collect()
 }
 

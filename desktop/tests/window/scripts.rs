@@ -19,6 +19,28 @@ fn what_is_not_met_fails_with_its_line() {
     }
 }
 
+#[test]
+fn a_window_opens_with_the_options_of_render() {
+    let harness = ScriptHarness::headless();
+    let chosen = "expect method = full\nexpect depth = 2\nexpect show = depth\nexpect samples = 64";
+    harness.plays(
+        "builtin:cornell --size 64x36 --method full --depth 2 --show depth --eye 1,2,3 --target 0,0,0",
+        &format!("settle\n{chosen}\nexpect moved = 1\nexpect command contains --eye=1,2,3"),
+    );
+    harness.plays(
+        "builtin:cornell --size 64x36 --camera 0 --method path --samples 3",
+        "settle\nexpect samples = 3\nexpect depth = 64\nexpect moved = 0",
+    );
+    for (options, expected) in [
+        ("--depth 0", "--depth 0: expected a whole number"),
+        ("--show attr:col", "--show attr:col: "),
+        ("--supersample --focus box", "--focus box: expected indices"),
+    ] {
+        let line = harness.fails(&format!("builtin:cornell --size 64x36 {options}"), "settle", 2);
+        assert!(line.contains(expected), "{line}");
+    }
+}
+
 /// Without a display a window could not be opened.
 #[test]
 fn a_malformed_line_is_refused_before_there_is_a_window() {

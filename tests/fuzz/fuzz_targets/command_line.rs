@@ -8,31 +8,31 @@
 mod args;
 
 use args::{Arguments, Command, FrameOptions, MAX_SIDE, Size};
-use clap::Parser;
+use clap::CommandFactory;
 use glimpse::options::{OPTIONS, Value};
 use glimpse::{Error, MAX_DEPTH, Method};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {
     let Ok(text) = std::str::from_utf8(data) else { return };
-    match Arguments::try_parse_from(std::iter::once("glimpse").chain(text.split('\n'))) {
+    let words = std::iter::once("glimpse").chain(text.split('\n'));
+    match Arguments::of(Arguments::command(), words.map(Into::into).collect()) {
         Err(error) => assert!(!error.to_string().trim().is_empty()),
         Ok(arguments) => match &arguments.command {
             Some(Command::Render(options)) => {
                 assert!((1..=100_000).contains(&options.frames));
-                judge(&options.frame, options.method);
+                judge(options.size, &options.frame, options.method);
             }
             Some(Command::Bench(options)) => {
                 assert!(!options.scenes.is_empty() && (1..=100_000).contains(&options.frames));
-                options.methods.iter().for_each(|method| judge(&options.frame, *method));
+                options.methods.iter().for_each(|method| judge(options.size, &options.frame, *method));
             }
             _ => {}
         },
     }
 });
 
-fn judge(options: &FrameOptions, method: Method) {
-    let Size(sides) = options.size;
+fn judge(Size(sides): Size, options: &FrameOptions, method: Method) {
     assert!(sides.iter().all(|side| (1..=MAX_SIDE).contains(side)), "{sides:?}");
     match options.settings(method) {
         Ok(settings) => {

@@ -7,6 +7,7 @@
 mod applicability;
 mod conflicts;
 mod kind;
+mod similar;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -18,6 +19,7 @@ use serde::ser::{SerializeMap, Serializer};
 
 pub use applicability::Applicability;
 pub use kind::{Choice, Control, Integers, Kind, Numbers};
+pub use similar::{similar, suggestion};
 pub use table::OPTIONS;
 
 use super::{Focus, Method, Settings};
@@ -40,6 +42,8 @@ pub struct OptionSpec {
     pub published: Option<Published>,
     /// The group that lists the option in menus and documentation.
     pub group: Group,
+    /// Whether short lists, such as `--help`, have the option too.
+    pub essential: bool,
     /// The settings under which the option has an effect.
     pub applicability: &'static Applicability,
     conflict: fn(&Settings) -> Option<String>,
@@ -138,7 +142,8 @@ pub fn find(name: &str) -> Result<&'static OptionSpec> {
     let named = |option: &&OptionSpec| option.name == name || option.old_name == Some(name);
     OPTIONS.iter().find(named).ok_or_else(|| {
         let names: Vec<_> = OPTIONS.iter().map(|option| option.name).collect();
-        Error::setting("option", format!("one of {}", names.join(", ")), name)
+        let suggestion = suggestion(name, names.iter().copied());
+        Error::setting("option", format!("one of {}{suggestion}", names.join(", ")), name)
     })
 }
 
@@ -166,9 +171,14 @@ impl OptionSpec {
             kind,
             published: None,
             group,
+            essential: false,
             applicability,
             conflict: |_| None,
         }
+    }
+
+    const fn essential(self) -> Self {
+        Self { essential: true, ..self }
     }
 
     const fn formerly(self, old_name: &'static str) -> Self {
@@ -199,7 +209,12 @@ impl OptionSpec {
     /// # Errors
     /// [`Error::Setting`] if the text does not have the form of a value; `settings` is then unchanged.
     pub fn set(&self, settings: &mut Settings, text: &str) -> Result<()> {
-        self.kind.set(settings, text).ok_or_else(|| self.error(self.kind.expected(), text))
+        self.kind.set(settings, text).ok_or_else(|| {
+            let expected = self.kind.expected();
+            let Kind::Choice { choices, .. } = &self.kind else { return self.error(expected, text) };
+            let suggestion = suggestion(text, choices.iter().map(|choice| choice.name));
+            self.error(expected + &suggestion, text)
+        })
     }
 
     /// The option's default value for a method.
