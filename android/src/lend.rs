@@ -34,6 +34,10 @@ pub fn setup(android: &AndroidApp, names: &Names, intent: &Intent, view: [u32; 2
             std::fs::write(&file, png).map_err(|error| format!("{}: {error}", file.display()))?;
             Ok(format!("Saved {}", file.display()))
         }),
+        print: Box::new(|line| {
+            log::info!("{line}");
+            Ok(())
+        }),
         // Permissions for other apps' files end with this process, and the package's scenes are always listed.
         remember: Box::new(|_| ()),
     }

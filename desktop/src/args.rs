@@ -77,9 +77,12 @@ pub struct Arguments {
     /// Use the adapter whose name contains this text
     #[arg(long, global = true, help_heading = PROGRAM, value_name = "SUBSTRING")]
     pub adapter: Option<String>,
-    /// Say more on stderr (-v, -vv, -vvv)
+    /// Print all counters, and more on stderr (-vv, -vvv)
     #[arg(short, long, global = true, help_heading = PROGRAM, action = ArgAction::Count)]
     pub verbose: u8,
+    /// Print errors and what was asked for, nothing else
+    #[arg(short, long, global = true, help_heading = PROGRAM, conflicts_with = "verbose")]
+    pub quiet: bool,
     /// Print the most useful options
     #[arg(short, long, global = true, help_heading = PROGRAM, action = ArgAction::HelpShort)]
     help: Option<bool>,
@@ -128,6 +131,14 @@ pub enum Command {
         after_help = "Examples:\n  glimpse stress --list\n  glimpse stress grazing slivers --rays 100000"
     )]
     Stress(StressOptions),
+    /// Print a script that completes commands and options in a shell
+    #[command(after_help = "Examples:\n  \
+        glimpse completions bash > ~/.local/share/bash-completion/completions/glimpse\n  \
+        glimpse completions fish > ~/.config/fish/completions/glimpse.fish")]
+    Completions(CompletionsOptions),
+    /// Print the manual page of the program or of a command
+    #[command(after_help = "Examples:\n  glimpse man > glimpse.1\n  glimpse man render > glimpse-render.1")]
+    Man(ManOptions),
     /// Print the help of a command
     #[command(after_help = "Examples:\n  glimpse help render\n  glimpse help bench")]
     Help(HelpOptions),
@@ -172,7 +183,8 @@ impl Arguments {
 
 /// Whether a word can only be meant as a scene: it is no bare word, or there is a file of that name.
 fn is_scene_like(word: &OsString) -> bool {
-    word.to_string_lossy().contains(['.', ':', '/', '\\']) || Path::new(word).exists()
+    let text = word.to_string_lossy();
+    text == "-" || text.contains(['.', ':', '/', '\\']) || Path::new(word).exists()
 }
 
 fn no_command(word: &str, definition: &clap::Command) -> clap::Error {
@@ -189,6 +201,31 @@ fn no_command(word: &str, definition: &clap::Command) -> clap::Error {
     clap::Error::raw(ErrorKind::InvalidSubcommand, format!("{word}: {expected}{meant}\n"))
 }
 
+/// `glimpse completions`
+#[derive(Debug, Args)]
+pub struct CompletionsOptions {
+    /// The shell
+    pub shell: Shell,
+}
+
+/// A shell that completes words of a command.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Shell {
+    /// GNU Bash
+    Bash,
+    /// Z shell
+    Zsh,
+    /// Fish
+    Fish,
+}
+
+/// `glimpse man`
+#[derive(Debug, Args)]
+pub struct ManOptions {
+    /// The command; without it, the page of the program
+    pub command: Option<String>,
+}
+
 /// `glimpse help`
 #[derive(Debug, Args)]
 pub struct HelpOptions {
@@ -199,7 +236,7 @@ pub struct HelpOptions {
 /// `glimpse view`
 #[derive(Debug, Args)]
 pub struct ViewOptions {
-    /// A .glb or .gltf file, or builtin:NAME [default: builtin:room]
+    /// A .glb or .gltf file, builtin:NAME, or - [default: builtin:room]
     #[arg(help_heading = SCENE, display_order = 0)]
     pub scene: Option<String>,
     /// Window size in pixels [default: 1280x720]
@@ -231,7 +268,7 @@ pub struct ViewOptions {
 /// `glimpse render`
 #[derive(Debug, Args)]
 pub struct RenderOptions {
-    /// A .glb or .gltf file, or builtin:NAME
+    /// A .glb or .gltf file, builtin:NAME, or - for stdin
     #[arg(help_heading = SCENE, display_order = 0)]
     pub scene: String,
     /// How the frame is made
@@ -246,7 +283,7 @@ pub struct RenderOptions {
     pub show: Show,
     #[command(flatten)]
     pub frame: FrameOptions,
-    /// The picture: .png, or .exr for linear radiance
+    /// The picture: .png, .exr for linear radiance, - for a PNG on stdout
     #[arg(short, long, help_heading = OUTPUT, value_name = "OUT", value_parser = PictureFile::from_str)]
     pub output: PictureFile,
     /// Warm frames, of which medians are reported
@@ -286,7 +323,7 @@ pub struct CompareOptions {
 /// `glimpse info`
 #[derive(Debug, Args)]
 pub struct InfoOptions {
-    /// A .glb or .gltf file, or builtin:NAME
+    /// A .glb or .gltf file, builtin:NAME, or - for stdin
     #[arg(help_heading = SCENE, display_order = 0)]
     pub scene: String,
     #[command(flatten)]
@@ -299,7 +336,7 @@ pub struct InfoOptions {
 /// `glimpse check`
 #[derive(Clone, Debug, Args)]
 pub struct CheckOptions {
-    /// A .glb or .gltf file, or builtin:NAME; or a .toml file of cases
+    /// A scene, or a .toml file of cases
     #[arg(help_heading = SCENE, display_order = 0)]
     pub scene: String,
     /// The reference picture, PNG
@@ -488,9 +525,10 @@ impl FromStr for PictureFile {
         let path = PathBuf::from(text);
         let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
         match ending.as_deref() {
+            _ if text == "-" => Ok(Self { path, linear: false }),
             Some("png") => Ok(Self { path, linear: false }),
             Some("exr") => Ok(Self { path, linear: true }),
-            _ => Err("expected a name that ends in .png or .exr".to_owned()),
+            _ => Err("expected a name that ends in .png or .exr, or - for the standard output".to_owned()),
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::cpu_tracer;
 use crate::errors::Usage;
 use crate::focus::FrameRequest;
 use crate::measure::{Plan, Run, Workbench};
-use crate::output;
+use crate::output::{self, Verbosity};
 use crate::pan::{self, Pan};
 use crate::progress::Progress;
 use crate::scene_file;
@@ -15,7 +15,7 @@ use crate::statistics::Statistics;
 use crate::summary;
 
 /// Runs `glimpse bench`.
-pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> {
+pub fn run(options: &BenchOptions, adapter: Option<&str>, verbosity: Verbosity) -> anyhow::Result<()> {
     let rows = rows(options)?;
     let requests: Vec<_> = rows.iter().map(|row| row.request.clone()).collect();
     cpu_tracer::check(&requests, options.frames)?;
@@ -28,7 +28,7 @@ pub fn run(options: &BenchOptions, adapter: Option<&str>) -> anyhow::Result<()> 
     let gpu = Gpu::headless(adapter)?;
     let mut all = Vec::new();
     for (index, name) in options.scenes.iter().enumerate() {
-        let progress = Progress::new(plan.steps(requests.len()));
+        let progress = Progress::new(verbosity, plan.steps(requests.len()));
         let workbench = Workbench::set(&gpu, name, &options.frame, &requests, &progress)?;
         let runs = plan.measure(&workbench, &progress)?;
         let of_row = |(row, run): (&Row, &Run)| {

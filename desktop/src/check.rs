@@ -16,8 +16,9 @@ use crate::diff;
 use crate::errors::{self, Usage};
 use crate::focus::FrameRequest;
 use crate::measure::{Plan, Workbench};
+use crate::output::{self, Verbosity};
 use crate::progress::Progress;
-use crate::{files, output, scene_file};
+use crate::{files, scene_file};
 
 /// A picture to render, and the reference that it is compared with.
 struct Case {
@@ -35,7 +36,7 @@ struct Outcome {
 }
 
 /// Runs `glimpse check`.
-pub fn run(options: &CheckOptions, adapter: Option<&str>) -> anyhow::Result<()> {
+pub fn run(options: &CheckOptions, adapter: Option<&str>, verbosity: Verbosity) -> anyhow::Result<()> {
     let cases = cases_of(options)?;
     for case in &cases {
         FrameRequest::of(&case.options.frame, case.options.method).with_context(|| case.name.clone())?;
@@ -46,7 +47,7 @@ pub fn run(options: &CheckOptions, adapter: Option<&str>) -> anyhow::Result<()> 
         std::fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
     }
     let gpu = Gpu::headless(adapter)?;
-    let progress = Progress::new(cases.len() as u64);
+    let progress = Progress::new(verbosity, cases.len() as u64);
     let mut outcomes = Vec::with_capacity(cases.len());
     for case in cases {
         progress.doing(&case.name);
@@ -60,7 +61,9 @@ pub fn run(options: &CheckOptions, adapter: Option<&str>) -> anyhow::Result<()> 
         files::write(path, junit::report(&outcomes).as_bytes())?;
     }
     let text: String = outcomes.iter().map(Outcome::line).collect();
-    output::print(&text)?;
+    if verbosity > Verbosity::Quiet {
+        output::print(&text)?;
+    }
     match outcomes.iter().filter(|outcome| outcome.verdict.is_err()).count() {
         0 => Ok(()),
         failed => bail!("{failed} of {} failed", output::counted(outcomes.len(), "case")),
@@ -143,6 +146,6 @@ impl Outcome {
             Ok(text) => ("passed", text),
             Err(text) => ("FAILED", text),
         };
-        format!("{word}  {}  {text}\n", self.name)
+        format!("{word}  {}  {}\n", output::one_line(&self.name), output::one_line(text))
     }
 }

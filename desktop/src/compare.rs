@@ -60,10 +60,10 @@ pub fn run(options: &CompareOptions) -> anyhow::Result<()> {
         let picture = diff::picture(&shown, &reference, bounds.threshold, options.diff_kind)?;
         files::write(path, &to_png(&picture)?)?;
     }
-    if options.json {
-        output::print(&output::json(&comparison)?)?;
-    } else {
-        output::print(&(comparison.text(&bounds) + "\n"))?;
+    let text = if options.json { output::json(&comparison)? } else { comparison.text(&bounds) + "\n" };
+    match &options.diff {
+        Some(path) if files::is_standard(path) => output::print_aside(&text),
+        _ => output::print(&text)?,
     }
     match comparison.complaint() {
         None => Ok(()),

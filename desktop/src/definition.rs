@@ -110,6 +110,8 @@ mod tests {
             let examples = of(command);
             assert_eq!(examples.len(), 2, "{}", command.get_name());
             for line in examples {
+                // What follows is the shell's.
+                let line = line.split(" > ").next().unwrap();
                 let words = line.split_whitespace().map(Into::into).collect();
                 match Arguments::of(definition.clone(), words) {
                     Ok(_) => {}

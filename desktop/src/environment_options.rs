@@ -9,9 +9,9 @@ use super::SCENE;
 #[derive(Clone, Debug, Default, PartialEq, Args)]
 #[command(next_help_heading = SCENE)]
 pub struct EnvironmentOptions {
-    /// Light from a .hdr or .exr file, builtin:studio, or none
+    /// A .hdr or .exr map, builtin:studio, or none
     ///
-    /// The map is equirectangular [default: what the file states; the studio if it brings no light]
+    /// Light from all around; the map is equirectangular [default: what the file states; the studio if it brings no light]
     #[arg(long, value_name = "FILE", value_parser = str::parse::<EnvironmentChoice>)]
     pub environment: Option<EnvironmentChoice>,
     /// Turns the environment about the vertical axis, counter-clockwise seen from above

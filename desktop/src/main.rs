@@ -19,16 +19,19 @@ mod measure;
 mod pan;
 mod render;
 mod report;
+mod shell;
 mod statistics;
 mod stress;
 mod summary;
 mod view;
 
 use std::cell::RefCell;
+use std::io::Write;
 use std::panic::{PanicHookInfo, UnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
 use args::{Arguments, Command};
+use glimpse_measure::output::Verbosity;
 use glimpse_measure::{files, output, progress, scene_file};
 
 const FAILED: u8 = 1;
@@ -40,8 +43,13 @@ fn main() -> ExitCode {
         Ok(arguments) => arguments,
         Err(error) => return told(&error),
     };
-    start_log(arguments.verbose);
-    match reporting_panics(|| run(arguments)) {
+    let verbosity = match arguments {
+        Arguments { quiet: true, .. } => Verbosity::Quiet,
+        Arguments { verbose: 0, .. } => Verbosity::Normal,
+        Arguments { .. } => Verbosity::Verbose,
+    };
+    start_log(verbosity, arguments.verbose);
+    match reporting_panics(|| run(arguments, verbosity)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             complain(&errors::told(&error));
@@ -50,18 +58,20 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(arguments: Arguments) -> anyhow::Result<()> {
+fn run(arguments: Arguments, verbosity: Verbosity) -> anyhow::Result<()> {
     let adapter = arguments.adapter.as_deref();
     match arguments.command {
-        Some(Command::View(options)) => view::run(&options, adapter),
-        Some(Command::Render(options)) => render::run(&options, adapter),
+        Some(Command::View(options)) => view::run(&options, adapter, verbosity),
+        Some(Command::Render(options)) => render::run(&options, adapter, verbosity),
         Some(Command::Compare(options)) => compare::run(&options),
-        Some(Command::Check(options)) => check::run(&options, adapter),
+        Some(Command::Check(options)) => check::run(&options, adapter, verbosity),
         Some(Command::Info(options)) => info::run(&options),
         Some(Command::Devices(options)) => devices::run(&options, adapter),
-        Some(Command::Bench(options)) => bench::run(&options, adapter),
-        Some(Command::Report(options)) => report::run(&options, adapter),
-        Some(Command::Stress(options)) => stress::run(&options, adapter),
+        Some(Command::Bench(options)) => bench::run(&options, adapter, verbosity),
+        Some(Command::Report(options)) => report::run(&options, adapter, verbosity),
+        Some(Command::Stress(options)) => stress::run(&options, adapter, verbosity),
+        Some(Command::Completions(options)) => shell::completions(options.shell),
+        Some(Command::Man(options)) => shell::manual_page(options.command.as_deref()),
         // The parser replaces them.
         None | Some(Command::Help(_) | Command::Other(_)) => Ok(()),
     }
@@ -97,16 +107,23 @@ fn bug(panic: &PanicHookInfo<'_>) -> String {
     format!("this is a bug, please report it: {message}{place}")
 }
 
-/// Starts the log: `-v` shows information, `-vv` debug messages, `-vvv` everything; `RUST_LOG` overrides it.
-fn start_log(verbose: u8) {
+/// Starts the log: `-v` shows information, `-vv` debug messages, `-vvv` everything, `--quiet` errors alone; `RUST_LOG`
+/// overrides it.
+fn start_log(verbosity: Verbosity, verbose: u8) {
     let filter = match verbose {
+        0 if verbosity == Verbosity::Quiet => "glimpse=error",
         0 => "glimpse=warn",
         1 => "warn,glimpse=info",
         2 => "info,glimpse=debug",
         _ => "trace",
     };
     env_logger::Builder::from_env(env_logger::Env::default().default_filter_or(filter))
-        .format_timestamp(None)
+        .format(|line, record| {
+            let (level, target) = (record.level(), record.target());
+            let style = line.default_level_style(level);
+            let text = record.args().to_string();
+            writeln!(line, "[{style}{level:<5}{style:#} {target}] {}", output::one_line(&text))
+        })
         .init();
 }
 

@@ -16,7 +16,7 @@ const HEAD: &str = "\
 <!-- Made from the program: UPDATE_CLI_MD=1 cargo test -p glimpse-desktop manual -->
 # Command line
 
-`SCENE` is a `.glb` or `.gltf` file, or `builtin:NAME`. Results go to the standard output, diagnostics to the standard error.
+`SCENE` is a `.glb` or `.gltf` file, `builtin:NAME`, or `-` for the standard input. Results go to the standard output, diagnostics to the standard error.
 The exit code is 0 when the work is done, 1 when it failed, and 2 for wrong usage; every failure is one line that names what
 was expected and what was found. `glimpse COMMAND --help` prints the most useful options, `--help-all` all of them with
 their values. Of an option that is repeated the last one counts.

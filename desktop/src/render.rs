@@ -1,5 +1,6 @@
 //! `glimpse render`: renders one frame into a file and prints its statistics.
 
+use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
 use anyhow::bail;
@@ -9,7 +10,7 @@ use crate::args::{PictureFile, RenderOptions, Size, ViewOptions};
 use crate::errors::Usage;
 use crate::focus::FrameRequest;
 use crate::measure::{Plan, Run, Workbench};
-use crate::output;
+use crate::output::{self, Verbosity};
 use crate::progress::Progress;
 use crate::statistics::Statistics;
 use crate::{cpu_tracer, files, scene_file, summary};
@@ -17,7 +18,12 @@ use crate::{cpu_tracer, files, scene_file, summary};
 const VIEW_PICTURE: &str = "glimpse.png";
 
 /// Renders a picture for `glimpse view` if there is no display.
-pub fn without_display(view: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::Result<()> {
+pub fn without_display(
+    view: &ViewOptions,
+    scene: &str,
+    adapter: Option<&str>,
+    verbosity: Verbosity,
+) -> anyhow::Result<()> {
     let options = RenderOptions {
         scene: scene.to_owned(),
         method: view.method,
@@ -29,12 +35,14 @@ pub fn without_display(view: &ViewOptions, scene: &str, adapter: Option<&str>) -
         reference: view.method != Method::Vr,
         stats: None,
     };
-    output::print(&format!("There is no display: rendering a frame to {VIEW_PICTURE}.\n"))?;
-    run(&options, adapter)
+    if verbosity > Verbosity::Quiet {
+        output::print(&format!("There is no display: rendering a frame to {VIEW_PICTURE}.\n"))?;
+    }
+    run(&options, adapter, verbosity)
 }
 
 /// Runs `glimpse render`.
-pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()> {
+pub fn run(options: &RenderOptions, adapter: Option<&str>, verbosity: Verbosity) -> anyhow::Result<()> {
     let request = FrameRequest::of(&options.frame, options.method)?;
     check_show(options, &request.settings)?;
     if options.reference && request.settings.method == Method::Vr {
@@ -47,6 +55,10 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
     let outputs: Vec<_> =
         std::iter::once(&options.output.path).chain(&options.stats).map(PathBuf::as_path).collect();
     files::check(&outputs, &[Path::new(&options.scene)])?;
+    let on_stdout = outputs.iter().any(|output| files::is_standard(output));
+    if files::is_standard(&options.output.path) && std::io::stdout().is_terminal() {
+        bail!(Usage("--output -: expected a file or a pipe as standard output, found a terminal".to_owned()));
+    }
 
     let mut requests = vec![request];
     if options.reference && options.method != Method::Full {
@@ -55,7 +67,7 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
     let Size(size) = options.size;
     cpu_tracer::check(&requests, options.frames)?;
     let plan = Plan { size, frames: options.frames, linear: options.output.linear, pan: None };
-    let progress = Progress::new(plan.steps(requests.len()));
+    let progress = Progress::new(verbosity, plan.steps(requests.len()));
     let gpu = Gpu::headless(adapter)?;
     let workbench = Workbench::set(&gpu, &options.scene, &options.frame, &requests, &progress)?;
     files::check(&outputs, &workbench.inputs.iter().map(PathBuf::as_path).collect::<Vec<_>>())?;
@@ -70,11 +82,17 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>) -> anyhow::Result<()>
     }
     drop(progress);
     let warnings = [options.frame.warnings(&runs[0].settings), workbench.warnings.clone()].concat();
-    let mut text = summary::frame(&statistics, &warnings);
-    text += &legend;
-    text += &summary::row("wrote", &options.output.path.display().to_string());
+    if verbosity == Verbosity::Quiet {
+        return Ok(());
+    }
+    let name = options.output.path.display().to_string();
+    let text = summary::frame(&statistics, &name, &legend, &warnings, verbosity);
     for not_shown in &workbench.not_shown {
         output::remark(&format!("not shown: {not_shown}"));
+    }
+    if on_stdout {
+        output::print_aside(&text);
+        return Ok(());
     }
     output::print(&text)
 }

@@ -6,6 +6,7 @@ use glimpse::Settings;
 use glimpse_report::{Options, Program, TABLES, Table};
 
 use crate::args::ReportOptions;
+use crate::output::Verbosity;
 
 /// Value of `--tables` that selects no table.
 const NONE: &str = "none";
@@ -19,7 +20,7 @@ pub fn with_tables(command: Command) -> Command {
 }
 
 /// Runs `glimpse report`.
-pub fn run(options: &ReportOptions, adapter: Option<&str>) -> anyhow::Result<()> {
+pub fn run(options: &ReportOptions, adapter: Option<&str>, verbosity: Verbosity) -> anyhow::Result<()> {
     let program = Program {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         commit: option_env!("GLIMPSE_COMMIT").unwrap_or("unknown").to_owned(),
@@ -35,6 +36,7 @@ pub fn run(options: &ReportOptions, adapter: Option<&str>) -> anyhow::Result<()>
         tables: chosen(&options.tables),
         table5_sizes: options.table5_sizes.clone(),
         program,
+        verbosity,
     };
     glimpse_report::run(&options, adapter)
 }

@@ -10,7 +10,7 @@ use glimpse_measure::statistics::AdapterStatistics;
 use serde::Serialize;
 
 use crate::args::{Measure, StressOptions};
-use crate::output::{self, grouped};
+use crate::output::{self, Verbosity, grouped};
 use crate::progress::Progress;
 
 /// A row of the table: the outcome of a case.
@@ -37,7 +37,7 @@ struct Report {
 }
 
 /// Runs `glimpse stress`.
-pub fn run(options: &StressOptions, adapter: Option<&str>) -> anyhow::Result<()> {
+pub fn run(options: &StressOptions, adapter: Option<&str>, verbosity: Verbosity) -> anyhow::Result<()> {
     if options.list {
         return output::print(&list());
     }
@@ -54,7 +54,7 @@ pub fn run(options: &StressOptions, adapter: Option<&str>) -> anyhow::Result<()>
             offset: !left_out(Measure::Offset),
         },
     };
-    let progress = Progress::new(cases.len() as u64);
+    let progress = Progress::new(verbosity, cases.len() as u64);
     let mut rows = Vec::new();
     for case in cases {
         progress.doing(case.name);

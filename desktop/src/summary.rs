@@ -3,11 +3,11 @@
 use std::fmt::Write;
 
 use glimpse::metrics::ErrorReport;
-use glimpse::{Method, Missing, Rays};
+use glimpse::{Method, Missing};
 use glimpse_measure::statistics::SceneStatistics;
 
 use crate::cpu_tracer::{Side, Sides};
-use crate::output::{bytes, counted, grouped, listed};
+use crate::output::{Verbosity, bytes, counted, grouped, listed, one_line};
 use crate::statistics::Statistics;
 
 /// Number of warnings printed in full; the others are only counted.
@@ -15,14 +15,44 @@ const WARNINGS: usize = 3;
 
 /// A line of the summary with its label.
 pub fn row(name: &str, text: &str) -> String {
-    format!("{name:<10}{text}\n")
+    format!("{name:<10}{}\n", one_line(text))
 }
 
-/// Summary of a frame.
-pub fn frame(statistics: &Statistics, warnings: &[String]) -> String {
-    let s = statistics;
-    let t = &s.time_ms;
-    let mut text = scene(&s.scene);
+/// Summary of a frame that was written to `picture`: the picture, its time, its rays and its error; the scene, the
+/// device and every counter to the verbose.
+pub fn frame(
+    s: &Statistics,
+    picture: &str,
+    legend: &str,
+    warnings: &[String],
+    verbosity: Verbosity,
+) -> String {
+    let [width, height] = s.size;
+    let shown = format!("{picture}, {width}x{height}, method {}, camera {}", method(s), s.settings.camera);
+    let mut text = row("picture", &shown) + legend;
+    text += &row("time", &time(s));
+    text += &row("rays", &rays(s));
+    if let Some(gain) = &s.gain {
+        text += &row(
+            "speedup",
+            &format!(
+                "{:.2} over full's {:.2} ms; efficiency {:.2} (x RT ratio), {:.2} (x traced share of the work)",
+                gain.speedup,
+                gain.speedup * s.time_ms.frame.median,
+                gain.efficiency,
+                gain.cost_efficiency
+            ),
+        );
+    }
+    if let Some(against) = &s.error {
+        text += &row("error", &error(&against.report));
+    }
+    if let Some(lost) = s.missing.as_ref().filter(|lost| lost.pixels_lost > 0) {
+        text += &row("lost", &missing(lost));
+    }
+    if let Some(sides) = &s.sides {
+        text += &row("sides", &self::sides(sides));
+    }
     for warning in warnings.iter().take(WARNINGS) {
         text += &row("warning", warning);
     }
@@ -30,34 +60,30 @@ pub fn frame(statistics: &Statistics, warnings: &[String]) -> String {
         let more = warnings.len() - WARNINGS;
         text += &row("warning", &format!("and {more} more: glimpse info {}", s.scene.file));
     }
-    text += &row("adapter", &adapter(s));
-    let [width, height] = s.size;
-    text += &row("frame", &format!("{width}x{height}, method {}, camera {}", method(s), s.settings.camera));
+    if verbosity == Verbosity::Verbose { text + &details(s) } else { text }
+}
+
+/// Where a frame's time went, every counter and the memory.
+fn details(s: &Statistics) -> String {
+    let t = &s.time_ms;
+    let mut text = scene(&s.scene) + &row("adapter", &adapter(s));
     text += &row(
         "prepared",
         &format!("load {:.0} ms, build {:.0} ms, compile {:.0} ms", t.load, t.build, t.compile),
-    );
-    text += &row(
-        "time",
-        &format!(
-            "{:.2} ms (median of {}, 95 % within {:.2} ms), {} clock",
-            t.frame.median,
-            counted(s.frames, "frame"),
-            t.frame.p95,
-            t.clock
-        ),
     );
     for pass in &t.passes {
         let share = 100.0 * pass.median / t.frame.median;
         text += &row("", &format!("{:<16}{:>10.3} ms {share:>5.1} %", pass.name, pass.median));
     }
-    text += &row("rays", &rays(s));
-    text += &row("samples", &samples(s));
+    text += &row("samples", &counted_by(s.samples.total, s.samples.labelled()));
     text += &row("RT ratio", &format!("{:.4}", s.rt_ratio));
-    text += &row("failed", &counts(s.failed_checks.labelled()));
+    let failed = counts(s.failed_checks.labelled());
+    if !failed.is_empty() {
+        text += &row("traced", &format!("samples whose neighbours differ in {failed}"));
+    }
     text += &row("work", &work(s));
     let m = &s.memory_bytes;
-    text += &row(
+    text + &row(
         "memory",
         &format!(
             "{} (scene {}, acceleration structure {}, targets {})",
@@ -66,32 +92,22 @@ pub fn frame(statistics: &Statistics, warnings: &[String]) -> String {
             bytes(m.bvh),
             bytes(m.targets)
         ),
-    );
-    if let Some(gain) = &s.gain {
-        text += &row(
-            "speedup",
-            &format!(
-                "{:.2} over full's {:.2} ms; efficiency {:.2} (x RT ratio), {:.2} (x traced share of the work)",
-                gain.speedup,
-                gain.speedup * t.frame.median,
-                gain.efficiency,
-                gain.cost_efficiency
-            ),
-        );
-    }
-    if let Some(sides) = &s.sides {
-        text += &row("sides", &self::sides(sides));
-    }
-    if let Some(against) = &s.error {
-        text += &row("error", &error(&against.report));
-    }
-    if let Some(lost) = &s.missing {
-        text += &row("lost", &missing(lost));
-    }
-    text
+    )
 }
 
-/// Contents of a scene and the features left out, in two lines.
+fn time(s: &Statistics) -> String {
+    let t = &s.time_ms;
+    format!(
+        "{:.2} ms (median of {}, 95 % within {:.2} ms), {} clock, after {:.1} s of preparation",
+        t.frame.median,
+        counted(s.frames, "frame"),
+        t.frame.p95,
+        t.clock,
+        (t.load + t.build + t.compile) / 1000.0
+    )
+}
+
+/// Contents of a scene and what its kernels do without, in one or two lines.
 pub fn scene(scene: &SceneStatistics) -> String {
     let counts = [
         counted(scene.triangles, "triangle"),
@@ -100,7 +116,11 @@ pub fn scene(scene: &SceneStatistics) -> String {
         counted(scene.lights, "light"),
         counted(scene.textures, "texture"),
     ];
-    row("scene", &format!("{}: {}", scene.file, listed(&counts))) + &row("left out", &listed(&scene.left_out))
+    let text = row("scene", &format!("{}: {}", scene.file, listed(&counts)));
+    if scene.left_out.is_empty() {
+        return text;
+    }
+    text + &row("kernels", &format!("without {}: this scene needs none of it", listed(&scene.left_out)))
 }
 
 /// Samples by GPU and CPU thread after the timed frames, in one line.
@@ -169,17 +189,20 @@ pub fn adapter(statistics: &Statistics) -> String {
 }
 
 fn rays(s: &Statistics) -> String {
-    let Rays { total, .. } = s.rays;
-    format!("{} ({}), {:.2} million/s", grouped(total), counts(s.rays.labelled()), s.mrays_per_s)
+    let traced = format!("{:.1} % of the samples traced", 100.0 * s.rt_ratio);
+    format!("{}, {:.2} million/s, {traced}", counted_by(s.rays.total, s.rays.labelled()), s.mrays_per_s)
 }
 
-fn samples(s: &Statistics) -> String {
-    format!("{} ({})", grouped(s.samples.total), counts(s.samples.labelled()))
+/// A sum with its parts.
+fn counted_by<const N: usize>(total: u64, labelled: [(&str, u64); N]) -> String {
+    let parts = counts(labelled);
+    if parts.is_empty() { grouped(total) } else { format!("{} ({parts})", grouped(total)) }
 }
 
-/// Counters with their labels, separated by commas.
+/// Counters with their labels, separated by commas, without those that are zero.
 fn counts<const N: usize>(labelled: [(&str, u64); N]) -> String {
-    labelled.map(|(label, count)| format!("{label} {}", grouped(count))).join(", ")
+    let there = labelled.into_iter().filter(|(_, count)| *count > 0);
+    there.map(|(label, count)| format!("{label} {}", grouped(count))).collect::<Vec<_>>().join(", ")
 }
 
 fn work(s: &Statistics) -> String {
@@ -197,18 +220,18 @@ mod tests {
 
     #[test]
     fn a_frame_is_told_in_full() {
-        let text = frame(&example(), &[]);
+        let text = frame(&example(), "out.png", "", &[], Verbosity::Verbose);
         for expected in [
             "scene     a.glb: 0 triangles",
-            "left out  textures, glossy, emission, metallic_roughness_textures",
+            "kernels   without textures, glossy, emission, metallic_roughness_textures",
             "Card (vulkan, D 1)",
-            "8x4, method adaptive, camera 0 (front)",
+            "picture   out.png, 8x4, method adaptive, camera 0 (front)",
             "10.00 ms (median of 1 frame, 95 % within 12.00 ms), gpu clock",
             "base                 8.000 ms  80.0 %",
             "RT ratio  0.3400",
-            "rays      0 (primary 0, shadow 0, reflected 0, refracted 0, diffuse 0), 7.00 million/s",
-            "samples   32 (base 8, traced A1 1, traced A2 2, postcorrected 0, extra 0, interpolated 21)",
-            "oid 3, pos 0",
+            "rays      0, 7.00 million/s, 34.0 % of the samples traced",
+            "samples   32 (base 8, traced A1 1, traced A2 2, interpolated 21)",
+            "neighbours differ in oid 3",
             "50.0 % of the full frame's work",
             "speedup   2.00 over full's 20.00 ms",
             "PSNR 48.13 dB",
@@ -220,13 +243,34 @@ mod tests {
         assert!(!text.contains("warning"));
     }
 
+    #[test]
+    fn a_person_is_told_the_picture_its_time_and_its_error_and_nothing_that_reads_as_a_failure() {
+        let text = frame(&example(), "out.png", "", &[], Verbosity::Normal);
+        let names: Vec<_> = text.lines().map(|line| line[..10].trim_end()).collect();
+        assert_eq!(names, ["picture", "time", "rays", "speedup", "error", "lost"]);
+        let mut statistics = example();
+        statistics.missing.as_mut().unwrap().pixels_lost = 0;
+        for verbosity in [Verbosity::Normal, Verbosity::Verbose] {
+            let text = frame(&statistics, "out.png", "", &[], verbosity);
+            assert!(
+                !text.contains("lost") && !text.contains("left out") && !text.contains("failed"),
+                "{text}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_name_stays_on_its_line() {
+        assert_eq!(row("camera", "a\nb"), "camera    a\\u{a}b\n");
+    }
+
     /// Every counter is printed, so that the printed counts add up to their sum.
     #[test]
     fn every_counter_of_the_json_is_told() {
         let mut statistics = example();
         statistics.samples.extra = 1_234_567;
         statistics.rays.diffuse = 7_654_321;
-        let text = frame(&statistics, &[]);
+        let text = frame(&statistics, "out.png", "", &[], Verbosity::Verbose);
         assert!(text.contains("extra 1,234,567") && text.contains("diffuse 7,654,321"), "{text}");
         let json = serde_json::to_value(&statistics).unwrap();
         for (section, labels) in
@@ -239,7 +283,7 @@ mod tests {
     #[test]
     fn many_warnings_are_counted() {
         let warnings: Vec<String> = (0..5).map(|i| format!("mesh {i}")).collect();
-        let text = frame(&example(), &warnings);
+        let text = frame(&example(), "out.png", "", &warnings, Verbosity::Normal);
         assert!(text.contains("mesh 2") && !text.contains("mesh 3"), "{text}");
         assert!(text.contains("and 2 more"), "{text}");
     }

@@ -14,18 +14,19 @@ use winit::event_loop::EventLoop;
 
 use crate::args::{FrameOptions, SceneOptions, Size, ViewOptions};
 use crate::errors::Usage;
-use crate::{files, output, render, scene_file};
+use crate::output::{self, Verbosity};
+use crate::{files, render, scene_file};
 
 const DEFAULT_SCENE: &str = "builtin:room";
 
 /// Runs `glimpse view`; renders a picture if there is no display.
-pub fn run(options: &ViewOptions, adapter: Option<&str>) -> anyhow::Result<()> {
+pub fn run(options: &ViewOptions, adapter: Option<&str>, verbosity: Verbosity) -> anyhow::Result<()> {
     if options.list_phones {
         return output::print(&phones_text()?);
     }
     let scene = options.scene.as_deref().unwrap_or(DEFAULT_SCENE);
     scene_file::check(scene)?;
-    let setup = setup(options, scene, adapter)?;
+    let setup = setup(options, scene, adapter, verbosity)?;
     if options.headless {
         return glimpse_shell::run_offscreen(setup).map_err(|line| anyhow!(line));
     }
@@ -37,17 +38,22 @@ pub fn run(options: &ViewOptions, adapter: Option<&str>) -> anyhow::Result<()> {
             if options.script.is_none() =>
         {
             log::info!("{error}");
-            render::without_display(options, scene, adapter)
+            render::without_display(options, scene, adapter, verbosity)
         }
         Err(error) => Err(error).context("no window; --headless plays a script without one"),
     }
 }
 
-fn setup(options: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::Result<Setup> {
+fn setup(
+    options: &ViewOptions,
+    scene: &str,
+    adapter: Option<&str>,
+    verbosity: Verbosity,
+) -> anyhow::Result<Setup> {
     let phone = options.phone.as_deref().map(Phone::named).transpose();
     let phone = phone.map_err(|reason| Usage(format!("--phone: {reason}")))?;
     let script = options.script.as_deref().map(read_script).transpose()?;
-    let choices = choices(options)?;
+    let choices = choices(options, verbosity)?;
     let surroundings = options.frame.environment.surroundings();
     surroundings.check()?;
     let (first, frame) = (scene.to_owned(), options.frame.clone());
@@ -78,6 +84,7 @@ fn setup(options: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::R
         size,
         script,
         save: Box::new(|file, picture| save(file, picture).map_err(|error| format!("{error:#}"))),
+        print: Box::new(|line| output::print(&format!("{line}\n")).map_err(|error| format!("{error:#}"))),
         remember: Box::new(move |files| {
             if !scripted && let Err(error) = remember(files) {
                 log::warn!("{error:#}");
@@ -87,7 +94,7 @@ fn setup(options: &ViewOptions, scene: &str, adapter: Option<&str>) -> anyhow::R
 }
 
 /// The window's own choices with those of the command line.
-fn choices(options: &ViewOptions) -> anyhow::Result<Choices> {
+fn choices(options: &ViewOptions, verbosity: Verbosity) -> anyhow::Result<Choices> {
     let usual = Choices::default();
     let settings = options.frame.typed.over(usual.settings.with_method(options.method))?;
     settings.validate()?;
@@ -98,7 +105,8 @@ fn choices(options: &ViewOptions) -> anyhow::Result<Choices> {
     if let Some(reason) = options.show.conflict(&settings) {
         return Err(Usage(format!("--show {}: {reason}", options.show.name())).into());
     }
-    for warning in options.frame.warnings(&settings) {
+    let warnings = options.frame.warnings(&settings);
+    for warning in warnings.iter().filter(|_| verbosity > Verbosity::Quiet) {
         output::remark(&format!("warning: {warning}"));
     }
     Ok(Choices { settings, show: options.show, ..usual })

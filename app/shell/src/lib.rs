@@ -28,6 +28,9 @@ pub fn free_name(folder: &Path) -> Option<PathBuf> {
     (1..).map(|i| folder.join(format!("glimpse-{i}.png"))).find(|path| !path.exists())
 }
 
+/// Prints a line to the standard output.
+pub type Print = Box<dyn FnMut(&str) -> Result<()>>;
+
 /// Stores the names of recently opened files.
 pub type Remember = Box<dyn FnMut(&[String])>;
 
@@ -55,6 +58,8 @@ pub struct Setup {
     pub script: Option<Script>,
     /// Saves pictures.
     pub save: Save,
+    /// Prints lines of scripts.
+    pub print: Print,
     /// Stores recently opened files.
     pub remember: Remember,
 }

@@ -1,7 +1,6 @@
 //! A session: updates the app, plays scripts, and carries out the app's requests, on any kind of window.
 
 use std::{
-    io::Write,
     path::PathBuf,
     sync::Arc,
     time::{Duration, Instant},
@@ -169,7 +168,7 @@ impl Session {
                 app.change(&change).map_err(|reason| format!("{}: {reason}", player.place()))?;
             }
             Some(Ask::Print(line)) => {
-                writeln!(std::io::stdout(), "{line}").map_err(|error| format!("standard output: {error}"))?;
+                (self.setup.print)(&line)?;
             }
             Some(Ask::Cost(cost)) => app.set_cost(cost),
             Some(Ask::Screenshot(file)) => app.screenshot(Some(file)),

@@ -1,21 +1,40 @@
 //! Reads and writes whole files. A write replaces the file atomically: it succeeds in full or leaves the old
-//! content.
+//! content. The path `-` is the standard input of what is read, and the standard output of what is written.
 
 use std::fs;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Read, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 use anyhow::Context;
 use tempfile::NamedTempFile;
 
+use crate::output;
+
 /// The longest file that is read, in bytes: a `.glb` states its length in 32 bits.
 const MAX_BYTES: u64 = u32::MAX as u64;
+
+/// The standard input once it was read, as it can be read once and a scene may be loaded again.
+static STANDARD_INPUT: Mutex<Option<Vec<u8>>> = Mutex::new(None);
+
+/// Whether the path stands for the standard input or output.
+pub fn is_standard(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
 
 /// Checks before long work that [`write()`] can succeed for each output. Fails if a path cannot be written, if
 /// two outputs are the same file, or if an output is one of the inputs.
 pub fn check(outputs: &[&Path], inputs: &[&Path]) -> anyhow::Result<()> {
-    let mut taken: Vec<_> = inputs.iter().map(|input| resolved(input)).collect();
+    let inputs = inputs.iter().filter(|input| !is_standard(input));
+    let mut taken: Vec<_> = inputs.map(|input| resolved(input)).collect();
     for path in outputs {
+        if is_standard(path) {
+            if taken.iter().any(|taken| is_standard(taken)) {
+                anyhow::bail!("cannot write -: the command names the standard output twice");
+            }
+            taken.push(path.to_path_buf());
+            continue;
+        }
         let resolved = resolved(path);
         writable(&resolved)?;
         if taken.contains(&resolved) && !is_special(&resolved) {
@@ -43,6 +62,9 @@ fn writable(path: &Path) -> anyhow::Result<()> {
 /// Writes the file in one step, by renaming a temporary file: readers see the old content or the new, never a
 /// part.
 pub fn write(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
+    if is_standard(path) {
+        return output::write_out(bytes);
+    }
     let path = resolved(path);
     let failed = || format!("cannot write {}", path.display());
     if is_special(&path) {
@@ -57,12 +79,21 @@ pub fn write(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
 /// Reads a whole file.
 pub fn read(path: &Path) -> anyhow::Result<Vec<u8>> {
     readable(path)?;
+    if is_standard(path) {
+        return standard_input();
+    }
     fs::read(path).with_context(|| format!("cannot read {}", path.display()))
 }
 
 /// Fails for folders, pipes, devices and files longer than 4 GiB, which [`read`] must not be given.
 pub fn readable(path: &Path) -> anyhow::Result<()> {
     let failed = || format!("cannot read {}", path.display());
+    if is_standard(path) {
+        if io::stdin().is_terminal() {
+            anyhow::bail!("{}: expected a file or a pipe as standard input, found a terminal", failed());
+        }
+        return Ok(());
+    }
     let about = fs::metadata(path).with_context(failed)?;
     if !about.is_file() {
         let kind = if about.is_dir() { "folder" } else { "pipe or a device" };
@@ -72,6 +103,20 @@ pub fn readable(path: &Path) -> anyhow::Result<()> {
         anyhow::bail!("{}: expected at most {MAX_BYTES} bytes, found {}", failed(), about.len());
     }
     Ok(())
+}
+
+fn standard_input() -> anyhow::Result<Vec<u8>> {
+    let mut kept = STANDARD_INPUT.lock().map_err(|_| anyhow::anyhow!("cannot read the standard input"))?;
+    if let Some(bytes) = &*kept {
+        return Ok(bytes.clone());
+    }
+    let mut bytes = Vec::new();
+    let read = io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes);
+    read.context("cannot read the standard input")?;
+    if bytes.len() as u64 > MAX_BYTES {
+        anyhow::bail!("cannot read the standard input: expected at most {MAX_BYTES} bytes");
+    }
+    Ok(kept.insert(bytes).clone())
 }
 
 /// Resolves symbolic links, so that writing replaces the target and keeps the link. The file itself need not

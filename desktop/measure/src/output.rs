@@ -1,29 +1,88 @@
-//! Writing to stdout, and the formatting of numbers there.
+//! Writing to the terminal, and the formatting of numbers there.
 
-use std::io::{ErrorKind, Write};
+use std::borrow::Cow;
+use std::io::{self, ErrorKind, Write};
 
 use anyhow::Context;
 pub use glimpse::show::grouped;
 use serde::Serialize;
 
-/// Prints a text to stdout. A closed pipe (`| head`) is not an error.
+/// How much a command prints beside the results that it was asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Verbosity {
+    /// Errors.
+    Quiet,
+    /// What a person wants to know: sizes, times, errors, warnings, progress.
+    #[default]
+    Normal,
+    /// All counters too.
+    Verbose,
+}
+
+/// Prints a text to stdout, with control characters escaped. A closed pipe (`| head`) is not an error.
 pub fn print(text: &str) -> anyhow::Result<()> {
-    let mut out = std::io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    write_out(plain(text).as_bytes())
+}
+
+/// Writes bytes to stdout. A closed pipe is not an error.
+pub fn write_out(bytes: &[u8]) -> anyhow::Result<()> {
+    let mut out = io::stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error).context("cannot write to stdout"),
         _ => Ok(()),
     }
 }
 
-/// Prints a line to stderr.
-pub fn remark(line: &str) {
-    // If stderr is closed, the line is lost.
-    let _ = writeln!(std::io::stderr(), "glimpse: {line}");
+/// Prints a text to stderr as [`print()`] does to stdout, for where stdout carries a file. If stderr is closed, the text
+/// is lost.
+pub fn print_aside(text: &str) {
+    let _ = io::stderr().write_all(plain(text).as_bytes());
 }
 
-/// Serialises a value as indented JSON that ends in a newline, the form of every JSON output of this program.
+/// Prints a line to stderr.
+pub fn remark(line: &str) {
+    print_aside(&format!("glimpse: {}\n", one_line(line)));
+}
+
+/// The text without what acts on a terminal or reorders what it shows: control characters except tabs and ends of
+/// lines, and marks of bidirectional text (Unicode, UAX #9), are written as `\u{..}`.
+pub fn plain(text: &str) -> Cow<'_, str> {
+    escaped(text, |c| acts(c) && c != '\n' && c != '\t')
+}
+
+/// The text as [`plain`] makes it, with ends of lines and tabs escaped too.
+pub fn one_line(text: &str) -> Cow<'_, str> {
+    escaped(text, acts)
+}
+
+fn acts(c: char) -> bool {
+    let is_mark =
+        matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    c.is_control() || is_mark || matches!(c, '\u{2028}' | '\u{2029}')
+}
+
+fn escaped(text: &str, unfit: impl Fn(char) -> bool) -> Cow<'_, str> {
+    if !text.contains(&unfit) {
+        return Cow::Borrowed(text);
+    }
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        if unfit(c) { escaped.extend(c.escape_unicode()) } else { escaped.push(c) }
+    }
+    Cow::Owned(escaped)
+}
+
+/// Serialises a value as indented JSON that ends in a newline, the form of every JSON output of this program. What
+/// [`plain`] escapes is escaped as JSON does it.
 pub fn json(value: &impl Serialize) -> anyhow::Result<String> {
-    Ok(serde_json::to_string_pretty(value).context("JSON")? + "\n")
+    let text = serde_json::to_string_pretty(value).context("JSON")? + "\n";
+    let unfit = |c: char| acts(c) && c != '\n';
+    if !text.contains(unfit) {
+        return Ok(text);
+    }
+    // Within strings alone, as there are none of these characters outside of them; all are of 16 bits.
+    let escape = |c: char| if unfit(c) { format!("\\u{:04x}", u32::from(c)) } else { c.to_string() };
+    Ok(text.chars().map(escape).collect())
 }
 
 /// Formats a number of bytes in the largest fitting binary unit: `1.5 KiB`.
@@ -54,6 +113,17 @@ pub fn listed<S: AsRef<str>>(items: &[S]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_acts_on_a_terminal_is_escaped() {
+        let name = "a\u{1b}[2Jb\u{202e}c\u{7f}\u{85}é\n\t";
+        assert_eq!(plain(name), "a\\u{1b}[2Jb\\u{202e}c\\u{7f}\\u{85}é\n\t");
+        assert_eq!(one_line("a\nb\tc"), "a\\u{a}b\\u{9}c");
+        assert!(matches!(plain("plain ünïcode 字"), Cow::Borrowed(_)));
+        let text = json(&[name]).unwrap();
+        assert_eq!(plain(&text), text, "{text}");
+        assert_eq!(serde_json::from_str::<Vec<String>>(&text).unwrap(), [name]);
+    }
 
     #[test]
     fn numbers_are_readable() {

@@ -4,23 +4,25 @@ use std::io::IsTerminal;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// A progress bar on stderr; invisible if stderr is not a terminal. Dropping it clears the bar.
+use crate::output::{self, Verbosity};
+
+/// A progress bar on stderr; invisible if stderr is not a terminal, and to the quiet. Dropping it clears the bar.
 pub struct Progress(ProgressBar);
 
 impl Progress {
     /// Starts a bar that counts `steps` steps and shows the elapsed time.
-    pub fn new(steps: u64) -> Self {
-        Self::start(steps, "{bar:24} {pos}/{len} {msg} ({elapsed})")
+    pub fn new(verbosity: Verbosity, steps: u64) -> Self {
+        Self::start(verbosity, steps, "{bar:24} {pos}/{len} {msg} ({elapsed})")
     }
 
     /// Starts a bar for long work counted in units of about equal time: it shows the percentage done and the
     /// estimated time left.
-    pub fn of_work(units: u64) -> Self {
-        Self::start(units, "{bar:24} {percent} % {msg} ({elapsed}, {eta} to go)")
+    pub fn of_work(verbosity: Verbosity, units: u64) -> Self {
+        Self::start(verbosity, units, "{bar:24} {percent} % {msg} ({elapsed}, {eta} to go)")
     }
 
-    fn start(steps: u64, template: &str) -> Self {
-        if !std::io::stderr().is_terminal() {
+    fn start(verbosity: Verbosity, steps: u64, template: &str) -> Self {
+        if verbosity == Verbosity::Quiet || !std::io::stderr().is_terminal() {
             return Self(ProgressBar::hidden());
         }
         let style = ProgressStyle::with_template(template);
@@ -29,7 +31,7 @@ impl Progress {
 
     /// Sets the message that names the current step.
     pub fn doing(&self, what: &str) {
-        self.0.set_message(what.to_owned());
+        self.0.set_message(output::one_line(what).into_owned());
         self.0.tick();
     }
 

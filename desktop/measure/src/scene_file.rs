@@ -15,6 +15,9 @@ pub fn check(name: &str) -> anyhow::Result<()> {
         return check_builtin(builtin_name);
     }
     let path = Path::new(name);
+    if files::is_standard(path) {
+        return files::readable(path);
+    }
     let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
     if !matches!(ending.as_deref(), Some("glb" | "gltf")) {
         let builtin = name.split_once(':').and_then(|(prefix, _)| similar(prefix, ["builtin"]));
@@ -25,7 +28,8 @@ pub fn check(name: &str) -> anyhow::Result<()> {
     files::readable(path)
 }
 
-/// Loads `builtin:NAME`, a `.glb`, or a `.gltf` with the files that it names beside it.
+/// Loads `builtin:NAME`, a `.glb`, or a `.gltf` with the files that it names beside it. `-` is either of both on the
+/// standard input, with its files in the working folder.
 pub fn load(name: &str) -> anyhow::Result<Scene> {
     load_seen(name, &ImportOptions::default(), &mut |_, _| ())
 }

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use glimpse::{Gpu, Settings};
+use glimpse_measure::output::Verbosity;
 use glimpse_measure::progress::Progress;
 use glimpse_measure::statistics::AdapterStatistics;
 use glimpse_measure::{files, output, scene_file};
@@ -37,6 +38,8 @@ pub struct Options {
     pub table5_sizes: Vec<u32>,
     /// The program, as the page names it.
     pub program: Program,
+    /// What is printed beside the report.
+    pub verbosity: Verbosity,
 }
 
 /// Version and command line of the program, as the page shows them.
@@ -105,14 +108,14 @@ fn measure(bench: &Bench<'_>, options: &Options, scenes: &[Prepared]) -> anyhow:
     let all = || known.iter().flatten();
     let [complete, total] =
         all().map(|k| k.complete(bench.frames)).fold([0, 0], |a, b| [a[0] + b[0], a[1] + b[1]]);
-    if complete > 0 {
+    if complete > 0 && options.verbosity > Verbosity::Quiet {
         output::print(&format!(
             "{complete} of {} are in {} already: going on from there\n",
             output::counted(total, "measurement"),
             options.output.display()
         ))?;
     }
-    let progress = Progress::of_work(all().map(|k| k.work(bench.frames)).sum());
+    let progress = Progress::of_work(options.verbosity, all().map(|k| k.work(bench.frames)).sum());
     let mut measured = Vec::new();
     for (scene, jobs) in scenes.iter().zip(known) {
         let mut subjects = Subjects::new(bench.gpu, scene);
@@ -140,6 +143,9 @@ fn write(options: &Options, header: &Header, store: &Store, scenes: &[SceneRepor
         into(csv.file, &(csv.bytes)(scenes)?)?;
     }
     into("report.html", page::html(header, store, scenes)?.as_bytes())?;
+    if options.verbosity == Verbosity::Quiet {
+        return Ok(());
+    }
     let mut text = String::new();
     for scene in scenes {
         text += &format!("{}: {}\n", scene.prepared.name, rows::verdict(&scene.rows));
