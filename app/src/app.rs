@@ -16,7 +16,7 @@ pub use self::update::{Request, Update};
 use self::{clock::Clock, delivery::Delivery, device::DeviceState, pacing::Pacing, scene_list::SceneList};
 use crate::{
     CameraControl, Change, Choices, Files, FrameRate, Gestures, HudState, Job, Overlay, Painting, Quality,
-    Wake, Worker, view::View,
+    Wake, Worker, script::Capture, view::View,
 };
 
 /// The application: a shell calls [`App::update`] with input and time, and draws what that returns.
@@ -231,12 +231,23 @@ impl App {
 
     /// Saves the current frame under that name; with `None` the shell chooses a name.
     pub fn screenshot(&mut self, file: Option<PathBuf>) {
-        if let (Some(job), Some(worker)) = (self.still_job(), self.device.ready_worker()) {
-            worker.capture(job);
-            self.delivery.capture_requested(file);
-        } else {
+        if !self.capture(Capture::Save(file)) {
             self.report_problem("There is no frame to save yet.".to_owned());
         }
+    }
+
+    /// Has the current frame compared with a file, within bounds as they are typed; returns false where there is no frame
+    /// yet.
+    pub fn compare(&mut self, file: PathBuf, bounds: String) -> bool {
+        self.capture(Capture::Compare(file, bounds))
+    }
+
+    /// Requests a picture of the current frame; returns false where there is none yet.
+    fn capture(&mut self, capture: Capture) -> bool {
+        let (Some(job), Some(worker)) = (self.still_job(), self.device.ready_worker()) else { return false };
+        worker.capture(job);
+        self.delivery.capture_requested(capture);
+        true
     }
 
     /// Shows a confirmation for a few seconds.

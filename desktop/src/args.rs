@@ -254,6 +254,9 @@ pub struct ViewOptions {
     /// Play the script without a window
     #[arg(long, help_heading = WINDOW, requires = "script")]
     pub headless: bool,
+    /// List the steps of scripts and the values that they can expect
+    #[arg(long, help_heading = WINDOW)]
+    pub script_help: bool,
     /// How the frame is made
     #[arg(long, help_heading = Group::Frame.title(), value_name = "NAME", value_parser = method_parser(),
         default_value = "adaptive", ignore_case = true)]

@@ -5,6 +5,8 @@ use std::sync::Arc;
 
 use anyhow::{Context, anyhow};
 use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap::{Args, FromArgMatches};
+use glimpse::metrics::Bounds;
 use glimpse::{DisplayImage, Scene, to_png};
 use glimpse_app::script::Script;
 use glimpse_app::{Choices, Files, Opened, Phone, StartCamera};
@@ -12,8 +14,9 @@ use glimpse_shell::{Chosen, Screen, Setup, Wakeup, free_name};
 use winit::error::EventLoopError;
 use winit::event_loop::EventLoop;
 
-use crate::args::{FrameOptions, SceneOptions, Size, ViewOptions};
-use crate::errors::Usage;
+use crate::args::{BoundsOptions, FrameOptions, SceneOptions, Size, ViewOptions};
+use crate::compare::{self, Comparison};
+use crate::errors::{self, Usage};
 use crate::output::{self, Verbosity};
 use crate::{files, render, scene_file};
 
@@ -23,6 +26,9 @@ const DEFAULT_SCENE: &str = "builtin:room";
 pub fn run(options: &ViewOptions, adapter: Option<&str>, verbosity: Verbosity) -> anyhow::Result<()> {
     if options.list_phones {
         return output::print(&phones_text()?);
+    }
+    if options.script_help {
+        return output::print(&glimpse_app::script::help());
     }
     let scene = options.scene.as_deref().unwrap_or(DEFAULT_SCENE);
     scene_file::check(scene)?;
@@ -84,6 +90,7 @@ fn setup(
         size,
         script,
         save: Box::new(|file, picture| save(file, picture).map_err(|error| format!("{error:#}"))),
+        compare: Box::new(compared),
         print: Box::new(|line| output::print(&format!("{line}\n")).map_err(|error| format!("{error:#}"))),
         remember: Box::new(move |files| {
             if !scripted && let Err(error) = remember(files) {
@@ -153,7 +160,31 @@ fn screen(phone: &Phone) -> Screen {
 fn read_script(path: &Path) -> anyhow::Result<Script> {
     let name = path.display().to_string();
     let text = String::from_utf8(files::read(path)?).with_context(|| name.clone())?;
-    Script::parse(&name, &text).map_err(|line| anyhow!(line))
+    let script = Script::parse(&name, &text).map_err(|line| anyhow!(line))?;
+    script.check_bounds(|typed| bounds(typed).map(drop)).map_err(|line| anyhow!(line))?;
+    Ok(script)
+}
+
+/// Bounds as `compare` takes them; without any, those that allow for the rounding of other processors.
+fn bounds(typed: &str) -> Result<Bounds, String> {
+    let command = BoundsOptions::augment_args(clap::Command::new("picture")).no_binary_name(true);
+    let matches = command
+        .args_override_self(true)
+        .disable_help_flag(true)
+        .try_get_matches_from(typed.split_whitespace());
+    let options = matches.and_then(|matches| BoundsOptions::from_arg_matches(&matches));
+    options.map(|options| options.or_rounding()).map_err(|error| errors::of_usage(&error))
+}
+
+/// Compares a frame with the picture in a file, as `compare` does.
+fn compared(file: &Path, typed: &str, frame: &DisplayImage) -> Result<(), String> {
+    let bounds = bounds(typed)?;
+    let name = file.display();
+    let reference = compare::read(file).map_err(|error| errors::told(&error))?.into_display();
+    let comparison = Comparison::of(frame, &reference, &bounds);
+    let comparison =
+        comparison.map_err(|error| format!("{name}: {}", errors::told(&compare::not_usage(error))))?;
+    comparison.complaint().map_or(Ok(()), |complaint| Err(format!("the frame against {name}: {complaint}")))
 }
 
 /// Saves a picture; without a name, under the first unused name in the working folder.

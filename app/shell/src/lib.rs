@@ -28,6 +28,9 @@ pub fn free_name(folder: &Path) -> Option<PathBuf> {
     (1..).map(|i| folder.join(format!("glimpse-{i}.png"))).find(|path| !path.exists())
 }
 
+/// Compares a picture with that file, within bounds as they are typed; an error says where it is beyond them.
+pub type Compare = Box<dyn FnMut(&Path, &str, &DisplayImage) -> Result<()>>;
+
 /// Prints a line to the standard output.
 pub type Print = Box<dyn FnMut(&str) -> Result<()>>;
 
@@ -58,6 +61,8 @@ pub struct Setup {
     pub script: Option<Script>,
     /// Saves pictures.
     pub save: Save,
+    /// Compares pictures that scripts expect.
+    pub compare: Compare,
     /// Prints lines of scripts.
     pub print: Print,
     /// Stores recently opened files.

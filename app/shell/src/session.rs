@@ -10,7 +10,7 @@ use egui::{Rect, pos2, vec2};
 use glimpse::{DisplayImage, Gpu};
 use glimpse_app::{
     App, Painting, Request, Update, Wake,
-    script::{Ask, Player, ShellEvent},
+    script::{Ask, Capture, Player, ShellEvent},
 };
 
 use crate::{Result, Screen, Setup, Surface, surface::Acquired, touch::Finger};
@@ -26,6 +26,8 @@ pub struct Session {
     finger: Finger,
     /// The emulated screen is rotated by 90 degrees.
     turned: bool,
+    /// A picture of the frame is to be compared.
+    comparing: bool,
     /// Files to save the window's content in, once it shows something.
     shots: Vec<PathBuf>,
 }
@@ -74,6 +76,7 @@ impl Session {
             started: Instant::now(),
             finger: Finger::default(),
             turned: false,
+            comparing: false,
             shots: Vec::new(),
         }
     }
@@ -152,6 +155,11 @@ impl Session {
         for request in std::mem::take(&mut update.requests) {
             self.handle_request(request, &mut leftover)?;
         }
+        if self.comparing {
+            let place = self.player.as_ref().map(Player::place).unwrap_or_default();
+            let problem = self.app.problem().unwrap_or("no picture of it");
+            return Err(format!("{place}: expected a frame to compare, found {problem}"));
+        }
         Ok((update, leftover))
     }
 
@@ -172,6 +180,12 @@ impl Session {
             }
             Some(Ask::Cost(cost)) => app.set_cost(cost),
             Some(Ask::Screenshot(file)) => app.screenshot(Some(file)),
+            Some(Ask::Compare(file, bounds)) => {
+                if !app.compare(file, bounds) {
+                    return Err(format!("{}: expected a frame to compare, found none yet", player.place()));
+                }
+                self.comparing = true;
+            }
             Some(Ask::Window(file)) => self.shots.push(file),
             Some(Ask::Shell(ShellEvent::LowMemory)) => app.trim(),
             Some(Ask::Shell(ShellEvent::Thermal(factor))) => app.set_thermal(factor),
@@ -189,7 +203,13 @@ impl Session {
     fn handle_request(&mut self, request: Request, leftover: &mut Leftover) -> Result<()> {
         match request {
             Request::OpenDialog => leftover.dialog = true,
-            Request::Save(file, picture) => self.save(file, &picture)?,
+            Request::Save(Capture::Save(file), picture) => self.save(file, &picture)?,
+            Request::Save(Capture::Compare(file, bounds), picture) => {
+                self.comparing = false;
+                let place = self.player.as_ref().map(Player::place).unwrap_or_default();
+                (self.setup.compare)(&file, &bounds, &picture)
+                    .map_err(|reason| format!("{place}: {reason}"))?;
+            }
             Request::Remember(files) => (self.setup.remember)(&files),
             Request::FullScreen => leftover.full_screen = true,
             Request::NewDevice => leftover.new_device = true,

@@ -1,9 +1,7 @@
 //! Tracks frames from request to screen.
 
-use std::path::PathBuf;
-
 use super::device::DeviceState;
-use crate::{Job, RenderedFrame};
+use crate::{Job, RenderedFrame, script::Capture};
 
 /// The unanswered requests to the worker, and the frame on display.
 #[derive(Default)]
@@ -16,8 +14,8 @@ pub(crate) struct Delivery {
     failed: Option<Job>,
     /// Number of the frame whose counters have not arrived.
     counting: Option<u64>,
-    /// File for the requested screenshot; the inner `None` lets the shell choose a name.
-    capture: Option<Option<PathBuf>>,
+    /// Use of the requested picture.
+    capture: Option<Capture>,
     /// Whether a requested surface point has not arrived.
     picking: bool,
     shown: Option<Shown>,
@@ -80,13 +78,13 @@ impl Delivery {
         self.counting.take_if(|counting| *counting == number).is_some()
     }
 
-    /// Records a request for a screenshot, to be saved under that name.
-    pub fn capture_requested(&mut self, file: Option<PathBuf>) {
-        self.capture = Some(file);
+    /// Records a request for a picture of the frame.
+    pub fn capture_requested(&mut self, capture: Capture) {
+        self.capture = Some(capture);
     }
 
-    /// Records that a screenshot arrived and returns its file; the outer `None` if none is expected any more.
-    pub fn capture_arrived(&mut self) -> Option<Option<PathBuf>> {
+    /// Records that a picture arrived and returns its use; `None` if none is expected any more.
+    pub fn capture_arrived(&mut self) -> Option<Capture> {
         self.capture.take()
     }
 
@@ -227,7 +225,7 @@ mod tests {
         let mut delivery = Delivery::default();
         assert!(!delivery.is_complete(Some(&job(1, None))));
         delivery.frame_requested(1, job(1, None));
-        delivery.capture_requested(None);
+        delivery.capture_requested(Capture::Save(None));
         delivery.pick_requested();
         delivery.request_failed();
         assert!(!delivery.is_waiting() && !delivery.needs(&job(1, None)));
@@ -242,9 +240,9 @@ mod tests {
     fn a_picture_is_saved_once_where_it_was_to_be() {
         let mut delivery = Delivery::default();
         assert_eq!(delivery.capture_arrived(), None);
-        delivery.capture_requested(Some("a.png".into()));
+        delivery.capture_requested(Capture::Save(Some("a.png".into())));
         assert!(delivery.is_waiting());
-        assert_eq!(delivery.capture_arrived(), Some(Some("a.png".into())));
+        assert_eq!(delivery.capture_arrived(), Some(Capture::Save(Some("a.png".into()))));
         assert!(!delivery.is_waiting());
     }
 }

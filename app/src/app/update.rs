@@ -1,18 +1,18 @@
 //! The result of an update, for the shell.
 
-use std::{path::PathBuf, time::Duration};
+use std::time::Duration;
 
 use glimpse::DisplayImage;
 
-use crate::Painting;
+use crate::{Painting, script::Capture};
 
 /// A request to the shell.
 #[derive(Debug)]
 pub enum Request {
     /// Show a file dialog and call [`App::open`](crate::App::open) with the chosen file.
     OpenDialog,
-    /// Save a picture under that name, or under one chosen by the shell.
-    Save(Option<PathBuf>, DisplayImage),
+    /// Save a picture, or compare it with a saved one.
+    Save(Capture, DisplayImage),
     /// Store the names of recently opened files, the newest first.
     Remember(Vec<String>),
     /// Switch between full screen and window.

@@ -104,7 +104,7 @@ impl Expectation {
         if holds {
             return Ok(());
         }
-        let found = found.map_or_else(|| "nothing".to_owned(), ToString::to_string);
+        let found = found.map_or_else(|| "no value yet".to_owned(), ToString::to_string);
         Err(format!("expected {} {} {}, found {found}", self.name, self.operator.text(), self.value))
     }
 }
@@ -144,7 +144,10 @@ mod tests {
         let line = check(Operator::Less, "1", text()).unwrap_err();
         assert_eq!(line, "expected x < 1, found `a room`");
         for (_, operator) in Operator::ALL {
-            assert_eq!(check(operator, "1", None).unwrap_err().split(", ").nth(1), Some("found nothing"));
+            assert_eq!(
+                check(operator, "1", None).unwrap_err().split(", ").nth(1),
+                Some("found no value yet")
+            );
         }
     }
 }

@@ -1,34 +1,16 @@
 //! Scripted input: a file of lines, one step each, played against a virtual clock.
 //!
-//! ```text
-//! # Comments and empty lines are skipped. Points are shares of the view: 0,0 is top left, 1,1 bottom right.
-//! open builtin:room            opens a scene
-//! drop FILE                    drops a file on the window
-//! move 0.5,0.5 [over 0.4]      moves the pointer, within 0.4 seconds
-//! press [left|right|middle]    release [left|right|middle]
-//! scroll 3                     wheel notches, up is positive
-//! pinch 1.2                    pinches on a trackpad: a factor on the distance of the fingers
-//! touch 0 begin 0.4,0.5        touch 0 move 0.3,0.5 [over 0.4]     touch 0 end
-//! key ctrl+c                   presses and releases a key; hold KEY only presses it, let KEY releases it
-//! set block 4                  sets an option of glimpse::options, or show, split (off or a share), scale,
-//!                              lenses (none, cardboard), governor (off, 15, 30, 60), overlay (hidden, brief, full)
-//! size 640x360                 minimise     restore     fullscreen on|off     rotate
-//! pause   resume   lose-surface   lose-device   low-memory     thermal 0.5 (a factor on the time limit)
-//! cost 40                      fixes the cost of frames, in nanoseconds per pixel
-//! wait 0.5                     lets 0.5 seconds pass
-//! settle                       waits until the view is at rest and its frame is complete
-//! screenshot FILE              saves the frame, like the key S
-//! window FILE                  saves the content of the window
-//! expect NAME OP VALUE         compares; OP is = != < <= > >= or contains; an empty VALUE is the empty text
-//! print NAME                   prints the line NAME = VALUE to the standard output
-//! quit
-//! ```
+//! Comments begin with `#`. Points are shares of the view: 0,0 is top left, 1,1 bottom right. [`help`] lists every step
+//! and every value.
 
 mod expectation;
+mod help;
 mod parse;
 mod player;
+mod words;
 
 pub use expectation::{Expectation, Value};
+pub use help::help;
 pub use player::{Ask, Player};
 
 use std::path::PathBuf;
@@ -79,10 +61,21 @@ pub enum Step {
     Window(PathBuf),
     /// Compares a value with an expectation; the script fails if it does not hold.
     Expect(Expectation),
+    /// Compares the frame with the picture in a file, within bounds as they are typed.
+    ExpectPicture(PathBuf, String),
     /// Prints the value of a name.
     Print(String),
     /// Ends the program.
     Quit,
+}
+
+/// What a picture of the frame is for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Capture {
+    /// It is saved under that name, or under one chosen by the shell.
+    Save(Option<PathBuf>),
+    /// It is compared with that file, within bounds as they are typed.
+    Compare(PathBuf, String),
 }
 
 /// Movement of a finger.

@@ -1,17 +1,16 @@
 //! Parses scripts.
 
-use std::str::FromStr;
-
 use egui::{Key, Modifiers, PointerButton};
+use glimpse::options::suggestion;
 
-use super::{Expectation, Finger, Script, ShellEvent, Step, Stroke, expectation::Operator};
-use crate::Change;
+use super::{Expectation, Finger, Script, Step, Stroke, expectation::Operator, words::WORDS};
+use crate::script_values::{is_known, names};
 
 /// The largest side of a window in pixels.
 const MAX_SIDE: u32 = 16384;
 
 /// The longest duration of a step in seconds.
-const MAX_SECONDS: f64 = 3600.0;
+pub const MAX_SECONDS: f64 = 3600.0;
 
 impl Script {
     /// Parses a script; `file` is its name in messages.
@@ -20,6 +19,7 @@ impl Script {
     /// Fails for an invalid line, with `FILE:LINE: expected ..., found ...`.
     pub fn parse(file: &str, text: &str) -> Result<Self, String> {
         let mut steps = Vec::new();
+        let text = text.trim_start_matches('\u{feff}');
         for (index, line) in text.lines().enumerate() {
             let line = line.trim();
             if line.is_empty() || line.starts_with('#') {
@@ -30,63 +30,32 @@ impl Script {
         }
         Ok(Self { file: file.to_owned(), steps })
     }
+
+    /// Checks the bounds of every picture that is expected.
+    ///
+    /// # Errors
+    /// Fails with `FILE:LINE: ` and the reason that `check` gives.
+    pub fn check_bounds(&self, check: impl Fn(&str) -> Result<(), String>) -> Result<(), String> {
+        self.steps.iter().try_for_each(|(line, step)| match step {
+            Step::ExpectPicture(_, bounds) => {
+                check(bounds).map_err(|reason| format!("{}:{line}: {reason}", self.file))
+            }
+            _ => Ok(()),
+        })
+    }
 }
 
 fn step(line: &str) -> Result<Step, String> {
     let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
-    let rest = rest.trim();
-    Ok(match word {
-        "open" => Step::Open(text(rest, "a scene")?),
-        "drop" => Step::Drop(text(rest, "a file")?.into()),
-        "move" => {
-            let (point, seconds) = motion(rest)?;
-            Step::Move(point, seconds)
-        }
-        "press" => Step::Button(button(rest)?, true),
-        "release" => Step::Button(button(rest)?, false),
-        "scroll" => Step::Scroll(number(rest, -1000.0, 1000.0)? as f32),
-        "pinch" => Step::Pinch(number(rest, 0.01, 100.0)? as f32),
-        "touch" => touch(rest)?,
-        "key" => key(rest, Stroke::Tap)?,
-        "hold" => key(rest, Stroke::Hold)?,
-        "let" => key(rest, Stroke::Let)?,
-        "set" => Step::Set(Change::from_str(rest)?),
-        "cost" => Step::Cost(number(rest, 0.0, 1e9)?),
-        "wait" => Step::Wait(number(rest, 0.0, MAX_SECONDS)?),
-        "screenshot" => Step::Screenshot(text(rest, "a file")?.into()),
-        "window" => Step::Window(text(rest, "a file")?.into()),
-        "expect" => Step::Expect(expectation(rest)?),
-        "print" => Step::Print(text(rest, "a name")?),
-        "size" => Step::Shell(ShellEvent::Size(size(rest)?)),
-        "thermal" => Step::Shell(ShellEvent::Thermal(number(rest, 0.0, 1.0)? as f32)),
-        "fullscreen" => Step::Shell(ShellEvent::FullScreen(match rest {
-            "on" => true,
-            "off" => false,
-            _ => return Err(format!("expected on or off, found `{rest}`")),
-        })),
-        _ => return bare(word, rest),
-    })
+    let known = WORDS.iter().find(|known| known.name == word).ok_or_else(|| {
+        let meant = suggestion(word, WORDS.iter().map(|known| known.name));
+        format!("expected a step{meant}, found `{word}`")
+    })?;
+    (known.parse)(rest.trim())
 }
 
-/// Parses steps that have no arguments.
-fn bare(word: &str, rest: &str) -> Result<Step, String> {
-    let step = match word {
-        "minimise" => Step::Shell(ShellEvent::Minimise),
-        "restore" => Step::Shell(ShellEvent::Restore),
-        "rotate" => Step::Shell(ShellEvent::Rotate),
-        "pause" => Step::Shell(ShellEvent::Pause),
-        "resume" => Step::Shell(ShellEvent::Resume),
-        "lose-surface" => Step::Shell(ShellEvent::LoseSurface),
-        "lose-device" => Step::Shell(ShellEvent::LoseDevice),
-        "low-memory" => Step::Shell(ShellEvent::LowMemory),
-        "settle" => Step::Settle,
-        "quit" => Step::Quit,
-        _ => return Err(format!("expected a step, found `{word}`")),
-    };
-    if rest.is_empty() { Ok(step) } else { Err(format!("expected nothing after {word}, found `{rest}`")) }
-}
-
-fn text(rest: &str, what: &str) -> Result<String, String> {
+/// What follows a word, which must not be empty.
+pub fn text(rest: &str, what: &str) -> Result<String, String> {
     if rest.is_empty() {
         Err(format!("expected {what}, found the end of the line"))
     } else {
@@ -94,7 +63,8 @@ fn text(rest: &str, what: &str) -> Result<String, String> {
     }
 }
 
-fn number(text: &str, low: f64, high: f64) -> Result<f64, String> {
+/// Parses a number from `low` to `high`.
+pub fn number(text: &str, low: f64, high: f64) -> Result<f64, String> {
     let number: Option<f64> = text.parse().ok();
     number
         .filter(|number| (low..=high).contains(number))
@@ -107,14 +77,15 @@ fn point(text: &str) -> Result<[f32; 2], String> {
 }
 
 /// Parses a point and an optional duration in seconds.
-fn motion(rest: &str) -> Result<([f32; 2], f64), String> {
+pub fn motion(rest: &str) -> Result<([f32; 2], f64), String> {
     match rest.split_once(" over ") {
         None => Ok((point(rest)?, 0.0)),
         Some((to, seconds)) => Ok((point(to.trim())?, number(seconds.trim(), 0.0, MAX_SECONDS)?)),
     }
 }
 
-fn button(rest: &str) -> Result<PointerButton, String> {
+/// Parses the name of a mouse button, the left one by default.
+pub fn button(rest: &str) -> Result<PointerButton, String> {
     match rest {
         "" | "left" => Ok(PointerButton::Primary),
         "right" => Ok(PointerButton::Secondary),
@@ -123,7 +94,8 @@ fn button(rest: &str) -> Result<PointerButton, String> {
     }
 }
 
-fn touch(rest: &str) -> Result<Step, String> {
+/// Parses the movement of a finger.
+pub fn touch(rest: &str) -> Result<Step, String> {
     let expected = || format!("expected FINGER begin X,Y, move X,Y or end, found `{rest}`");
     let (finger, rest) = rest.split_once(' ').ok_or_else(expected)?;
     let finger: u64 = finger.parse().map_err(|_| expected())?;
@@ -140,7 +112,8 @@ fn touch(rest: &str) -> Result<Step, String> {
     Ok(Step::Touch(finger, phase))
 }
 
-fn key(rest: &str, stroke: Stroke) -> Result<Step, String> {
+/// Parses a key with its modifiers.
+pub fn key(rest: &str, stroke: Stroke) -> Result<Step, String> {
     let mut modifiers = Modifiers::NONE;
     let mut names = rest.split('+').collect::<Vec<_>>();
     let name = names.pop().filter(|name| !name.is_empty()).unwrap_or("+");
@@ -160,7 +133,8 @@ fn key(rest: &str, stroke: Stroke) -> Result<Step, String> {
     Ok(Step::Key(key, modifiers, stroke))
 }
 
-fn size(rest: &str) -> Result<[u32; 2], String> {
+/// Parses the size of a window.
+pub fn size(rest: &str) -> Result<[u32; 2], String> {
     let sides: Option<Vec<u32>> = rest.split('x').map(|side| side.trim().parse().ok()).collect();
     match sides.as_deref() {
         Some(&[width, height]) if [width, height].iter().all(|side| (1..=MAX_SIDE).contains(side)) => {
@@ -170,11 +144,30 @@ fn size(rest: &str) -> Result<[u32; 2], String> {
     }
 }
 
-fn expectation(rest: &str) -> Result<Expectation, String> {
+/// Parses the name of a value.
+pub fn name(rest: &str) -> Result<String, String> {
+    let name = text(rest, "a name")?;
+    if is_known(&name) {
+        return Ok(name);
+    }
+    let meant = suggestion(&name, names());
+    Err(format!("expected the name of a value{meant}, found `{name}`"))
+}
+
+/// Parses what is expected of a value or of the frame.
+pub fn expectation(rest: &str) -> Result<Step, String> {
+    if let Some(picture) = rest.strip_prefix("picture ") {
+        // File names may have spaces, bounds begin with dashes.
+        let (file, bounds) = match picture.split_once(" --") {
+            Some((file, bounds)) => (file, format!("--{bounds}")),
+            None => (picture, String::new()),
+        };
+        return Ok(Step::ExpectPicture(text(file.trim(), "a file")?.into(), bounds));
+    }
+    let form = || format!("expected NAME OP VALUE or picture FILE, found `{rest}`");
     let mut words = rest.splitn(3, char::is_whitespace).map(str::trim);
-    let (Some(name), Some(sign)) = (words.next(), words.next()) else {
-        return Err(format!("expected NAME OP VALUE, found `{rest}`"));
-    };
+    let (Some(of), Some(sign)) = (words.next(), words.next()) else { return Err(form()) };
+    let of = name(of)?;
     let operator = Operator::ALL.iter().find(|(text, _)| *text == sign).map(|(_, operator)| *operator);
     let operator = operator.ok_or_else(|| {
         let all: Vec<_> = Operator::ALL.iter().map(|(text, _)| *text).collect();
@@ -183,14 +176,15 @@ fn expectation(rest: &str) -> Result<Expectation, String> {
     // The expected text may be empty.
     let value = words.next().unwrap_or_default().to_owned();
     if value.is_empty() && !matches!(operator, Operator::Equal | Operator::NotEqual) {
-        return Err(format!("expected NAME OP VALUE, found `{rest}`"));
+        return Err(form());
     }
-    Ok(Expectation { name: name.to_owned(), operator, value })
+    Ok(Step::Expect(Expectation { name: of, operator, value }))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::script::ShellEvent;
 
     fn one(line: &str) -> Step {
         Script::parse("a.script", line).expect("a step").steps.remove(0).1
@@ -223,6 +217,24 @@ mod tests {
         assert!(matches!(one("expect problem ="), Step::Expect(_)));
         assert_eq!(one("print command"), Step::Print("command".to_owned()));
         assert!(matches!(one("expect problem contains no such file"), Step::Expect(_)));
+        let picture = |file: &str, bounds: &str| Step::ExpectPicture(file.into(), bounds.to_owned());
+        assert_eq!(one("expect picture a b.png"), picture("a b.png", ""));
+        let bounds = "--max-rmse 1 --threshold 3";
+        assert_eq!(one(&format!("expect picture my ref.png {bounds}")), picture("my ref.png", bounds));
+    }
+
+    #[test]
+    fn a_byte_order_mark_is_skipped() {
+        let script = Script::parse("a.script", "\u{feff}settle\r\nquit").expect("a script");
+        assert_eq!(script.steps, [(1, Step::Settle), (2, Step::Quit)]);
+    }
+
+    #[test]
+    fn bounds_are_checked_by_the_line() {
+        let script = Script::parse("a.script", "settle\nexpect picture a.png --wide 3").expect("a script");
+        let error = script.check_bounds(|bounds| Err(format!("found `{bounds}`"))).unwrap_err();
+        assert_eq!(error, "a.script:2: found `--wide 3`");
+        script.check_bounds(|_| Ok(())).expect("bounds");
     }
 
     #[test]
@@ -245,8 +257,13 @@ mod tests {
             ("key hyper+a", "expected ctrl, shift or alt, found `hyper`"),
             ("size 0x9", "expected WIDTHxHEIGHT with sides from 1 to 16384, found `0x9`"),
             ("touch x", "expected FINGER begin X,Y, move X,Y or end, found `x`"),
-            ("expect rays", "expected NAME OP VALUE, found `rays`"),
-            ("expect rays <", "expected NAME OP VALUE, found `rays <`"),
+            ("dacne", "expected a step, found `dacne`"),
+            ("setle", "expected a step (did you mean settle?), found `setle`"),
+            ("expect rays", "expected NAME OP VALUE or picture FILE, found `rays`"),
+            ("expect rays <", "expected NAME OP VALUE or picture FILE, found `rays <`"),
+            ("expect picture", "expected NAME OP VALUE or picture FILE, found `picture`"),
+            ("expect rasy > 3", "expected the name of a value (did you mean rays?), found `rasy`"),
+            ("print cats", "expected the name of a value, found `cats`"),
             ("expect rays ~ 3", "expected one of = != < <= > >= contains, found `~`"),
         ] {
             let error = Script::parse("a.script", &format!("settle\n{line}")).unwrap_err();

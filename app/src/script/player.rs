@@ -29,6 +29,8 @@ pub enum Ask {
     Cost(f64),
     /// Save the frame.
     Screenshot(PathBuf),
+    /// Compare the frame with the picture in a file, within bounds as they are typed.
+    Compare(PathBuf, String),
     /// Save the window's content.
     Window(PathBuf),
     /// Simulate an event of the window or the phone.
@@ -141,11 +143,13 @@ impl Player {
             Step::Set(change) => return Ok(Some(Ask::Set(change))),
             Step::Cost(cost) => return Ok(Some(Ask::Cost(cost))),
             Step::Screenshot(file) => return Ok(Some(Ask::Screenshot(file))),
+            Step::ExpectPicture(file, bounds) => return Ok(Some(Ask::Compare(file, bounds))),
             Step::Window(file) => return Ok(Some(Ask::Window(file))),
             Step::Shell(event) => return Ok(Some(Ask::Shell(event))),
             Step::Quit => return Ok(Some(Ask::Quit)),
             Step::Print(name) => {
-                let value = look(&name).ok_or_else(|| format!("expected something known, found `{name}`"))?;
+                let value =
+                    look(&name).ok_or_else(|| format!("expected a value of {name}, found none yet"))?;
                 let value = match value {
                     Value::Number(number) => number.to_string(),
                     Value::Text(text) => text,
@@ -350,8 +354,16 @@ mod tests {
         assert!(played("expect rays = 3", true).is_ok());
         let error = played("wait 0\nexpect rays > 3", true).unwrap_err();
         assert_eq!(error, "a.script:2: expected rays > 3, found 3");
-        let error = played("expect cats > 3", true).unwrap_err();
-        assert_eq!(error, "a.script:1: expected cats > 3, found nothing");
+        let error = played("expect psnr > 3", true).unwrap_err();
+        assert_eq!(error, "a.script:1: expected psnr > 3, found no value yet");
+        let error = played("print psnr", true).unwrap_err();
+        assert_eq!(error, "a.script:1: expected a value of psnr, found none yet");
+    }
+
+    #[test]
+    fn a_picture_is_asked_for_with_its_bounds() {
+        let frames = played("expect picture a.png --max-rmse 3", true).expect("played");
+        assert_eq!(frames[0].1, Some(Ask::Compare("a.png".into(), "--max-rmse 3".to_owned())));
     }
 
     #[test]

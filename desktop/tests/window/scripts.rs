@@ -11,12 +11,34 @@ fn what_is_not_met_fails_with_its_line() {
         let line = harness.fails(view, "settle\nset method checkerboard\nset sampling 2", 1);
         assert!(line.starts_with("a.script:3: "), "{line}");
         let line = harness.fails(view, "settle\nprint cats", 1);
-        assert_eq!(line, "a.script:2: expected something known, found `cats`");
+        assert_eq!(line, "a.script:2: expected the name of a value, found `cats`");
+        let line = harness.fails(view, "print command\nsettle", 1);
+        assert_eq!(line, "a.script:1: expected a value of command, found none yet");
         let line = harness.fails(view, "settle\nscreenshot gone/a.png\nwait 1", 1);
         assert!(line.contains("gone/a.png"), "{line}");
         let line = harness.fails(view, "settle\npause\nwindow a.png\nwait 0.1", 1);
         assert_eq!(line, "a.png: expected a window to save, found none");
     }
+}
+
+#[test]
+fn a_frame_is_compared_with_a_picture_within_bounds() {
+    let harness = ScriptHarness::headless();
+    let view = "builtin:cornell --size 64x36";
+    let expected = "settle\nexpect picture my reference.png";
+    let line = harness.fails(view, expected, 1);
+    assert!(line.starts_with("a.script:2: cannot read my reference.png: "), "{line}");
+    harness.plays(view, "settle\nscreenshot my reference.png");
+    harness.plays(view, expected);
+    harness.plays(view, &format!("{expected} --max-rmse 0 --max-failed-pixels 0"));
+    let other = "settle\nset method full\nset show depth\nexpect picture my reference.png";
+    let line = harness.fails(view, &format!("{other} --max-rmse 1"), 1);
+    assert!(line.starts_with("a.script:4: the frame against my reference.png: --max-rmse 1: "), "{line}");
+    harness.plays(view, &format!("{other} --max-rmse 255"));
+    let line = harness.fails(view, "set depth 2\nexpect picture my reference.png --max-rsme 3", 1);
+    assert!(line.contains("a.script:2: ") && line.contains("'--max-rmse'"), "{line}");
+    let line = harness.fails("builtin:cornell --size 32x18", expected, 1);
+    assert!(line.contains("my reference.png: ") && line.contains("32x18 and 64x36"), "{line}");
 }
 
 #[test]

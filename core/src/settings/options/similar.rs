@@ -15,7 +15,7 @@ pub fn similar<'a>(text: &str, names: impl IntoIterator<Item = &'a str>) -> Opti
     let measured =
         names.iter().map(|name| (distance(&text, &name.to_lowercase().chars().collect::<Vec<_>>()), *name));
     let near = measured
-        .filter(|(distance, _)| *distance <= text.len().div_ceil(3))
+        .filter(|(distance, _)| *distance <= (text.len() / 3).max(1))
         .min_by_key(|(distance, _)| *distance);
     let beginning: String = text.iter().collect();
     let mut begun = names.iter().filter(|name| name.to_lowercase().starts_with(&beginning));
