@@ -3,6 +3,7 @@
 mod clock;
 mod delivery;
 mod device;
+mod file_name;
 mod pacing;
 mod scene_list;
 mod update;
@@ -118,7 +119,7 @@ impl App {
         input.events = self.view.input.next(input.events);
         self.view.touch |= input.events.iter().any(|event| matches!(event, egui::Event::Touch { .. }));
         if let Some(file) = input.dropped_files.first() {
-            self.open(&file.path().to_string_lossy());
+            self.open(&Self::file_name(file.path()));
         }
         let context = self.context.clone();
         let mut user_requests = Vec::new();

@@ -2,7 +2,7 @@
 
 use glimpse::{Settings, Show};
 
-use crate::Job;
+use crate::{App, Job};
 
 /// The command that renders the job's frame of a scene. `camera` contains the camera's options of the command
 /// line.
@@ -27,11 +27,27 @@ fn options(settings: &Settings) -> Vec<String> {
 
 /// Quotes a word for the shell if necessary.
 fn quoted(word: &str) -> String {
+    if word.contains(char::REPLACEMENT_CHARACTER) {
+        return quoted_bytes(App::file_path(word).as_os_str().as_encoded_bytes());
+    }
     let plain = |c: char| c.is_ascii_alphanumeric() || "-_./:".contains(c);
     if !word.is_empty() && word.chars().all(plain) {
         return word.to_owned();
     }
     format!("'{}'", word.replace('\'', r"'\''"))
+}
+
+/// Quotes bytes that are not UTF-8, as bash, ksh and zsh read them.
+fn quoted_bytes(bytes: &[u8]) -> String {
+    let quoted: String = bytes
+        .iter()
+        .map(|byte| match byte {
+            b'\'' | b'\\' => format!("\\{}", char::from(*byte)),
+            b' '..=b'~' => char::from(*byte).to_string(),
+            _ => format!("\\x{byte:02x}"),
+        })
+        .collect();
+    format!("$'{quoted}'")
 }
 
 #[cfg(test)]
@@ -70,6 +86,12 @@ mod tests {
         // Full ray tracing has no tolerances.
         job.settings.method = Method::Full;
         assert!(command("a", "", &job).ends_with("--size 64x32 --method=full --show check:pos"));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn names_that_are_no_text_are_quoted_by_their_bytes() {
+        assert_eq!(quoted("a\u{fffd}ff it's"), r"$'a\xff it\'s'");
     }
 
     #[test]

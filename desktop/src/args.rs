@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::builder::{OsStringValueParser, PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args, FromArgMatches, Parser, Subcommand, ValueEnum};
 use glimpse::options::{Group, similar};
@@ -238,7 +238,7 @@ pub struct HelpOptions {
 pub struct ViewOptions {
     /// A .glb or .gltf file, builtin:NAME, or - [default: builtin:room]
     #[arg(help_heading = SCENE, display_order = 0)]
-    pub scene: Option<String>,
+    pub scene: Option<PathBuf>,
     /// Window size in pixels [default: 1280x720]
     #[arg(long, help_heading = WINDOW, value_name = "WxH", conflicts_with = "phone")]
     pub size: Option<Size>,
@@ -273,7 +273,7 @@ pub struct ViewOptions {
 pub struct RenderOptions {
     /// A .glb or .gltf file, builtin:NAME, or - for stdin
     #[arg(help_heading = SCENE, display_order = 0)]
-    pub scene: String,
+    pub scene: PathBuf,
     /// How the frame is made
     #[arg(long, help_heading = Group::Frame.title(), value_name = "NAME", value_parser = method_parser(),
         default_value = "adaptive", ignore_case = true)]
@@ -287,7 +287,7 @@ pub struct RenderOptions {
     #[command(flatten)]
     pub frame: FrameOptions,
     /// The picture: .png, .exr for linear radiance, - for a PNG on stdout
-    #[arg(short, long, help_heading = OUTPUT, value_name = "OUT", value_parser = PictureFile::from_str)]
+    #[arg(short, long, help_heading = OUTPUT, value_name = "OUT", value_parser = OsStringValueParser::new().try_map(PictureFile::try_from))]
     pub output: PictureFile,
     /// Warm frames, of which medians are reported
     #[arg(long, help_heading = OUTPUT, value_name = "N", default_value_t = 1,
@@ -328,7 +328,7 @@ pub struct CompareOptions {
 pub struct InfoOptions {
     /// A .glb or .gltf file, builtin:NAME, or - for stdin
     #[arg(help_heading = SCENE, display_order = 0)]
-    pub scene: String,
+    pub scene: PathBuf,
     #[command(flatten)]
     pub file: SceneOptions,
     /// Print JSON
@@ -341,7 +341,7 @@ pub struct InfoOptions {
 pub struct CheckOptions {
     /// A scene, or a .toml file of cases
     #[arg(help_heading = SCENE, display_order = 0)]
-    pub scene: String,
+    pub scene: PathBuf,
     /// The reference picture, PNG
     #[arg(help_heading = SCENE, display_order = 1)]
     pub reference: Option<PathBuf>,
@@ -382,7 +382,7 @@ pub struct DevicesOptions {
 pub struct BenchOptions {
     /// .glb or .gltf files, or builtin:NAME
     #[arg(required = true, help_heading = SCENE, display_order = 0, value_name = "SCENE")]
-    pub scenes: Vec<String>,
+    pub scenes: Vec<PathBuf>,
     /// The methods to compare
     #[arg(long, help_heading = MEASUREMENT, value_name = "NAME", value_parser = method_parser(), value_delimiter = ',',
         default_value = "full,adaptive", ignore_case = true)]
@@ -420,7 +420,7 @@ fn finite(text: &str) -> Result<f64, String> {
 pub struct ReportOptions {
     /// .glb or .gltf files, or builtin:NAME
     #[arg(required = true, help_heading = SCENE, display_order = 0, value_name = "SCENE")]
-    pub scenes: Vec<String>,
+    pub scenes: Vec<PathBuf>,
     /// The folder for report.html, report.csv, the plots, and what was measured, from which an interrupted run goes on
     #[arg(short, long, help_heading = OUTPUT, value_name = "DIR")]
     pub output: PathBuf,
@@ -521,14 +521,14 @@ pub struct PictureFile {
     pub linear: bool,
 }
 
-impl FromStr for PictureFile {
-    type Err = String;
+impl TryFrom<OsString> for PictureFile {
+    type Error = String;
 
-    fn from_str(text: &str) -> Result<Self, String> {
-        let path = PathBuf::from(text);
+    fn try_from(name: OsString) -> Result<Self, String> {
+        let path = PathBuf::from(name);
         let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
         match ending.as_deref() {
-            _ if text == "-" => Ok(Self { path, linear: false }),
+            _ if path.as_os_str() == "-" => Ok(Self { path, linear: false }),
             Some("png") => Ok(Self { path, linear: false }),
             Some("exr") => Ok(Self { path, linear: true }),
             _ => Err("expected a name that ends in .png or .exr, or - for the standard output".to_owned()),

@@ -146,7 +146,11 @@ fn bare_view_and_scene_alone() {
         let arguments = parse(line).unwrap();
         assert_eq!(arguments.verbose, 2, "{line}");
         let Some(Command::View(view)) = arguments.command else { panic!("{line}") };
-        assert_eq!((view.scene.as_deref(), view.size), (Some("a.glb"), Some(Size([64, 48]))), "{line}");
+        assert_eq!(
+            (view.scene.as_deref(), view.size),
+            (Some(Path::new("a.glb")), Some(Size([64, 48]))),
+            "{line}"
+        );
     }
 }
 

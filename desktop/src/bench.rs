@@ -19,7 +19,7 @@ pub fn run(options: &BenchOptions, adapter: Option<&str>, verbosity: Verbosity) 
     let rows = rows(options)?;
     let requests: Vec<_> = rows.iter().map(|row| row.request.clone()).collect();
     cpu_tracer::check(&requests, options.frames)?;
-    options.scenes.iter().try_for_each(|name| scene_file::check(name))?;
+    options.scenes.iter().try_for_each(scene_file::check)?;
     options.frame.environment.surroundings().check()?;
     let Size(size) = options.size;
     let against = rows.iter().map(|row| rows.iter().position(|full| full.request == row.baseline)).collect();

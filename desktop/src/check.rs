@@ -3,6 +3,7 @@
 mod cases;
 mod junit;
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -42,9 +43,12 @@ pub fn run(options: &CheckOptions, adapter: Option<&str>, verbosity: Verbosity) 
         FrameRequest::of(&case.options.frame, case.options.method).with_context(|| case.name.clone())?;
     }
     let junit: Vec<_> = options.junit.iter().map(PathBuf::as_path).collect();
-    files::check(&junit, &[Path::new(&options.scene)])?;
+    files::check(&junit, &[&options.scene])?;
     if let Some(folder) = &options.failures {
         std::fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
+        for case in &cases {
+            files::check(&[&case.failure(folder)], &[])?;
+        }
     }
     let gpu = Gpu::headless(adapter)?;
     let progress = Progress::new(verbosity, cases.len() as u64);
@@ -80,7 +84,7 @@ fn cases_of(options: &CheckOptions) -> anyhow::Result<Vec<Case>> {
         return cases::read(path);
     }
     let reference = options.reference.clone().ok_or_else(|| {
-        Usage(format!("{}: expected a reference picture, or a .toml file of cases", options.scene))
+        Usage(format!("{}: expected a reference picture, or a .toml file of cases", path.display()))
     })?;
     let typed = Case { name: stem(&reference), reference, options: options.clone() };
     Ok(vec![typed])
@@ -91,8 +95,8 @@ fn stem(path: &Path) -> String {
 }
 
 /// The options of a case that is typed as on the command line.
-fn parsed(arguments: &[String]) -> anyhow::Result<CheckOptions> {
-    let command = ["glimpse", "check"].map(str::to_owned);
+fn parsed(arguments: &[OsString]) -> anyhow::Result<CheckOptions> {
+    let command = ["glimpse", "check"].map(OsString::from);
     let matches = Arguments::command().try_get_matches_from(command.iter().chain(arguments));
     let wrong = |error: clap::Error| anyhow!(Usage(errors::of_usage(&error)));
     match Arguments::from_arg_matches(&matches.map_err(wrong)?).map_err(wrong)?.command {
@@ -105,8 +109,10 @@ impl Case {
     /// Renders the case and compares it; what was measured, or an error that says why it failed.
     fn verdict(&self, gpu: &Gpu, run: &CheckOptions, progress: &Progress) -> anyhow::Result<String> {
         let reference = (!run.update).then(|| self.read_reference()).transpose()?;
-        let picture = self.picture(gpu, progress)?;
+        let (picture, inputs) = self.picture(gpu, progress)?;
+        let inputs: Vec<_> = inputs.iter().map(PathBuf::as_path).collect();
         let Some(reference) = reference else {
+            files::check(&[&self.reference], &inputs)?;
             files::write(&self.reference, &to_png(&picture)?)?;
             bail!("{} was written: look at it, then run without --update", self.reference.display());
         };
@@ -117,7 +123,8 @@ impl Case {
         let Some(complaint) = comparison.complaint() else { return Ok(comparison.text(&bounds)) };
         let mut reason = format!("{complaint}; {}", comparison.text(&bounds));
         if let Some(folder) = &run.failures {
-            let path = folder.join(format!("{}.png", self.name.replace(['/', '\\'], "_")));
+            let path = self.failure(folder);
+            files::check(&[&path], &inputs)?;
             let shown = diff::picture(&picture, &reference, bounds.threshold, DiffKind::Error)?;
             files::write(&path, &to_png(&shown)?)?;
             reason += &format!("; see {}", path.display());
@@ -125,18 +132,25 @@ impl Case {
         Err(anyhow!(reason))
     }
 
+    /// The file that shows how the case failed.
+    fn failure(&self, folder: &Path) -> PathBuf {
+        folder.join(format!("{}.png", self.name.replace(['/', '\\'], "_")))
+    }
+
     fn read_reference(&self) -> anyhow::Result<DisplayImage> {
         let missing = || "the reference cannot be read, --update writes it";
         compare::read(&self.reference).map(Picture::into_display).with_context(missing)
     }
 
-    fn picture(&self, gpu: &Gpu, progress: &Progress) -> anyhow::Result<DisplayImage> {
+    /// Renders the picture; returns it with the files that it was made from.
+    fn picture(&self, gpu: &Gpu, progress: &Progress) -> anyhow::Result<(DisplayImage, Vec<PathBuf>)> {
         let CheckOptions { scene, frame, method, size: Size(size), .. } = &self.options;
         scene_file::check(scene)?;
         frame.environment.surroundings().check()?;
         let requests = [FrameRequest::of(frame, *method)?];
         let workbench = Workbench::set(gpu, scene, frame, &requests, progress)?;
-        Plan { size: *size, frames: 0, linear: false, pan: None }.picture(&workbench)
+        let picture = Plan { size: *size, frames: 0, linear: false, pan: None }.picture(&workbench)?;
+        Ok((picture, workbench.inputs))
     }
 }
 

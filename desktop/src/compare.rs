@@ -1,10 +1,12 @@
 //! `glimpse compare`: the error of image A against image B, and whether it is within bounds.
 
+use std::error::Error as _;
 use std::path::Path;
 
 use anyhow::{Context, anyhow};
 use glimpse::metrics::{self, Bounds, ErrorReport, Violation};
 use glimpse::{DisplayImage, Error, Picture, to_png};
+use image::ImageError;
 use serde::Serialize;
 
 use crate::args::CompareOptions;
@@ -96,11 +98,27 @@ pub fn not_usage(error: Error) -> anyhow::Error {
     }
 }
 
+/// What is found in the place of a picture.
+fn fault(error: &ImageError) -> String {
+    match error {
+        ImageError::Unsupported(_) => "found neither".to_owned(),
+        // The message itself repeats the format.
+        ImageError::Decoding(decoding) => {
+            format!(
+                "found a damaged one: {}",
+                decoding.source().map_or_else(|| decoding.to_string(), ToString::to_string)
+            )
+        }
+        error => format!("found a damaged one: {error}"),
+    }
+}
+
+/// Reads a picture.
 pub fn read(path: &Path) -> anyhow::Result<Picture> {
     let bytes = files::read(path)?;
     let name = path.display();
     Picture::decode(&bytes).map_err(|error| match error {
-        Error::Image(_) => anyhow::Error::new(error).context(format!("{name}: expected a PNG or an EXR")),
+        Error::Image(error) => anyhow!("{name}: expected a PNG or an EXR, {}", fault(&error)),
         error => not_usage(error).context(name.to_string()),
     })
 }
@@ -141,6 +159,9 @@ mod tests {
         }
         let text = write("text.png", b"no picture".to_vec());
         let message = format!("{:#}", measure(&text, &png).unwrap_err());
-        assert!(message.contains("text.png: expected a PNG or an EXR"), "{message}");
+        assert!(message.ends_with("text.png: expected a PNG or an EXR, found neither"), "{message}");
+        let cut = write("cut.png", files::read(&png).unwrap()[..60].to_vec());
+        let message = crate::errors::told(&measure(&cut, &png).unwrap_err());
+        assert_eq!(message.matches("PNG").count() + message.matches("Png").count(), 1, "{message}");
     }
 }

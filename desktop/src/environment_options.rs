@@ -1,6 +1,7 @@
 //! `--environment` and `--environment-rotation`: what surrounds the scene.
 
 use clap::Args;
+use clap::builder::{OsStringValueParser, TypedValueParser};
 use glimpse_measure::surroundings::{EnvironmentChoice, Surroundings};
 
 use super::SCENE;
@@ -12,7 +13,7 @@ pub struct EnvironmentOptions {
     /// A .hdr or .exr map, builtin:studio, or none
     ///
     /// Light from all around; the map is equirectangular [default: what the file states; the studio if it brings no light]
-    #[arg(long, value_name = "FILE", value_parser = str::parse::<EnvironmentChoice>)]
+    #[arg(long, value_name = "FILE", value_parser = OsStringValueParser::new().try_map(EnvironmentChoice::try_from))]
     pub environment: Option<EnvironmentChoice>,
     /// Turns the environment about the vertical axis, counter-clockwise seen from above
     #[arg(long, hide_short_help = true, value_name = "DEGREES", default_value_t = 0.0, allow_negative_numbers = true,

@@ -86,7 +86,7 @@ struct ImageSummary {
 /// Runs `glimpse info`.
 pub fn run(options: &InfoOptions) -> anyhow::Result<()> {
     let scene = options.file.load(&options.scene, &mut |_, _| ())?;
-    let info = Info::of(&options.scene, scene)?;
+    let info = Info::of(&options.scene.display().to_string(), scene)?;
     output::print(&if options.json { output::json(&info)? } else { info.text() })
 }
 

@@ -10,7 +10,7 @@ use crate::scene_file;
 
 impl SceneOptions {
     /// Loads a scene as [`scene_file::load_seen`] does.
-    pub fn load(&self, name: &str, seen: &mut dyn FnMut(&Path, &[u8])) -> anyhow::Result<Scene> {
+    pub fn load(&self, name: &Path, seen: &mut dyn FnMut(&Path, &[u8])) -> anyhow::Result<Scene> {
         let memory = self.memory.map(|size| size.0);
         let scene =
             scene_file::load_seen(name, &ImportOptions { variant: self.variant.as_deref(), memory }, seen)?;

@@ -52,20 +52,22 @@ impl<'g> Workbench<'g> {
     /// Loads the named scene and uploads it.
     pub fn set(
         gpu: &'g Gpu,
-        name: &str,
+        path: &Path,
         options: &FrameOptions,
         requests: &[FrameRequest],
         progress: &Progress,
     ) -> anyhow::Result<Self> {
+        let name = &path.display().to_string();
         progress.doing(&format!("loading {name}"));
         let surroundings = options.environment.surroundings();
         let mut inputs = Vec::new();
         let mut seen = |path: &Path, _: &[u8]| inputs.push(path.to_owned());
         let (scene, load_ms) = timed(|| {
-            let mut scene = options.file.load(name, &mut seen)?;
+            let mut scene = options.file.load(path, &mut seen)?;
             surroundings.apply(&mut scene)?;
             anyhow::Ok(scene)
         })?;
+        inputs.extend(surroundings.file().map(Path::to_owned));
         let (camera, camera_name) = chosen_camera(&scene, options).with_context(|| name.to_owned())?;
         let methods =
             requests.iter().map(|request| request.in_scene(&scene.objects)).collect::<glimpse::Result<_>>();

@@ -20,7 +20,7 @@ const VIEW_PICTURE: &str = "glimpse.png";
 /// Renders a picture for `glimpse view` if there is no display.
 pub fn without_display(
     view: &ViewOptions,
-    scene: &str,
+    scene: &Path,
     adapter: Option<&str>,
     verbosity: Verbosity,
 ) -> anyhow::Result<()> {
@@ -51,10 +51,12 @@ pub fn run(options: &RenderOptions, adapter: Option<&str>, verbosity: Verbosity)
         ));
     }
     scene_file::check(&options.scene)?;
-    options.frame.environment.surroundings().check()?;
+    let surroundings = options.frame.environment.surroundings();
+    surroundings.check()?;
     let outputs: Vec<_> =
         std::iter::once(&options.output.path).chain(&options.stats).map(PathBuf::as_path).collect();
-    files::check(&outputs, &[Path::new(&options.scene)])?;
+    let inputs: Vec<_> = std::iter::once(options.scene.as_path()).chain(surroundings.file()).collect();
+    files::check(&outputs, &inputs)?;
     let on_stdout = outputs.iter().any(|output| files::is_standard(output));
     if files::is_standard(&options.output.path) && std::io::stdout().is_terminal() {
         bail!(Usage("--output -: expected a file or a pipe as standard output, found a terminal".to_owned()));

@@ -24,7 +24,9 @@ pub fn run(options: &ReportOptions, adapter: Option<&str>, verbosity: Verbosity)
     let program = Program {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         commit: option_env!("GLIMPSE_COMMIT").unwrap_or("unknown").to_owned(),
-        command: std::env::args().skip(1).fold("glimpse".to_owned(), |line, word| line + " " + &word),
+        command: std::env::args_os()
+            .skip(1)
+            .fold("glimpse".to_owned(), |line, word| line + " " + &word.to_string_lossy()),
     };
     let options = Options {
         scenes: options.scenes.clone(),

@@ -1,7 +1,7 @@
 //! `glimpse view`: opens the window, or plays a script without one.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use anyhow::{Context, anyhow};
 use clap::builder::{PossibleValue, PossibleValuesParser};
@@ -9,7 +9,7 @@ use clap::{Args, FromArgMatches};
 use glimpse::metrics::Bounds;
 use glimpse::{DisplayImage, Scene, to_png};
 use glimpse_app::script::Script;
-use glimpse_app::{Choices, Files, Opened, Phone, StartCamera};
+use glimpse_app::{App, Choices, Files, Opened, Phone, StartCamera};
 use glimpse_shell::{Chosen, Screen, Setup, Wakeup, free_name};
 use winit::error::EventLoopError;
 use winit::event_loop::EventLoop;
@@ -30,7 +30,7 @@ pub fn run(options: &ViewOptions, adapter: Option<&str>, verbosity: Verbosity) -
     if options.script_help {
         return output::print(&glimpse_app::script::help());
     }
-    let scene = options.scene.as_deref().unwrap_or(DEFAULT_SCENE);
+    let scene = options.scene.as_deref().unwrap_or(Path::new(DEFAULT_SCENE));
     scene_file::check(scene)?;
     let setup = setup(options, scene, adapter, verbosity)?;
     if options.headless {
@@ -52,7 +52,7 @@ pub fn run(options: &ViewOptions, adapter: Option<&str>, verbosity: Verbosity) -
 
 fn setup(
     options: &ViewOptions,
-    scene: &str,
+    scene: &Path,
     adapter: Option<&str>,
     verbosity: Verbosity,
 ) -> anyhow::Result<Setup> {
@@ -62,13 +62,17 @@ fn setup(
     let choices = choices(options, verbosity)?;
     let surroundings = options.frame.environment.surroundings();
     surroundings.check()?;
-    let (first, frame) = (scene.to_owned(), options.frame.clone());
+    let (first, frame) = (App::file_name(scene), options.frame.clone());
+    // Files that scenes were read from, which pictures do not replace.
+    let inputs = Arc::new(Mutex::new(Vec::<PathBuf>::from_iter(surroundings.file().map(Path::to_owned))));
+    let read = inputs.clone();
     let reader: Files = Arc::new(move |name| {
         // Variant and camera are those of the scene that was named with them.
         let is_first = name == first;
         let file =
             SceneOptions { variant: frame.file.variant.clone().filter(|_| is_first), ..frame.file.clone() };
-        let loaded = file.load(name, &mut |_, _| ()).and_then(|mut scene| {
+        let loaded = file.load(&App::file_path(name), &mut |path, _| kept(&read).push(path.to_owned()));
+        let loaded = loaded.and_then(|mut scene| {
             surroundings.apply(&mut scene)?;
             let camera = if is_first { first_camera(&scene, &frame)? } else { StartCamera::default() };
             Ok(Opened { scene, camera })
@@ -80,7 +84,7 @@ fn setup(
     let scripted = script.is_some();
     Ok(Setup {
         files: reader,
-        scene: scene.to_owned(),
+        scene: App::file_name(scene),
         recent: if scripted { Vec::new() } else { recent() },
         choices,
         adapter: adapter.map(str::to_owned),
@@ -89,7 +93,9 @@ fn setup(
         view: None,
         size,
         script,
-        save: Box::new(|file, picture| save(file, picture).map_err(|error| format!("{error:#}"))),
+        save: Box::new(move |file, picture| {
+            save(file, picture, &kept(&inputs)).map_err(|error| format!("{error:#}"))
+        }),
         compare: Box::new(compared),
         print: Box::new(|line| output::print(&format!("{line}\n")).map_err(|error| format!("{error:#}"))),
         remember: Box::new(move |files| {
@@ -187,9 +193,14 @@ fn compared(file: &Path, typed: &str, frame: &DisplayImage) -> Result<(), String
     comparison.complaint().map_or(Ok(()), |complaint| Err(format!("the frame against {name}: {complaint}")))
 }
 
-/// Saves a picture; without a name, under the first unused name in the working folder.
-fn save(file: Option<PathBuf>, picture: &DisplayImage) -> anyhow::Result<String> {
+fn kept(inputs: &Mutex<Vec<PathBuf>>) -> MutexGuard<'_, Vec<PathBuf>> {
+    inputs.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Saves a picture in none of the inputs' places; without a name, under the first unused name in the working folder.
+fn save(file: Option<PathBuf>, picture: &DisplayImage, inputs: &[PathBuf]) -> anyhow::Result<String> {
     let path = file.or_else(|| free_name(Path::new(""))).context("no free name")?;
+    files::check(&[&path], &inputs.iter().map(PathBuf::as_path).collect::<Vec<_>>())?;
     files::write(&path, &to_png(picture)?)?;
     Ok(format!("Saved {}", path.display()))
 }
@@ -211,7 +222,7 @@ fn recent_file() -> Option<PathBuf> {
 
 fn recent() -> Vec<String> {
     let text = recent_file().and_then(|path| std::fs::read_to_string(path).ok()).unwrap_or_default();
-    text.lines().filter(|name| Path::new(name).exists()).map(str::to_owned).collect()
+    text.lines().filter(|name| App::file_path(name).exists()).map(str::to_owned).collect()
 }
 
 fn remember(names: &[String]) -> anyhow::Result<()> {
@@ -219,7 +230,8 @@ fn remember(names: &[String]) -> anyhow::Result<()> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
     }
-    let absolute = |name: &String| std::path::absolute(name).map(|path| path.display().to_string());
+    let absolute =
+        |name: &String| std::path::absolute(App::file_path(name)).map(|path| App::file_name(&path));
     let names = names.iter().map(absolute).collect::<std::io::Result<Vec<_>>>()?;
     files::write(&path, names.join("\n").as_bytes())
 }

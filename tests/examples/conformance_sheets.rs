@@ -80,7 +80,7 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> Result<()> {
 }
 
 fn draw(gpu: &Gpu, file: &Path, scenarios: &serde_json::Value, method: Method) -> Result<RgbaImage> {
-    let scene = scene_file::load(&file.to_string_lossy())?;
+    let scene = scene_file::load(file)?;
     scene.warnings.iter().for_each(|warning| println!("    {warning}"));
     scene.not_shown.iter().for_each(|not_shown| println!("    not shown: {not_shown}"));
     let scenario = scenario(scenarios, file);

@@ -3,7 +3,7 @@
 use std::{path::PathBuf, sync::Arc, time::Instant};
 
 use glimpse::Gpu;
-use glimpse_app::{Choices, Wake, script::ShellEvent};
+use glimpse_app::{App, Choices, Wake, script::ShellEvent};
 use winit::{
     application::ApplicationHandler,
     dpi::PhysicalSize,
@@ -87,7 +87,7 @@ impl ApplicationHandler<Wakeup> for Shell {
 
     fn user_event(&mut self, _: &ActiveEventLoop, wakeup: Wakeup) {
         if let Wakeup::Chosen(file) = wakeup {
-            self.session.app.open(&file.to_string_lossy());
+            self.session.app.open(&App::file_name(&file));
         }
         self.redraw();
     }

@@ -22,6 +22,9 @@ pub fn is_standard(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
+/// The most links that lead to a file, as on Linux.
+const MAX_LINKS: usize = 40;
+
 /// Checks before long work that [`write()`] can succeed for each output. Fails if a path cannot be written, if
 /// two outputs are the same file, or if an output is one of the inputs.
 pub fn check(outputs: &[&Path], inputs: &[&Path]) -> anyhow::Result<()> {
@@ -52,11 +55,22 @@ fn writable(path: &Path) -> anyhow::Result<()> {
     if path.is_dir() {
         anyhow::bail!("cannot write {}: it is a folder", path.display());
     }
+    nameable(path)?;
     // Renaming over a read-only file would succeed, against the intent of its owner.
     if fs::metadata(path).is_ok_and(|m| m.permissions().readonly()) {
         anyhow::bail!("cannot write {}: it is read-only", path.display());
     }
     temporary_beside(path).map(drop)
+}
+
+/// Fails where no file can have the name: it is too long, or a link that leads to itself.
+fn nameable(path: &Path) -> anyhow::Result<()> {
+    match fs::metadata(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => {
+            Err(error).with_context(|| format!("cannot write {}", path.display()))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Writes the file in one step, by renaming a temporary file: readers see the old content or the new, never a
@@ -70,6 +84,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
     if is_special(&path) {
         return fs::write(&path, bytes).with_context(failed);
     }
+    nameable(&path)?;
     let mut file = temporary_beside(&path)?;
     file.write_all(bytes).and_then(|()| file.as_file().sync_all()).with_context(failed)?;
     file.persist(&path).map_err(|e| e.error).with_context(failed)?;
@@ -119,11 +134,18 @@ fn standard_input() -> anyhow::Result<Vec<u8>> {
     Ok(kept.insert(bytes).clone())
 }
 
-/// Resolves symbolic links, so that writing replaces the target and keeps the link. The file itself need not
-/// exist.
+/// Resolves symbolic links, so that writing replaces the target and keeps the link. The file itself need not exist, nor
+/// need the target of a link.
 fn resolved(path: &Path) -> PathBuf {
-    let new = || Some(fs::canonicalize(folder(path)).ok()?.join(path.file_name()?));
-    fs::canonicalize(path).ok().or_else(new).unwrap_or_else(|| path.to_owned())
+    let mut path = path.to_owned();
+    for _ in 0..MAX_LINKS {
+        match fs::read_link(&path) {
+            Ok(target) => path = folder(&path).join(target),
+            Err(_) => break,
+        }
+    }
+    let new = || Some(fs::canonicalize(folder(&path)).ok()?.join(path.file_name()?));
+    fs::canonicalize(&path).ok().or_else(new).unwrap_or(path)
 }
 
 fn folder(path: &Path) -> &Path {
@@ -230,6 +252,36 @@ mod tests {
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(read(&file).unwrap(), b"new");
         assert_eq!(fs::metadata(&file).unwrap().permissions().mode(), expected);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_to_a_file_that_is_not_there_yet_stays_a_link() {
+        use std::os::unix::fs::symlink;
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir(folder.path().join("sub")).unwrap();
+        let [link, second, target] = ["link", "second", "sub/target"].map(|name| folder.path().join(name));
+        symlink("sub/target", &link).unwrap();
+        symlink("link", &second).unwrap();
+        check(&[&second], &[]).unwrap();
+        let message = check(&[&second, &target], &[]).unwrap_err().to_string();
+        assert!(message.contains("twice"), "{message}");
+        write(&second, b"new").unwrap();
+        assert!([&link, &second].iter().all(|link| fs::symlink_metadata(link).unwrap().is_symlink()));
+        assert_eq!(read(&target).unwrap(), b"new");
+        symlink("gone/target", folder.path().join("lost")).unwrap();
+        assert!(check(&[&folder.path().join("lost")], &[]).is_err());
+        symlink("circle", folder.path().join("circle")).unwrap();
+        assert!(check(&[&folder.path().join("circle")], &[]).is_err());
+        assert!(write(&folder.path().join("circle"), b"").is_err());
+    }
+
+    #[test]
+    fn a_name_that_is_too_long_is_refused_before_it_is_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a".repeat(300) + ".png");
+        let message = format!("{:#}", check(&[&path], &[]).unwrap_err());
+        assert!(message.contains("too long"), "{message}");
     }
 
     #[cfg(unix)]

@@ -1,5 +1,6 @@
 //! Loads a scene by its name on the command line: `builtin:NAME` or a glTF file.
 
+use std::ffi::{OsStr, OsString};
 use std::path::{Component, Path, PathBuf};
 
 use anyhow::Context;
@@ -10,16 +11,17 @@ use glimpse::scene::{BUILTIN_NAMES, ImportOptions, builtin};
 use crate::files;
 
 /// Fails early, without reading any content, where [`load`] cannot succeed; called before long work.
-pub fn check(name: &str) -> anyhow::Result<()> {
-    if let Some(builtin_name) = name.strip_prefix("builtin:") {
+pub fn check(name: impl AsRef<Path>) -> anyhow::Result<()> {
+    let path = name.as_ref();
+    if let Some(builtin_name) = builtin_name(path) {
         return check_builtin(builtin_name);
     }
-    let path = Path::new(name);
     if files::is_standard(path) {
         return files::readable(path);
     }
     let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
     if !matches!(ending.as_deref(), Some("glb" | "gltf")) {
+        let name = path.display().to_string();
         let builtin = name.split_once(':').and_then(|(prefix, _)| similar(prefix, ["builtin"]));
         let meant = builtin.map_or("", |_| " (did you mean builtin:?)");
         let expected = format!("a .glb or .gltf file, or builtin:NAME{meant}");
@@ -30,25 +32,25 @@ pub fn check(name: &str) -> anyhow::Result<()> {
 
 /// Loads `builtin:NAME`, a `.glb`, or a `.gltf` with the files that it names beside it. `-` is either of both on the
 /// standard input, with its files in the working folder.
-pub fn load(name: &str) -> anyhow::Result<Scene> {
+pub fn load(name: impl AsRef<Path>) -> anyhow::Result<Scene> {
     load_seen(name, &ImportOptions::default(), &mut |_, _| ())
 }
 
 /// Loads a scene as [`load`] does, and passes the path and the bytes of every file read to `seen`; for a built-in scene,
 /// its name. Without a budget of memory an import may take half of what is available.
 pub fn load_seen(
-    name: &str,
+    name: impl AsRef<Path>,
     options: &ImportOptions<'_>,
     seen: &mut dyn FnMut(&Path, &[u8]),
 ) -> anyhow::Result<Scene> {
-    check(name)?;
-    let path = Path::new(name);
-    if let Some(scene) = name.strip_prefix("builtin:").and_then(builtin) {
+    let path = name.as_ref();
+    check(path)?;
+    if let Some(scene) = builtin_name(path).and_then(builtin) {
         if let Some(variant) = options.variant {
             let expected = "none, as built-in scenes have no variants";
             return Err(glimpse::Error::setting("variant", expected, variant).into());
         }
-        seen(path, name.as_bytes());
+        seen(path, path.as_os_str().as_encoded_bytes());
         return Ok(scene);
     }
     let bytes = files::read(path)?;
@@ -61,17 +63,22 @@ pub fn load_seen(
     };
     let memory = options.memory.or_else(|| available_memory().map(|bytes| bytes / 2));
     Scene::from_gltf_with(&bytes, &mut resolve, &ImportOptions { memory, ..*options })
-        .with_context(|| name.to_owned())
+        .with_context(|| path.display().to_string())
+}
+
+/// The name of a built-in scene.
+fn builtin_name(path: &Path) -> Option<&str> {
+    path.to_str()?.strip_prefix("builtin:")
 }
 
 /// Fails where the import of a scene left something out, replaced it or cannot show it.
-pub fn check_whole(name: &str, scene: &Scene) -> anyhow::Result<()> {
+pub fn check_whole(name: &Path, scene: &Scene) -> anyhow::Result<()> {
     let not_shown = scene.not_shown.iter().map(|not_shown| format!("not shown: {not_shown}"));
     let told: Vec<_> = scene.warnings.iter().cloned().chain(not_shown).collect();
     if told.is_empty() {
         return Ok(());
     }
-    anyhow::bail!("{name}: --strict: {}", told.join("; "))
+    anyhow::bail!("{}: --strict: {}", name.display(), told.join("; "))
 }
 
 /// Bytes of memory that the system can give without swapping; `None` where it does not say.
@@ -95,22 +102,23 @@ fn check_builtin(name: &str) -> anyhow::Result<()> {
 /// scenes may come from untrusted sources.
 fn read_beside(folder: &Path, uri: &str) -> Result<(PathBuf, Vec<u8>), String> {
     let decoded = percent_decoded(uri);
-    let paths = [decoded.as_str(), uri].map(|name| below(name).map(|path| folder.join(path)));
+    let paths = [decoded.as_os_str(), uri.as_ref()].map(|name| below(name).map(|path| folder.join(path)));
     let there = paths.iter().flatten().find(|path| path.exists());
-    let path = there
-        .or(paths[0].as_ref())
-        .ok_or_else(|| format!("expected a file in the scene's folder or below it, found `{decoded}`"))?;
+    let path = there.or(paths[0].as_ref()).ok_or_else(|| {
+        format!("expected a file in the scene's folder or below it, found `{}`", decoded.display())
+    })?;
     let bytes = files::read(path).map_err(|error| format!("{error:#}"))?;
     Ok((path.clone(), bytes))
 }
 
 /// The path below a folder that a name leads to, without its dot segments (RFC 3986, section 5.2.4); `None` where it
 /// leads elsewhere: by a scheme, a root or more `..` than folders.
-fn below(name: &str) -> Option<PathBuf> {
-    let scheme = name.split_once(':').map(|(scheme, _)| scheme);
+fn below(name: &OsStr) -> Option<PathBuf> {
+    let text = name.to_string_lossy();
+    let scheme = text.split_once(':').map(|(scheme, _)| scheme);
     let has_scheme = scheme
         .is_some_and(|s| !s.is_empty() && s.chars().all(|c| c.is_ascii_alphanumeric() || "+-.".contains(c)));
-    if has_scheme || name.contains('\0') {
+    if has_scheme || text.contains('\0') {
         return None;
     }
     let mut path = PathBuf::new();
@@ -125,7 +133,8 @@ fn below(name: &str) -> Option<PathBuf> {
     Some(path)
 }
 
-fn percent_decoded(uri: &str) -> String {
+/// The name with its percent codes decoded, of which any bytes are a name where the system has such.
+fn percent_decoded(uri: &str) -> OsString {
     let mut bytes = Vec::with_capacity(uri.len());
     let mut rest = uri.as_bytes();
     while let Some((&first, tail)) = rest.split_first() {
@@ -137,7 +146,18 @@ fn percent_decoded(uri: &str) -> String {
         bytes.push(code.unwrap_or(first));
         rest = if code.is_some() { &tail[2..] } else { tail };
     }
-    String::from_utf8(bytes).unwrap_or_else(|_| uri.to_owned())
+    String::from_utf8(bytes).map_or_else(|error| of_bytes(error.into_bytes(), uri), OsString::from)
+}
+
+#[cfg(unix)]
+fn of_bytes(bytes: Vec<u8>, _: &str) -> OsString {
+    use std::os::unix::ffi::OsStringExt;
+    OsString::from_vec(bytes)
+}
+
+#[cfg(not(unix))]
+fn of_bytes(_: Vec<u8>, uri: &str) -> OsString {
+    uri.into()
 }
 
 #[cfg(test)]
@@ -229,6 +249,24 @@ mod tests {
         assert_eq!(percent_decoded("100%"), "100%");
         assert_eq!(percent_decoded("%zz%+4%4"), "%zz%+4%4");
         assert_eq!(percent_decoded("%C3%A4"), "ä");
-        assert_eq!(percent_decoded("%ff"), "%ff");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn names_need_not_be_text() {
+        use std::os::unix::ffi::OsStrExt;
+        let folder = tempfile::tempdir().unwrap();
+        let name = OsStr::from_bytes(b"a\xffb.bin");
+        fs::write(folder.path().join(name), b"bytes").unwrap();
+        assert_eq!(percent_decoded("a%ffb.bin"), name);
+        assert_eq!(
+            read_beside(folder.path(), "a%FFb.bin").unwrap(),
+            (folder.path().join(name), b"bytes".to_vec())
+        );
+        fs::write(folder.path().join("a%ffc.bin"), b"literal").unwrap();
+        assert_eq!(read_beside(folder.path(), "a%ffc.bin").unwrap().1, b"literal");
+        let scene = folder.path().join(OsStr::from_bytes(b"\xff.glb"));
+        let message = format!("{:#}", load(&scene).unwrap_err());
+        assert!(message.contains("cannot read"), "{message}");
     }
 }

@@ -1,6 +1,8 @@
 //! What surrounds a scene: its file's own environment, a map, or nothing.
 
-use std::{path::PathBuf, str::FromStr};
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
 use anyhow::Context;
 use glimpse::{Picture, Scene, scene::EnvironmentMap};
@@ -33,24 +35,37 @@ impl FromStr for EnvironmentChoice {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let path = PathBuf::from(text);
+        Self::try_from(OsString::from(text))
+    }
+}
+
+impl TryFrom<OsString> for EnvironmentChoice {
+    type Error = String;
+
+    fn try_from(name: OsString) -> Result<Self, String> {
+        let path = PathBuf::from(name);
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-        match (text, ending.as_deref()) {
-            ("none", _) => Ok(Self::Nothing),
-            (STUDIO, _) => Ok(Self::Studio),
+        match (path.to_str(), ending.as_deref()) {
+            (Some("none"), _) => Ok(Self::Nothing),
+            (Some(STUDIO), _) => Ok(Self::Studio),
             (_, Some("hdr" | "exr")) => Ok(Self::File(path)),
-            _ => Err(format!("expected a .hdr or .exr file, {STUDIO} or none, found {text}")),
+            _ => Err(format!("expected a .hdr or .exr file, {STUDIO} or none, found {}", path.display())),
         }
     }
 }
 
 impl Surroundings {
+    /// The file that the map is read from, if it is.
+    pub fn file(&self) -> Option<&Path> {
+        match &self.environment {
+            Some(EnvironmentChoice::File(path)) => Some(path),
+            _ => None,
+        }
+    }
+
     /// Fails early, without reading any content, where [`Surroundings::apply`] cannot succeed.
     pub fn check(&self) -> anyhow::Result<()> {
-        match &self.environment {
-            Some(EnvironmentChoice::File(path)) => files::readable(path),
-            _ => Ok(()),
-        }
+        self.file().map_or(Ok(()), files::readable)
     }
 
     /// Surrounds a scene.
@@ -110,7 +125,7 @@ mod tests {
 
     #[test]
     fn a_missing_or_wrong_map_is_named() {
-        let of = |path: &std::path::Path| Surroundings {
+        let of = |path: &Path| Surroundings {
             environment: Some(EnvironmentChoice::File(path.into())),
             rotation: 0.0,
         };

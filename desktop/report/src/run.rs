@@ -21,7 +21,7 @@ use crate::{identity, rows};
 /// Options of a report.
 pub struct Options {
     /// Scene files or `builtin:NAME`; duplicates are measured once.
-    pub scenes: Vec<String>,
+    pub scenes: Vec<PathBuf>,
     /// Folder of all output and of the stored measurements, from which an interrupted run resumes.
     pub output: PathBuf,
     /// Frame size in pixels of the ladder and of tables without a size of their own.
@@ -59,8 +59,8 @@ pub struct Program {
 /// fails.
 pub fn run(options: &Options, adapter: Option<&str>) -> anyhow::Result<()> {
     options.base.validate()?;
-    options.scenes.iter().try_for_each(|name| scene_file::check(name))?;
-    let mut names: Vec<&String> = Vec::new();
+    options.scenes.iter().try_for_each(scene_file::check)?;
+    let mut names: Vec<&PathBuf> = Vec::new();
     for name in &options.scenes {
         if !names.contains(&name) {
             names.push(name);
@@ -166,9 +166,10 @@ fn header(program: &Program, gpu: &Gpu) -> Header {
 }
 
 /// File stem of each scene: its own name without special characters, numbered where two are equal.
-fn stems(scenes: &[&String]) -> Vec<String> {
-    let plain = |name: &&String| {
-        let path = Path::new(name.strip_prefix("builtin:").unwrap_or(name));
+fn stems(scenes: &[&PathBuf]) -> Vec<String> {
+    let plain = |name: &&PathBuf| {
+        let builtin = name.to_str().and_then(|name| name.strip_prefix("builtin:"));
+        let path = builtin.map_or(name.as_path(), Path::new);
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         stem.chars().map(|c| if c.is_alphanumeric() || c == '-' { c } else { '_' }).collect::<String>()
     };
@@ -198,7 +199,7 @@ mod tests {
 
     #[test]
     fn scenes_of_one_name_get_files_of_their_own() {
-        let scenes = ["a/room.glb", "builtin:room", "b/my room!.gltf", "room.glb"].map(str::to_owned);
+        let scenes = ["a/room.glb", "builtin:room", "b/my room!.gltf", "room.glb"].map(PathBuf::from);
         let stems = stems(&scenes.each_ref());
         assert_eq!(stems, ["room", "room-2", "my_room_", "room-3"]);
         let phones = tables::named("phones").unwrap();

@@ -1,5 +1,7 @@
 //! The scenes of a report: their descriptions, and their uploads with the changes that tables ask for.
 
+use std::path::{Path, PathBuf};
+
 use anyhow::Context;
 use glimpse::scene::{ImportOptions, Material, Weights};
 use glimpse::{Camera, Gpu, GpuScene, Method, Renderer, Scene, Settings, Specialize};
@@ -30,6 +32,8 @@ pub enum Variant {
 pub struct Prepared {
     /// Name of the scene on the command line.
     pub name: String,
+    /// The same as it is opened.
+    pub path: PathBuf,
     /// Fingerprint of all files read.
     pub content: Fingerprint,
     /// Selected camera.
@@ -43,14 +47,16 @@ impl Prepared {
     ///
     /// # Errors
     /// Fails if the scene cannot be loaded or has no camera of that name.
-    pub fn new(name: &str, camera: Option<&str>) -> anyhow::Result<Self> {
+    pub fn new(path: impl AsRef<Path>, camera: Option<&str>) -> anyhow::Result<Self> {
+        let path = path.as_ref().to_owned();
+        let name = path.display().to_string();
         let mut content = Fingerprint::new();
-        let scene = scene_file::load_seen(name, &ImportOptions::default(), &mut |_, bytes| {
+        let scene = scene_file::load_seen(&path, &ImportOptions::default(), &mut |_, bytes| {
             content = content.and(bytes)
         })?;
-        let camera = *scene.camera(camera).with_context(|| name.to_owned())?;
-        let statistics = SceneStatistics::of(name, &scene, Specialize::Auto);
-        Ok(Self { name: name.to_owned(), content, camera, statistics })
+        let camera = *scene.camera(camera).with_context(|| name.clone())?;
+        let statistics = SceneStatistics::of(&name, &scene, Specialize::Auto);
+        Ok(Self { name, path, content, camera, statistics })
     }
 }
 
@@ -97,12 +103,12 @@ impl<'s> Subjects<'s> {
     }
 
     fn changed(&mut self, variant: Variant) -> anyhow::Result<Scene> {
-        let Variant::Reflective(percent) = variant else { return scene_file::load(&self.prepared.name) };
+        let Variant::Reflective(percent) = variant else { return scene_file::load(&self.prepared.path) };
         let visible = match self.visible.take() {
             Some(visible) => visible,
             None => self.count_visible()?,
         };
-        let mut scene = scene_file::load(&self.prepared.name)?;
+        let mut scene = scene_file::load(&self.prepared.path)?;
         reflect(&mut scene, &chosen(&visible, u64::from(TABLE_SIDE).pow(2), percent));
         self.visible = Some(visible);
         Ok(scene)

@@ -1,5 +1,6 @@
 //! A file of cases for `glimpse check`.
 
+use std::ffi::OsString;
 use std::path::Path;
 
 use anyhow::{Context, bail};
@@ -61,8 +62,9 @@ impl Entry {
         let reference = folder.join(&self.reference);
         let name = self.name.unwrap_or_else(|| stem(&reference));
         let is_path = !self.scene.starts_with("builtin:");
-        let scene = if is_path { folder.join(&self.scene).display().to_string() } else { self.scene };
-        let arguments: Vec<_> = of_all.iter().cloned().chain(self.arguments).chain([scene]).collect();
+        let scene = if is_path { folder.join(&self.scene).into() } else { self.scene.into() };
+        let typed = of_all.iter().cloned().chain(self.arguments).map(OsString::from);
+        let arguments: Vec<_> = typed.chain([scene]).collect();
         let options = parsed(&arguments).with_context(|| format!("case {name}"))?;
         if options.update
             || options.junit.is_some()
@@ -104,10 +106,10 @@ mod tests {
         "#;
         let cases = cases(Path::new("a/cases.toml"), text.as_bytes()).unwrap();
         let [room, own] = &cases[..] else { panic!("two cases") };
-        assert_eq!((room.name.as_str(), room.options.scene.as_str()), ("room-full", "builtin:room"));
+        assert_eq!((room.name.as_str(), room.options.scene.to_str()), ("room-full", Some("builtin:room")));
         assert_eq!(room.reference, Path::new("a/golden/room-full.png"));
         assert_eq!((room.options.method, room.options.bounds.max_rmse), (Method::Full, Some(1.0)));
-        assert_eq!((own.name.as_str(), own.options.scene.as_str()), ("own", "a/../own.glb"));
+        assert_eq!((own.name.as_str(), own.options.scene.to_str()), ("own", Some("a/../own.glb")));
         assert_eq!((own.options.bounds.max_rmse, own.options.size), (Some(3.0), Size([64, 48])));
     }
 
