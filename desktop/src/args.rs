@@ -438,10 +438,12 @@ pub struct ReportOptions {
     /// The tables to measure for each scene: those of Kim 2016, missing objects, predictions for phones, those of Jin 2009 and of Kim & Sung 2021
     #[arg(long, help_heading = MEASUREMENT, value_name = "TABLE", value_delimiter = ',', default_value = "5,3a", ignore_case = true)]
     pub tables: Vec<String>,
-    /// Sides of the square frames of table 5
-    #[arg(long, help_heading = MEASUREMENT, value_name = "N", value_delimiter = ',', default_value = "512,1024",
+    /// Sides of the square frames of table 5 [default: two for --size]
+    ///
+    /// 512,1024 at 960x540; tables 3 have the larger one of these defaults
+    #[arg(long, help_heading = MEASUREMENT, value_name = "N", value_delimiter = ',',
         value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SIDE)))]
-    pub table5_sizes: Vec<u32>,
+    pub table5_sizes: Option<Vec<u32>>,
 }
 
 /// `glimpse stress`

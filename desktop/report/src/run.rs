@@ -14,7 +14,7 @@ use crate::page::{self, Header};
 use crate::scene::SceneReport;
 use crate::store::Store;
 use crate::subject::{Prepared, Subjects};
-use crate::table::{Request, Table, plot_of};
+use crate::table::{Request, Table, plot_of, square_sides};
 use crate::tables;
 use crate::{identity, rows};
 
@@ -34,8 +34,8 @@ pub struct Options {
     pub frames: usize,
     /// Tables to measure.
     pub tables: Vec<&'static dyn Table>,
-    /// Sides of the square frames of Kim 2016's table 5, in pixels.
-    pub table5_sizes: Vec<u32>,
+    /// Sides of the square frames of Kim 2016's table 5, in pixels; `None` for two that follow from the frame size.
+    pub table5_sizes: Option<Vec<u32>>,
     /// The program, as the page names it.
     pub program: Program,
     /// What is printed beside the report.
@@ -98,10 +98,12 @@ pub fn run(options: &Options, adapter: Option<&str>) -> anyhow::Result<()> {
 }
 
 fn measure(bench: &Bench<'_>, options: &Options, scenes: &[Prepared]) -> anyhow::Result<Vec<Vec<Measured>>> {
+    let squares = square_sides(options.size);
+    let [_, table3_side] = squares;
+    let table5_sizes = options.table5_sizes.as_deref().unwrap_or(&squares);
     let mut known = Vec::new();
     for scene in scenes {
-        let request =
-            Request { base: &options.base, size: options.size, table5_sizes: &options.table5_sizes, scene };
+        let request = Request { base: &options.base, size: options.size, table5_sizes, table3_side, scene };
         let jobs = tables::jobs(&options.tables, &request).into_iter();
         known.push(jobs.map(|job| bench.recall(scene, job)).collect::<anyhow::Result<Vec<_>>>()?);
     }
@@ -118,7 +120,7 @@ fn measure(bench: &Bench<'_>, options: &Options, scenes: &[Prepared]) -> anyhow:
     let progress = Progress::of_work(options.verbosity, all().map(|k| k.work(bench.frames)).sum());
     let mut measured = Vec::new();
     for (scene, jobs) in scenes.iter().zip(known) {
-        let mut subjects = Subjects::new(bench.gpu, scene);
+        let mut subjects = Subjects::new(bench.gpu, scene, table3_side);
         let jobs = jobs.into_iter().map(|known| bench.measure(&mut subjects, scene, known, &progress));
         measured.push(jobs.collect::<anyhow::Result<Vec<_>>>()?);
     }

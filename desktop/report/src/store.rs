@@ -1,6 +1,6 @@
 //! Stores measurements in files, from which an interrupted report resumes.
 
-use std::fs;
+use std::fs::{self, File, TryLockError};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
@@ -16,13 +16,15 @@ const FOLDER: &str = "measured";
 /// Records and pictures in files named by the fingerprints of their identities.
 pub struct Store {
     folder: PathBuf,
+    /// Locked while the store is open: a second run would measure the same and disturb the times.
+    _lock: File,
 }
 
 impl Store {
     /// Opens the store in the report's folder and creates the folders if necessary.
     ///
     /// # Errors
-    /// Fails if the path is a file or is not writable.
+    /// Fails if the path is a file or is not writable, or if another run writes there.
     pub fn open(report: &Path) -> anyhow::Result<Self> {
         let folder = report.join(FOLDER);
         for path in [report, &folder] {
@@ -33,7 +35,16 @@ impl Store {
         fs::create_dir_all(&folder)
             .with_context(|| format!("cannot make the folder {}", folder.display()))?;
         files::check(&[&folder.join("probe.json")], &[])?;
-        Ok(Self { folder })
+        let path = folder.join("lock");
+        let failed = || format!("cannot write {}", path.display());
+        let lock = File::create(&path).with_context(failed)?;
+        match lock.try_lock() {
+            Ok(()) => Ok(Self { folder, _lock: lock }),
+            Err(TryLockError::WouldBlock) => {
+                anyhow::bail!("cannot write into {}: another report is being made there", report.display())
+            }
+            Err(TryLockError::Error(error)) => Err(error).with_context(failed),
+        }
     }
 
     /// Reads the record of an identity. A file that is damaged or belongs to another identity counts as
@@ -98,6 +109,16 @@ mod tests {
 
     use super::*;
     use crate::record::tests::example;
+
+    #[test]
+    fn a_folder_is_one_runs_at_a_time() {
+        let folder = tempfile::tempdir().unwrap();
+        let store = Store::open(folder.path()).unwrap();
+        let message = Store::open(folder.path()).err().unwrap().to_string();
+        assert!(message.ends_with("another report is being made there"), "{message}");
+        drop(store);
+        Store::open(folder.path()).unwrap();
+    }
 
     #[test]
     fn what_is_kept_comes_back_under_its_identity_alone() {

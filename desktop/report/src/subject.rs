@@ -10,9 +10,6 @@ use glimpse_measure::statistics::SceneStatistics;
 
 use crate::identity::Fingerprint;
 
-/// Side in pixels of the square frames of tables 3 of Kim 2016.
-pub const TABLE_SIDE: u32 = 1024;
-
 /// Target shares of reflective pixels in table 3(b), in percent.
 pub const SHARES: [u64; 5] = [20, 40, 60, 80, 100];
 
@@ -80,6 +77,8 @@ impl Subject {
 pub struct Subjects<'s> {
     gpu: &'s Gpu,
     prepared: &'s Prepared,
+    /// Side in pixels of the square frames in which pixels are counted.
+    side: u32,
     current: Option<(Variant, Subject)>,
     /// Number of pixels that show each object; counted when first needed.
     visible: Option<Vec<u64>>,
@@ -87,8 +86,8 @@ pub struct Subjects<'s> {
 
 impl<'s> Subjects<'s> {
     /// Creates the set without uploading anything.
-    pub fn new(gpu: &'s Gpu, prepared: &'s Prepared) -> Self {
-        Self { gpu, prepared, current: None, visible: None }
+    pub fn new(gpu: &'s Gpu, prepared: &'s Prepared, side: u32) -> Self {
+        Self { gpu, prepared, side, current: None, visible: None }
     }
 
     /// Returns the scene with that change, uploading it unless it is the current one.
@@ -109,16 +108,16 @@ impl<'s> Subjects<'s> {
             None => self.count_visible()?,
         };
         let mut scene = scene_file::load(&self.prepared.path)?;
-        reflect(&mut scene, &chosen(&visible, u64::from(TABLE_SIDE).pow(2), percent));
+        reflect(&mut scene, &chosen(&visible, u64::from(self.side).pow(2), percent));
         self.visible = Some(visible);
         Ok(scene)
     }
 
     fn count_visible(&mut self) -> anyhow::Result<Vec<u64>> {
-        let (gpu, camera) = (self.gpu, self.prepared.camera);
+        let (gpu, camera, side) = (self.gpu, self.prepared.camera, self.side);
         let subject = self.get(Variant::AsIs)?;
         let settings = Settings { method: Method::Full, depth: 1, ..Settings::default() };
-        let mut renderer = Renderer::new(gpu, &subject.scene, [TABLE_SIDE; 2], &settings)?;
+        let mut renderer = Renderer::new(gpu, &subject.scene, [side; 2], &settings)?;
         let mut visible = vec![0; subject.reflects.len()];
         for object in renderer.inspect(&camera)?.pixels.iter().filter_map(|p| p.object) {
             visible[object as usize] += 1;

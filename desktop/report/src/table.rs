@@ -45,8 +45,17 @@ pub struct Request<'r> {
     pub size: [u32; 2],
     /// Sides in pixels of the square frames of Kim 2016's table 5.
     pub table5_sizes: &'r [u32],
+    /// Side in pixels of the square frames of Kim 2016's tables 3.
+    pub table3_side: u32,
     /// Scene to measure.
     pub scene: &'r Prepared,
+}
+
+/// Sides in pixels of the square frames of Kim 2016's tables 5 and, the second one, 3, for reports of this size: those of
+/// the paper, 512 and 1024, at 960x540; otherwise the nearest power of two below the shorter side, and twice that.
+pub fn square_sides(size: [u32; 2]) -> [u32; 2] {
+    let side = 1 << size[0].min(size[1]).max(1).ilog2();
+    [side, 2 * side]
 }
 
 /// Content of a table's section of the page.

@@ -6,16 +6,22 @@ use super::*;
 use crate::record::Record;
 use crate::record::tests::example;
 use crate::subject::Prepared;
-use crate::table::Content;
+use crate::table::{Content, square_sides};
 
 /// Jobs of the tables for a scene of that name with frames of 64x32 pixels.
 fn jobs(tables: &[&str], scene: &str, table5_sizes: &[u32]) -> Vec<Job> {
     let mut prepared = Prepared::new("builtin:minray", None).unwrap();
     prepared.name = scene.to_owned();
     let base = Settings::default();
-    let request = Request { base: &base, size: [64, 32], table5_sizes, scene: &prepared };
+    let request = Request { base: &base, size: [64, 32], table5_sizes, table3_side: 1024, scene: &prepared };
     let tables: Vec<_> = tables.iter().map(|name| named(name).unwrap()).collect();
     super::jobs(&tables, &request)
+}
+
+#[test]
+fn squares_are_the_papers_at_the_usual_size_and_grow_with_it() {
+    let sides = [[960, 540], [160, 90], [90, 160], [1, 1], [2560, 1440]].map(square_sides);
+    assert_eq!(sides, [[512, 1024], [64, 128], [64, 128], [1, 2], [1024, 2048]]);
 }
 
 #[test]

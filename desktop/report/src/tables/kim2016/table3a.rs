@@ -4,7 +4,6 @@ use super::{CITATION, pair_job};
 use crate::job::Job;
 use crate::record::Record;
 use crate::scene::SceneReport;
-use crate::subject::TABLE_SIDE;
 use crate::table::{Content, Request, Rows, Table, measured};
 
 /// Time of the adaptive method by the steps of the paper.
@@ -16,19 +15,19 @@ impl Table for Kernels {
     }
 
     fn summary(&self) -> &'static str {
-        "Time by kernel, 1024x1024"
+        "Time by kernel"
     }
 
     fn jobs(&self, request: &Request<'_>) -> Vec<Job> {
-        vec![pair_job(self.name(), request.base, [TABLE_SIDE; 2], 1)]
+        vec![pair_job(self.name(), request.base, [request.table3_side; 2], 1)]
     }
 
     fn content(&self, scenes: &[SceneReport]) -> Content {
         let rows = measured(scenes, self.name())
-            .map(|(scene, measured)| row(&scene.prepared.name, &by_step(&measured.records[1])));
+            .map(|(scene, measured)| row(&scene.sized(measured.job.shown), &by_step(&measured.records[1])));
         Content::Rows(Rows {
             title: "Table 3(a): milliseconds by kernel",
-            note: "1024x1024, one sample a pixel. I, II-c and III-c trace rays; IV is postcorrection; ETC is all else of the \
+            note: "One sample a pixel (the paper: 1024x1024). I, II-c and III-c trace rays; IV is postcorrection; ETC is all else of the \
                    frame."
                 .to_owned(),
             head: ["scene"].into_iter().chain(STEPS.map(|(step, _)| step)).chain(["ETC", "frame"]).collect(),

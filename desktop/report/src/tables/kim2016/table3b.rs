@@ -3,7 +3,7 @@
 use super::{CITATION, Pair, pair_job, varied};
 use crate::job::Job;
 use crate::scene::SceneReport;
-use crate::subject::{SHARES, TABLE_SIDE, Variant};
+use crate::subject::{SHARES, Variant};
 use crate::table::{Content, Request, Rows, Table, measured};
 
 /// The scene with growing sets of reflective objects.
@@ -15,13 +15,13 @@ impl Table for Reflective {
     }
 
     fn summary(&self) -> &'static str {
-        "Share of reflective pixels varied, 1024x1024"
+        "Share of reflective pixels varied"
     }
 
     fn jobs(&self, request: &Request<'_>) -> Vec<Job> {
         let job = |share| Job {
             variant: Variant::Reflective(share),
-            ..pair_job(self.name(), request.base, [TABLE_SIDE; 2], 1)
+            ..pair_job(self.name(), request.base, [request.table3_side; 2], 1)
         };
         SHARES.map(job).to_vec()
     }
@@ -29,12 +29,12 @@ impl Table for Reflective {
     fn content(&self, scenes: &[SceneReport]) -> Content {
         let rows = measured(scenes, self.name()).map(|(scene, measured)| {
             let (share, pair) = (measured.records[0].reflective_share, Pair::of(measured));
-            varied(&scene.prepared.name, share, pair.full_ms, pair.adaptive_ms)
+            varied(&scene.sized(measured.job.shown), share, pair.full_ms, pair.adaptive_ms)
         });
         let published = PUBLISHED.iter().map(|&(share, full, ours)| varied("Bathroom", share, full, ours));
         Content::Rows(Rows {
             title: "Table 3(b): share of reflective pixels varied",
-            note: "1024x1024, one sample a pixel. The paper moves the camera; here the view stays and surfaces change: all \
+            note: "One sample a pixel (the paper: 1024x1024). The paper moves the camera; here the view stays and surfaces change: all \
                    are opaque with a diffuse share of 0.7, and a growing set of objects (the largest that fit under 20, 40, \
                    60 and 80 % of the pixels, then all) mirrors a share of 0.3. The share is that of the pixels whose first \
                    hit is such a mirror."

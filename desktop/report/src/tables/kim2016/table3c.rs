@@ -3,7 +3,6 @@
 use super::{CITATION, Pair, pair_job, varied};
 use crate::job::Job;
 use crate::scene::SceneReport;
-use crate::subject::TABLE_SIDE;
 use crate::table::{Content, Request, Rows, Table};
 
 /// Rotations of the camera about the vertical, in degrees.
@@ -18,29 +17,29 @@ impl Table for Views {
     }
 
     fn summary(&self) -> &'static str {
-        "RT ratio varied, 1024x1024"
+        "RT ratio varied"
     }
 
     fn jobs(&self, request: &Request<'_>) -> Vec<Job> {
-        let job = |turn| Job { turn, ..pair_job(self.name(), request.base, [TABLE_SIDE; 2], 1) };
+        let job = |turn| Job { turn, ..pair_job(self.name(), request.base, [request.table3_side; 2], 1) };
         TURNS.map(job).to_vec()
     }
 
     fn content(&self, scenes: &[SceneReport]) -> Content {
         let mut rows = Vec::new();
         for scene in scenes {
-            let views = scene.of_table(self.name()).map(|measured| (measured.job.turn, Pair::of(measured)));
+            let views = scene.of_table(self.name()).map(|measured| (&measured.job, Pair::of(measured)));
             let mut views: Vec<_> = views.collect();
             views.sort_by(|a, b| a.1.rt_ratio.total_cmp(&b.1.rt_ratio));
-            rows.extend(views.into_iter().map(|(turn, pair)| {
-                let name = format!("{}, turned by {turn}°", scene.prepared.name);
+            rows.extend(views.into_iter().map(|(job, pair)| {
+                let name = format!("{}, turned by {}°", scene.sized(job.shown), job.turn);
                 varied(&name, pair.rt_ratio, pair.full_ms, pair.adaptive_ms)
             }));
         }
         let published = PUBLISHED.iter().map(|&(ratio, full, ours)| varied("Conference", ratio, full, ours));
         Content::Rows(Rows {
             title: "Table 3(c): RT ratio varied",
-            note: "1024x1024, one sample a pixel, five views: the camera turned about the vertical where it stands. Sorted \
+            note: "One sample a pixel (the paper: 1024x1024), five views: the camera turned about the vertical where it stands. Sorted \
                    by RT ratio."
                 .to_owned(),
             head: vec!["scene", "RT ratio", "full ms", "adaptive ms", "speedup"],
