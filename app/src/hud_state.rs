@@ -62,6 +62,8 @@ pub struct Busy {
     pub what: String,
     /// Seconds since the task began.
     pub seconds: f64,
+    /// What the steps are, such as `step` or `kernel`.
+    pub unit: &'static str,
     /// Current step, from 1, and number of steps.
     pub step: [u32; 2],
 }

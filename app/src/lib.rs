@@ -9,6 +9,7 @@ mod camera_control;
 mod change;
 mod choices;
 mod command;
+mod compiler;
 mod conflicts;
 mod gestures;
 mod governor;

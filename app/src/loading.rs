@@ -77,7 +77,7 @@ pub(crate) fn load(
     name: &str,
     event_sender: &EventSender,
 ) -> Result<Loaded, String> {
-    event_sender.send(WorkerEvent::Loading(format!("reading {name}"), [1, 3]));
+    event_sender.send(WorkerEvent::Loading(format!("reading {name}"), [1, 2]));
     let Opened { mut scene, camera } = files(name)?;
     let features = glimpse::Features::of(&scene).list().to_vec();
     let facts = SceneFacts {
@@ -91,7 +91,7 @@ pub(crate) fn load(
         not_shown: scene.not_shown.iter().map(ToString::to_string).collect(),
         features,
     };
-    event_sender.send(WorkerEvent::Loading(format!("building {name}"), [2, 3]));
+    event_sender.send(WorkerEvent::Loading(format!("building {name}"), [2, 2]));
     let scene = GpuScene::upload(gpu, scene).map_err(|error| format!("{name}: {error}"))?;
     Ok(Loaded { scene, facts })
 }

@@ -2,7 +2,7 @@
 
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
-use glimpse::Camera;
+use glimpse::{Camera, Result};
 
 use crate::{Job, loading::Loaded};
 
@@ -13,6 +13,8 @@ pub(crate) struct Slots {
     pub job: Option<(u64, Job)>,
     pub capture: Option<Job>,
     pub pick: Option<(Camera, [f32; 2])>,
+    /// Whether kernels that the worker waits for were compiled, or could not be.
+    pub compiled: Option<Result<()>>,
     /// Number of the last requested scene: a loader that finishes with an older number discards its result.
     pub asked: u64,
     pub stop: bool,
@@ -32,6 +34,8 @@ pub(crate) enum Order {
     Frame(u64, Job),
     Capture(Job),
     Pick(Camera, [f32; 2]),
+    /// Kernels were compiled, or could not be.
+    Compiled(Result<()>),
     /// Leave the scene: another one is waiting, or the thread must end.
     Leave,
 }
@@ -50,15 +54,16 @@ impl Mailbox {
                 return None;
             }
             if let Some(loaded) = slots.scene.take() {
-                // A waiting job belongs to the previous scene.
-                slots.job = None;
+                // A waiting job, and kernels, belong to the previous scene.
+                (slots.job, slots.compiled) = (None, None);
                 return Some(loaded);
             }
             slots = self.posted.wait(slots).unwrap_or_else(PoisonError::into_inner);
         }
     }
 
-    /// Waits for a request. Picking takes precedence over captures, and these over frames.
+    /// Waits for a request. Picking takes precedence over captures, these over frames, and
+    /// these over compiled kernels.
     pub fn next(&self) -> Order {
         let mut slots = self.slots();
         loop {
@@ -74,8 +79,17 @@ impl Mailbox {
             if let Some((number, job)) = slots.job.take() {
                 return Order::Frame(number, job);
             }
+            if let Some(compiled) = slots.compiled.take() {
+                return Order::Compiled(compiled);
+            }
             slots = self.posted.wait(slots).unwrap_or_else(PoisonError::into_inner);
         }
+    }
+
+    /// Tells the worker that kernels were compiled, or could not be.
+    pub fn kernels_compiled(&self, compiled: Result<()>) {
+        self.slots().compiled = Some(compiled);
+        self.posted.notify_one();
     }
 
     /// Whether a frame at rest is to be cancelled because another request waits or the view is hidden.

@@ -1,19 +1,24 @@
-//! Renders the frames of one scene on the worker thread.
+//! Renders the frames of one scene on the worker thread. While kernels of a frame are compiled, the last renderer or a
+//! preview stands in for it.
+
+mod kernels;
 
 use std::sync::Arc;
 
 use glam::Vec3;
 use glimpse::{
-    Camera, Counts, DisplayImage, Error, Gpu, GpuScene, Memory, Method, PassTime, Renderer, Result,
+    Camera, Counts, DisplayImage, Error, Gpu, GpuScene, Memory, Method, PassTime, Purpose, Renderer, Result,
     Robustness, Settings, Show, metrics,
     probe::{Probe, ProbeHit, ProbeRay},
     show,
 };
 
 use crate::{
+    compiler::{CompileRequest, Compiler},
     mailbox::{Mailbox, Order},
     worker::{EventSender, WorkerEvent},
 };
+use kernels::{Needs, Waiting};
 
 /// Everything that determines a frame.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,6 +58,8 @@ pub struct RenderedFrame {
     pub full: Option<Arc<wgpu::Texture>>,
     /// Rendering time on the device in milliseconds.
     pub ms: f64,
+    /// Whether this is another frame from the job's camera, shown until the kernels of the job's own are compiled.
+    pub is_stand_in: bool,
     /// Whether rendering the job again would give the same picture.
     pub settled: bool,
     /// Whether kernels were compiled during the frame, so that its time is not representative.
@@ -78,45 +85,82 @@ pub struct Counted {
 pub(crate) struct SceneRenderer<'a> {
     gpu: &'a Gpu,
     scene: &'a GpuScene,
+    mailbox: &'a Mailbox,
+    compiler: &'a Compiler,
+    event_sender: &'a EventSender,
     shown: Option<Renderer>,
     full: Option<Renderer>,
+    preview: Option<Renderer>,
+    /// What waits for kernels.
+    waiting: Waiting,
+    /// The kernels that are being compiled.
+    requested: Option<Needs>,
+    /// Kernels that were found compiled last.
+    ready: Option<Needs>,
     /// Textures given to the app. Those that the app has dropped are reused.
     pictures: Vec<Arc<wgpu::Texture>>,
 }
 
 impl<'a> SceneRenderer<'a> {
-    pub fn new(gpu: &'a Gpu, scene: &'a GpuScene) -> Self {
-        Self { gpu, scene, shown: None, full: None, pictures: Vec::new() }
+    pub fn new(
+        gpu: &'a Gpu,
+        scene: &'a GpuScene,
+        mailbox: &'a Mailbox,
+        compiler: &'a Compiler,
+        event_sender: &'a EventSender,
+    ) -> Self {
+        Self {
+            gpu,
+            scene,
+            mailbox,
+            compiler,
+            event_sender,
+            shown: None,
+            full: None,
+            preview: None,
+            waiting: Waiting::default(),
+            requested: None,
+            ready: None,
+            pictures: Vec::new(),
+        }
     }
 
     /// Serves requests until another scene is waiting or the thread must end.
     ///
     /// # Errors
     /// Fails if the device is lost.
-    pub fn serve(mut self, mailbox: &Mailbox, event_sender: &EventSender) -> std::result::Result<(), String> {
+    pub fn serve(mut self) -> std::result::Result<(), String> {
         loop {
-            let result = match mailbox.next() {
+            let result = match self.mailbox.next() {
                 Order::Leave => return Ok(()),
-                Order::Frame(number, job) => self.frame(number, job, mailbox, event_sender),
-                Order::Capture(job) => {
-                    self.capture(&job).map(|image| event_sender.send(WorkerEvent::Captured(image)))
-                }
+                Order::Frame(number, job) => self.frame(number, job),
+                Order::Capture(job) => self.capture(job),
                 Order::Pick(camera, at) => {
-                    self.pick(&camera, at).map(|point| event_sender.send(WorkerEvent::Picked(point)))
+                    self.pick(&camera, at).map(|point| self.event_sender.send(WorkerEvent::Picked(point)))
                 }
+                Order::Compiled(compiled) => self.compiled(compiled),
             };
             match result {
                 Ok(()) => {}
                 Err(error @ (Error::Lost { .. } | Error::Timeout { .. })) => return Err(error.to_string()),
-                Err(error) => event_sender.send(WorkerEvent::Failed(error.to_string())),
+                Err(error) => self.event_sender.send(WorkerEvent::Failed(error.to_string())),
             }
         }
     }
 
-    fn frame(&mut self, number: u64, job: Job, mailbox: &Mailbox, event_sender: &EventSender) -> Result<()> {
+    fn frame(&mut self, number: u64, job: Job) -> Result<()> {
+        if let Some((earlier, ..)) = self.waiting.count.take() {
+            self.event_sender.send(WorkerEvent::Cancelled(earlier));
+        }
+        let missing = self.missing(Needs::of(&job))?;
+        if !missing.is_empty() {
+            return self.stand_in(number, job, missing);
+        }
+        self.waiting.frame = None;
+        let (gpu, scene, mailbox, event_sender) = (self.gpu, self.scene, self.mailbox, self.event_sender);
         let cancelled = || job.is_still() && mailbox.is_urgent();
         let known = self.shown.as_ref().map_or(0, Renderer::kernels);
-        let renderer = changed(&mut self.shown, self.gpu, self.scene, job.size, &job.settings)?;
+        let renderer = changed(&mut self.shown, gpu, scene, job.size, &job.settings)?;
         let Some(time) = renderer.render_until(&job.camera, &cancelled)? else {
             event_sender.send(WorkerEvent::Cancelled(number));
             return Ok(());
@@ -124,20 +168,21 @@ impl<'a> SceneRenderer<'a> {
         let compiled = renderer.kernels() > known;
         let (memory, settled) = (renderer.memory(), renderer.is_settled());
         let (picture, legend) = if job.show == Show::Final {
-            (self.handed_out(false)?, String::new())
+            let display = renderer.display().clone();
+            (self.handed_out(&display), String::new())
         } else {
             let inspection = renderer.inspect(&job.camera)?;
             let (picture, legend) = show::picture(job.show, &renderer.display_image()?, &inspection.pixels)?;
             (self.uploaded(&picture), legend)
         };
         let full = if job.split {
-            let settings = Settings { method: Method::Full, ..job.settings };
-            let renderer = changed(&mut self.full, self.gpu, self.scene, job.size, &settings)?;
+            let renderer = changed(&mut self.full, gpu, scene, job.size, &full(&job.settings))?;
             if renderer.render_until(&job.camera, &cancelled)?.is_none() {
                 event_sender.send(WorkerEvent::Cancelled(number));
                 return Ok(());
             }
-            Some(self.handed_out(true)?)
+            let display = renderer.display().clone();
+            Some(self.handed_out(&display))
         } else {
             None
         };
@@ -149,25 +194,43 @@ impl<'a> SceneRenderer<'a> {
             picture,
             full,
             ms,
+            is_stand_in: false,
             settled,
             compiled,
             passes,
             memory,
             legend,
         })));
-        if still && settled {
-            event_sender.send(if mailbox.is_urgent() {
-                WorkerEvent::Cancelled(number)
-            } else {
-                WorkerEvent::Counted(number, Box::new(self.count(&camera, split)?))
-            });
+        if still && settled { self.count(number, camera, split) } else { Ok(()) }
+    }
+
+    /// Sends the counters of the last frame once their kernels are compiled, unless another request waits.
+    fn count(&mut self, number: u64, camera: Camera, split: bool) -> Result<()> {
+        if self.mailbox.is_urgent() {
+            self.event_sender.send(WorkerEvent::Cancelled(number));
+            return Ok(());
         }
+        let missing = match &self.shown {
+            Some(shown) => {
+                let size = [shown.display().width(), shown.display().height()];
+                self.uncompiled(size, shown.settings(), Purpose::Counters)?
+            }
+            None => None,
+        };
+        if let Some(kernels) = missing {
+            self.requested = None;
+            self.waiting.count = Some((number, camera, split));
+            self.compiler.request(CompileRequest { renderers: [kernels].into(), is_told: false });
+            return Ok(());
+        }
+        let counted = self.counted(&camera, split)?;
+        self.event_sender.send(WorkerEvent::Counted(number, Box::new(counted)));
         Ok(())
     }
 
     /// Counts rays, samples and failed checks of the last frame, and compares it with full ray tracing if
     /// `split` is set.
-    fn count(&mut self, camera: &Camera, split: bool) -> Result<Counted> {
+    fn counted(&mut self, camera: &Camera, split: bool) -> Result<Counted> {
         let psnr_db = match (&self.shown, &self.full) {
             (Some(shown), Some(full)) if split => {
                 let rmse = metrics::rmse(&shown.display_image()?, &full.display_image()?)?;
@@ -182,7 +245,20 @@ impl<'a> SceneRenderer<'a> {
         Ok(Counted { counts, psnr_db })
     }
 
-    fn capture(&mut self, job: &Job) -> Result<DisplayImage> {
+    /// Sends a frame as an image once its kernels are compiled.
+    fn capture(&mut self, job: Job) -> Result<()> {
+        let missing = self.missing(Needs::of(&job))?;
+        if missing.is_empty() {
+            let image = self.captured(&job)?;
+            self.event_sender.send(WorkerEvent::Captured(image));
+        } else {
+            self.request(Needs::of(&job), missing);
+            self.waiting.capture = Some(job);
+        }
+        Ok(())
+    }
+
+    fn captured(&mut self, job: &Job) -> Result<DisplayImage> {
         let renderer = changed(&mut self.shown, self.gpu, self.scene, job.size, &job.settings)?;
         renderer.render(&job.camera)?;
         while !renderer.is_settled() {
@@ -209,17 +285,13 @@ impl<'a> SceneRenderer<'a> {
         Ok(hit.map(|hit| origin + hit.t * direction))
     }
 
-    /// Copies the last picture of one of the renderers into a texture for the app.
-    fn handed_out(&mut self, full: bool) -> Result<Arc<wgpu::Texture>> {
-        let Some(renderer) = (if full { &self.full } else { &self.shown }) else {
-            return Err(Error::Device("no frame was made".to_owned()));
-        };
-        let source = renderer.display().clone();
+    /// Copies a renderer's picture into a texture for the app.
+    fn handed_out(&mut self, source: &wgpu::Texture) -> Arc<wgpu::Texture> {
         let picture = self.picture(source.width(), source.height());
         let mut encoder = self.gpu.device().create_command_encoder(&Default::default());
         encoder.copy_texture_to_texture(source.as_image_copy(), picture.as_image_copy(), source.size());
         self.gpu.queue().submit([encoder.finish()]);
-        Ok(picture)
+        picture
     }
 
     fn uploaded(&mut self, image: &DisplayImage) -> Arc<wgpu::Texture> {
@@ -256,6 +328,11 @@ impl<'a> SceneRenderer<'a> {
         self.pictures.push(picture.clone());
         picture
     }
+}
+
+/// The settings of the picture for comparison.
+fn full(settings: &Settings) -> Settings {
+    Settings { method: Method::Full, ..*settings }
 }
 
 /// The renderer for that size and those settings, created or changed as needed.

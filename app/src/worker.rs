@@ -14,6 +14,7 @@ use glam::Vec3;
 use glimpse::{Camera, DisplayImage, Gpu};
 
 use crate::{
+    compiler::Compiler,
     loading::{Loaded, Opened, SceneFacts, load},
     mailbox::Mailbox,
     scene_renderer::{Counted, Job, RenderedFrame, SceneRenderer},
@@ -29,6 +30,8 @@ pub type Wake = Arc<dyn Fn() + Send + Sync>;
 pub enum WorkerEvent {
     /// Progress of loading a scene: description, current step and number of steps.
     Loading(String, [u32; 2]),
+    /// Numbers of kernels that are compiled and of those that are needed for the picture.
+    Compiling([u32; 2]),
     /// The scene is on the device; all later frames show it.
     Opened(Box<SceneFacts>),
     /// The scene could not be loaded, with the reason; the previous scene stays.
@@ -73,9 +76,10 @@ impl Worker {
         let event_sender = EventSender { sender, wake };
         let thread = {
             let (gpu, mailbox, event_sender) = (gpu.clone(), mailbox.clone(), event_sender.clone());
+            let compiler = Compiler::start(mailbox.clone(), event_sender.clone())?;
             thread::Builder::new()
                 .name("glimpse-frames".to_owned())
-                .spawn(move || work(&gpu, &mailbox, &event_sender))?
+                .spawn(move || work(&gpu, &mailbox, &compiler, &event_sender))?
         };
         Ok(Self { gpu, files, mailbox, events, event_sender, thread: Some(thread), jobs: 0 })
     }
@@ -173,12 +177,12 @@ impl EventSender {
 }
 
 /// The main function of the worker thread: serves one scene after the other.
-fn work(gpu: &Gpu, mailbox: &Mailbox, event_sender: &EventSender) {
+fn work(gpu: &Gpu, mailbox: &Mailbox, compiler: &Compiler, event_sender: &EventSender) {
     let ended = caught(|| {
         while let Some(Loaded { scene, facts }) = mailbox.scene() {
-            event_sender.send(WorkerEvent::Loading(format!("compiling for {}", facts.name), [3, 3]));
             event_sender.send(WorkerEvent::Opened(Box::new(facts)));
-            if let Err(reason) = SceneRenderer::new(gpu, &scene).serve(mailbox, event_sender) {
+            let renderer = SceneRenderer::new(gpu, &scene, mailbox, compiler, event_sender);
+            if let Err(reason) = renderer.serve() {
                 return event_sender.send(WorkerEvent::Lost(reason));
             }
         }
@@ -189,6 +193,6 @@ fn work(gpu: &Gpu, mailbox: &Mailbox, event_sender: &EventSender) {
 }
 
 /// Runs `work` and turns a panic into an error, so that the app does not wait for an answer forever.
-fn caught<T>(work: impl FnOnce() -> T) -> Result<T, &'static str> {
+pub(crate) fn caught<T>(work: impl FnOnce() -> T) -> Result<T, &'static str> {
     catch_unwind(AssertUnwindSafe(work)).map_err(|_| "this is a bug, please report it")
 }

@@ -15,7 +15,14 @@ impl App {
 
     pub(crate) fn take(&mut self, event: WorkerEvent) {
         match event {
-            WorkerEvent::Loading(what, step) => self.hud_state.busy = Some(Busy { what, seconds: 0.0, step }),
+            WorkerEvent::Loading(what, step) => {
+                self.hud_state.busy = Some(Busy { what, seconds: 0.0, unit: "step", step });
+            }
+            WorkerEvent::Compiling([done, of]) => {
+                let what = format!("compiling for {}", self.hud_state.scene);
+                let step = [(done + 1).min(of), of];
+                self.hud_state.busy = Some(Busy { what, seconds: 0.0, unit: "kernel", step });
+            }
             WorkerEvent::Opened(facts) => self.opened(*facts),
             WorkerEvent::OpenFailed(line) => {
                 self.delivery.load_failed();
@@ -88,13 +95,15 @@ impl App {
     }
 
     fn framed(&mut self, frame: Box<RenderedFrame>) {
-        self.delivery.frame_arrived(frame.number, &frame.job, frame.settled);
         self.device.frame_arrived();
-        if let Some(ms) = self.pacing.frame_arrived(&self.choices, &frame.job, frame.ms, frame.compiled) {
-            self.hud_state.push_frame(ms as f32);
+        if !frame.is_stand_in {
+            self.delivery.frame_arrived(frame.number, &frame.job, frame.settled);
+            if let Some(ms) = self.pacing.frame_arrived(&self.choices, &frame.job, frame.ms, frame.compiled) {
+                self.hud_state.push_frame(ms as f32);
+            }
+            self.hud_state.busy = None;
         }
         let hud_state = &mut self.hud_state;
-        hud_state.busy = None;
         hud_state.passes.clone_from(&frame.passes);
         hud_state.size = frame.job.size;
         hud_state.memory = frame.memory;

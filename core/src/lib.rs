@@ -119,11 +119,11 @@ pub use glam;
 pub use wgpu;
 
 pub use device::gpu_scene::GpuScene;
-pub use device::{Gpu, instance};
+pub use device::{Compilation, Gpu, instance};
 pub use error::{Error, Result};
 pub use frame::counters::{Check, Cost, Counts, FailedChecks, Origin, Rays, Samples};
 pub use frame::plan::SAMPLES_PER_SUBMISSION;
-pub use frame::renderer::{FrameCommands, Renderer};
+pub use frame::renderer::{FrameCommands, Purpose, Renderer};
 pub use frame::show;
 pub use frame::show::Show;
 pub use frame::stats::{FrameTime, Inspection, Memory, PassTime, PixelRecord};

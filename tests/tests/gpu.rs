@@ -3,6 +3,7 @@
 mod gpu {
     mod adaptive;
     mod agreement;
+    mod ahead;
     mod checks;
     mod closed_forms;
     mod coverage;

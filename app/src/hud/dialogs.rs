@@ -1,6 +1,8 @@
 //! Messages that appear unasked: errors, notices, progress of long tasks, and the screen before the first
 //! picture.
 
+use std::time::Duration;
+
 use egui::{Align2, Area, Context, Id, Label, LayerId, Modal, Order, ProgressBar, RichText, ScrollArea, Ui};
 
 use super::{UserRequest, style};
@@ -25,6 +27,9 @@ pub fn problem(ctx: &Context, hud_state: &HudState, text_scale: f32, user_reques
     }
 }
 
+/// Time between two pictures of a task's progress.
+const TICK: Duration = Duration::from_millis(150);
+
 /// Shows notices and progress at the lower edge; neither takes input.
 pub fn messages(ctx: &Context, hud_state: &HudState, text_scale: f32) {
     let nothing_yet = hud_state.size == [0, 0];
@@ -43,6 +48,7 @@ pub fn messages(ctx: &Context, hud_state: &HudState, text_scale: f32) {
             style::card().show(ui, |ui| ui.add(Label::new(text).wrap()));
         }
         if let Some(busy) = &hud_state.busy {
+            ctx.request_repaint_after(TICK);
             style::card().show(ui, |ui| progress(ui, busy));
         }
     });
@@ -61,6 +67,6 @@ fn progress(ui: &mut Ui, busy: &Busy) {
     ui.add(Label::new(&busy.what).wrap());
     let share = if of == 0 { 0.0 } else { step.min(of) as f32 / of as f32 };
     ui.add(ProgressBar::new(share).desired_height(6.0));
-    let steps = if of == 0 { String::new() } else { format!("step {step} of {of}") };
+    let steps = if of == 0 { String::new() } else { format!("{} {step} of {of}", busy.unit) };
     style::reading(ui, &steps, &format!("{:.1} s", busy.seconds));
 }

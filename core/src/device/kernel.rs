@@ -56,7 +56,12 @@ impl KernelCache {
         if let Some(kernel) = self.known(sources) {
             return Ok(kernel);
         }
-        let kernel = Arc::new(Kernel::new(gpu, label, sources)?);
+        Ok(self.keep(sources, Kernel::new(gpu, label, sources)?))
+    }
+
+    /// Keeps a kernel of these sources.
+    pub(super) fn keep(&self, sources: &[Source], kernel: Kernel) -> Arc<Kernel> {
+        let kernel = Arc::new(kernel);
         let mut cached = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if cached.len() >= KEPT {
             let oldest =
@@ -65,7 +70,12 @@ impl KernelCache {
         }
         let used = next_use(&cached);
         cached.insert(sources.to_vec(), Cached { kernel: kernel.clone(), used });
-        Ok(kernel)
+        kernel
+    }
+
+    /// Whether these sources were asked for before.
+    pub(super) fn has(&self, sources: &[Source]) -> bool {
+        self.known(sources).is_some()
     }
 
     fn known(&self, sources: &[Source]) -> Option<Arc<Kernel>> {
@@ -100,14 +110,23 @@ impl Kernel {
     /// # Errors
     /// [`Error::Shader`] if naga or the driver cannot compile it, or the device failed.
     pub fn new(gpu: &Gpu, label: &str, sources: &[Source]) -> Result<Self> {
-        let linked = link(sources)?;
+        let files: Vec<_> = sources.iter().map(|source| source.file).collect();
+        let kernel = Self::of_linked(gpu, label, &link(sources)?)?;
+        log::debug!("kernel {label}: {} resources, linked from {}", kernel.slots.len(), files.join(", "));
+        Ok(kernel)
+    }
+
+    /// Creates the compute pipeline of a linked module.
+    ///
+    /// # Errors
+    /// [`Error::Shader`] if the driver cannot compile it, or the device failed.
+    pub(super) fn of_linked(gpu: &Gpu, label: &str, linked: &Linked) -> Result<Self> {
         let slots: HashMap<_, _> =
             linked.used_resources().map(|(name, _, number)| (name.to_owned(), number)).collect();
-        let Linked { module, .. } = linked;
         let pipeline = gpu.checked(&format!("kernel `{label}`"), None, |device| {
             let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
                 label: Some(label),
-                source: wgpu::ShaderSource::Naga(Cow::Owned(module)),
+                source: wgpu::ShaderSource::Naga(Cow::Owned(linked.module.clone())),
             });
             device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
                 label: Some(label),
@@ -134,8 +153,6 @@ impl Kernel {
             }
             other => other,
         })?;
-        let files: Vec<_> = sources.iter().map(|source| source.file).collect();
-        log::debug!("kernel {label}: {} resources, linked from {}", slots.len(), files.join(", "));
         Ok(Self { label: label.to_owned(), pipeline, slots })
     }
 

@@ -1,6 +1,7 @@
 //! The device: choice of an adapter, limits, device memory, submission and readback.
 
 mod adapter;
+mod ahead;
 pub(crate) mod atlas;
 pub(crate) mod environment;
 pub(crate) mod gpu_scene;
@@ -20,13 +21,14 @@ mod timer;
 mod wait;
 
 use std::{
-    sync::{Arc, Mutex},
+    sync::{Arc, Mutex, OnceLock},
     time::Duration,
 };
 
 use health::Health;
 use kernel::KernelCache;
 
+pub use ahead::Compilation;
 pub use kernel::{Bound, Kernel, Kernels};
 pub(crate) use scene_storage::{STORAGE_TEXTURE_WIDTH, SceneStorage};
 pub use timer::Timer;
@@ -86,6 +88,8 @@ pub struct Gpu {
     compiled: Option<wgpu::PipelineCache>,
     /// Kernels that renderers of this device have compiled.
     kernels: Arc<KernelCache>,
+    /// The device that compiles kernels ahead of frames, made when first needed.
+    second: Arc<OnceLock<Option<Box<Gpu>>>>,
     /// The kind of device that kernels and scene data are made for.
     pub(crate) tier: Tier,
 }
@@ -207,6 +211,7 @@ impl Gpu {
             submit_lock: Arc::default(),
             compiled: None,
             kernels: Arc::default(),
+            second: Arc::default(),
         })
     }
 

@@ -10,13 +10,27 @@ pub use commands::FrameCommands;
 use crate::{
     Camera, Denoise, DisplayImage, Error, FrameTime, Gpu, GpuScene, Inspection, LinearImage, Memory, Method,
     Paths, Postcorrect, Result, Settings,
-    device::Kernels,
+    device::{Compilation, Kernels},
     frame::inspection,
     frame::recorder::{FramePaths, FrameUniform, Passes},
     frame::sequence::{Sequence, Step},
-    frame::targets::{Targets, inspection_buffer, inspection_fits, texture},
+    frame::targets::{self, Targets, inspection_buffer, inspection_fits, texture},
     passes::{FrameSpec, Output},
 };
+
+/// Ambient radiance of previews; the light at the eye adds up to 1 at surfaces that face it.
+const PREVIEW_AMBIENT: f32 = 0.3;
+
+/// What kernels are compiled for ([`Renderer::compilation`]).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// [`Renderer::preview`].
+    Preview,
+    /// Frames of [`Renderer::new`].
+    Frame,
+    /// [`Renderer::inspect`].
+    Counters,
+}
 
 /// Renders frames of one scene at one size. It holds handles of the device and the scene, which live as long as
 /// it does.
@@ -27,7 +41,7 @@ use crate::{
 pub struct Renderer {
     gpu: Gpu,
     scene: GpuScene,
-    settings: Settings,
+    spec: FrameSpec,
     targets: Targets,
     kernels: Kernels,
     passes: Passes,
@@ -47,16 +61,27 @@ impl Renderer {
     /// The settings or the size are invalid, or the device cannot hold or compile what they need.
     pub fn new(gpu: &Gpu, scene: &GpuScene, size: [u32; 2], settings: &Settings) -> Result<Self> {
         settings.validate()?;
-        let settings = resolved(settings, scene, size);
-        let spec = FrameSpec::new(scene, &settings);
+        Self::of_spec(gpu, scene, size, FrameSpec::new(scene, &resolved(settings, scene, size)))
+    }
+
+    /// A renderer of previews, to show a scene while the kernels of others are compiled: base colours lit from the eye,
+    /// by primary rays alone. Its single kernel is compiled in a fraction of the time of others.
+    ///
+    /// # Errors
+    /// The errors of [`Renderer::new`].
+    pub fn preview(gpu: &Gpu, scene: &GpuScene, size: [u32; 2]) -> Result<Self> {
+        Self::of_spec(gpu, scene, size, FrameSpec::preview(scene))
+    }
+
+    fn of_spec(gpu: &Gpu, scene: &GpuScene, size: [u32; 2], spec: FrameSpec) -> Result<Self> {
         let targets = Targets::new(gpu, &spec, size)?;
         let mut kernels = Kernels::default();
         let passes = Passes::new(gpu, scene, &targets, &spec, &mut kernels, &targets.display, None)?;
-        let sequence = Sequence::new(&settings);
+        let sequence = Sequence::new(&spec.settings);
         Ok(Self {
             gpu: gpu.clone(),
             scene: scene.clone(),
-            settings,
+            spec,
             targets,
             kernels,
             passes,
@@ -69,13 +94,43 @@ impl Renderer {
         })
     }
 
+    /// The kernels that such a renderer and its counters need and the device has not compiled: with
+    /// [`Renderer::new`], [`Renderer::preview`] or [`Renderer::inspect`] alone the first frame waits for them.
+    ///
+    /// # Errors
+    /// The settings or the size are invalid.
+    pub fn compilation(
+        gpu: &Gpu,
+        scene: &GpuScene,
+        size: [u32; 2],
+        settings: &Settings,
+        purpose: Purpose,
+    ) -> Result<Compilation> {
+        settings.validate()?;
+        let spec = FrameSpec::new(scene, &resolved(settings, scene, size));
+        let spec = match purpose {
+            Purpose::Preview => FrameSpec::preview(scene),
+            Purpose::Frame => spec,
+            Purpose::Counters => FrameSpec {
+                inspect: true,
+                records: records(gpu, size, &spec.settings) > 0,
+                output: shown(&spec.settings),
+                ..spec
+            },
+        };
+        let plan = targets::plan_of(gpu, &spec, size)?;
+        let kernels = plan.passes().into_iter().map(|stage| (stage.name, spec.sources(stage)));
+        Ok(Compilation::new(gpu, kernels.collect()))
+    }
+
     /// Changes the size or the settings; compiled kernels are kept. After an error the renderer is unchanged.
     ///
     /// # Errors
     /// The errors of [`Renderer::new`].
     pub fn change(&mut self, size: [u32; 2], settings: &Settings) -> Result<()> {
         settings.validate()?;
-        let settings = resolved(settings, &self.scene, size);
+        let spec = self.spec.changed(&self.scene, &resolved(settings, &self.scene, size));
+        let settings = spec.settings;
         let Settings { tolerances, min_weight, .. } = settings;
         let gaze = settings.paths.gaze;
         // These settings are only uniform constants: nothing needs to be linked or allocated again.
@@ -84,11 +139,10 @@ impl Renderer {
                 != (Settings {
                     tolerances,
                     min_weight,
-                    paths: Paths { gaze, ..self.settings.paths },
-                    ..self.settings
+                    paths: Paths { gaze, ..self.spec.settings.paths },
+                    ..self.spec.settings
                 })
         {
-            let spec = FrameSpec::new(&self.scene, &settings);
             let mut targets = Targets::new(&self.gpu, &spec, size)?;
             let has_target = self.has_target && size == self.targets.size;
             if has_target {
@@ -101,17 +155,17 @@ impl Renderer {
             self.forget_linked();
             self.sequence = Sequence::new(&settings);
         }
-        if settings != self.settings {
+        if settings != self.spec.settings {
             self.sequence.reset();
         }
-        self.settings = settings;
+        self.spec = spec;
         Ok(())
     }
 
     /// The current settings, with `auto` replaced by what it was resolved to.
     #[must_use]
     pub fn settings(&self) -> &Settings {
-        &self.settings
+        &self.spec.settings
     }
 
     /// The next frame as command buffers, to be submitted to the device's queue in order; other work may be
@@ -138,7 +192,7 @@ impl Renderer {
     pub fn frame(&mut self, camera: &Camera) -> Result<FrameCommands<'_>> {
         let step = self.sequence.next(camera);
         let constants = self.constants(camera, &step)?;
-        let Self { gpu, targets, passes, settings, sequence, .. } = self;
+        let Self { gpu, targets, passes, spec: FrameSpec { settings, .. }, sequence, .. } = self;
         let cleared = if step.clears { vec![&targets.samples] } else { Vec::new() };
         let commands = passes.commands(gpu, targets, &constants, &settings.tolerances, step.side, cleared)?;
         Ok(FrameCommands::new(commands, sequence, step, camera))
@@ -187,7 +241,7 @@ impl Renderer {
     /// frames](Method::has_history) still shows pixels from before the camera came to rest, or lacks samples.
     #[must_use]
     pub fn is_settled(&self) -> bool {
-        !self.settings.method.has_history() || self.sequence.is_settled()
+        !self.spec.settings.method.has_history() || self.sequence.is_settled()
     }
 
     /// Samples of each pixel in the last frame, those added by [`Renderer::accumulate`] included; 1 for methods
@@ -219,7 +273,7 @@ impl Renderer {
         let (passes, buffer) = match self.inspecting.take() {
             Some(linked) => linked,
             None => {
-                let output = if self.settings.sampling > 1 { Output::Nowhere } else { Output::Display };
+                let output = shown(&self.spec.settings);
                 let display = self.targets.display.clone();
                 self.link_counting(output, &display)?
             }
@@ -243,9 +297,7 @@ impl Renderer {
     /// Links the counting passes and allocates the buffer that they count in.
     fn link_counting(&mut self, output: Output, target: &wgpu::Texture) -> Result<(Passes, wgpu::Buffer)> {
         let buffer = inspection_buffer(&self.gpu, self.records())?;
-        let records = self.records() > 0;
-        let spec =
-            FrameSpec { inspect: true, records, output, ..FrameSpec::new(&self.scene, &self.settings) };
+        let spec = FrameSpec { inspect: true, records: self.records() > 0, output, ..self.spec };
         Ok((self.link(&spec, target, Some(&buffer))?, buffer))
     }
 
@@ -303,7 +355,7 @@ impl Renderer {
             return Ok(linked);
         }
         let target = self.linear_target()?;
-        let spec = FrameSpec { output: Output::Linear, ..FrameSpec::new(&self.scene, &self.settings) };
+        let spec = FrameSpec { output: Output::Linear, ..self.spec };
         Ok((self.link(&spec, &target, None)?, target))
     }
 
@@ -324,7 +376,7 @@ impl Renderer {
     /// # Errors
     /// The device failed.
     pub fn gbuffer(&self) -> Result<Vec<[u32; 4]>> {
-        if self.settings.denoise() == Denoise::Off {
+        if self.spec.settings.denoise() == Denoise::Off {
             return Ok(Vec::new());
         }
         Ok(bytemuck::pod_collect_to_vec(&self.gpu.read_buffer(&self.targets.gbuffer)?))
@@ -346,12 +398,8 @@ impl Renderer {
         }
     }
 
-    /// Number of pixel records: one for each pixel if it has a single sample and the device can hold them all,
-    /// else 0.
     fn records(&self) -> u64 {
-        let [width, height] = self.targets.size.map(u64::from);
-        let records = width * height;
-        if self.settings.sampling == 1 && inspection_fits(&self.gpu, records) { records } else { 0 }
+        records(&self.gpu, self.targets.size, &self.spec.settings)
     }
 
     fn link(
@@ -365,12 +413,14 @@ impl Renderer {
     }
 
     fn constants(&self, camera: &Camera, step: &Step) -> Result<FrameUniform> {
-        if self.settings.method == Method::Vr && camera.orthographic {
+        if self.spec.settings.method == Method::Vr && camera.orthographic {
             let expected = "a perspective camera with method vr";
             return Err(Error::setting("camera", expected, "an orthographic one, which has no eyes"));
         }
-        let frame = FrameUniform::new(&self.scene, &self.settings, self.targets.grid, camera);
+        let frame = FrameUniform::new(&self.scene, &self.spec.settings, self.targets.grid, camera);
+        let ambient = if self.spec.preview { [PREVIEW_AMBIENT; 3] } else { frame.ambient };
         Ok(FrameUniform {
+            ambient,
             refresh_first: step.first,
             refresh_count: step.count,
             still: u32::from(step.still),
@@ -390,11 +440,22 @@ impl Renderer {
         let constants = self.constants(camera, step)?;
         let samples = step.clears.then_some(&self.targets.samples);
         let cleared = counted.into_iter().chain(samples).collect();
-        let tolerances = &self.settings.tolerances;
+        let tolerances = &self.spec.settings.tolerances;
         let commands =
             passes.commands(&self.gpu, &self.targets, &constants, tolerances, step.side, cleared)?;
         self.gpu.submit_all_and_wait(commands)
     }
+}
+
+/// Number of pixel records: one for each pixel if it has a single sample and the device can hold them all, else 0.
+fn records(gpu: &Gpu, size: [u32; 2], settings: &Settings) -> u64 {
+    let records = size.map(u64::from).iter().product();
+    if settings.sampling == 1 && inspection_fits(gpu, records) { records } else { 0 }
+}
+
+/// Where counting kernels write colours.
+fn shown(settings: &Settings) -> Output {
+    if settings.sampling > 1 { Output::Nowhere } else { Output::Display }
 }
 
 /// The settings with `auto` resolved: exposure by the scene, and `postcorrect`, of which `auto` becomes on or off, and other methods than adaptive have none.

@@ -162,6 +162,15 @@ impl Targets {
     }
 }
 
+/// The plan of frames of `size` pixels, as if any number of rows could be stored.
+///
+/// # Errors
+/// The size is not allowed.
+pub fn plan_of(gpu: &Gpu, spec: &FrameSpec, size: [u32; 2]) -> Result<Plan> {
+    let rows = Recipe::of(spec.settings.method).storage.band_rows;
+    Ok(Plan::new(spec, grid(gpu, size, spec.settings.sampling)?, rows.unwrap_or(u32::MAX)))
+}
+
 /// Samples across and down in a frame of `size` pixels with `sampling` x `sampling` samples each.
 fn grid(gpu: &Gpu, size: [u32; 2], sampling: u32) -> Result<[u32; 2]> {
     let [width, height] = size;

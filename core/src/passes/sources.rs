@@ -318,11 +318,11 @@ impl FrameSpec {
             }
             (false, false) => vec![wgsl!("wgsl/shade/material_matte.wgsl")],
         });
-        sources.extend([if f.lights {
-            wgsl!("wgsl/shade/lights_punctual.wgsl")
-        } else {
-            wgsl!("wgsl/shade/lights_none.wgsl")
-        }]);
+        sources.push(match (f.lights, self.preview) {
+            (true, _) => wgsl!("wgsl/shade/lights_punctual.wgsl"),
+            (false, true) => wgsl!("wgsl/shade/lights_eye.wgsl"),
+            (false, false) => wgsl!("wgsl/shade/lights_none.wgsl"),
+        });
         if f.glossy || f.extended_materials {
             if f.sheen {
                 sources.extend([wgsl!("wgsl/shade/lobe_albedos.wgsl"), wgsl!("wgsl/shade/sheen.wgsl")]);

@@ -68,6 +68,8 @@ pub struct FrameSpec {
     pub output: Output,
     /// Whether the supersampling test also compares the secondary hit.
     pub secondary: bool,
+    /// Whether surfaces are lit from the eye instead of by the scene's lights.
+    pub preview: bool,
     /// Which measures against rounding errors are active.
     pub robustness: Robustness,
 }
@@ -110,8 +112,23 @@ impl FrameSpec {
             records: false,
             output: Output::Display,
             secondary: settings.supersamples() && features.secondary_rays(),
+            preview: false,
             robustness: Robustness::default(),
         }
+    }
+
+    /// Previews of an uploaded scene: base colours by primary rays alone.
+    #[must_use]
+    pub fn preview(scene: &GpuScene) -> Self {
+        let settings = Settings { method: Method::Full, mip: Mip::Off, ..Settings::default() };
+        let spec = Self::new(scene, &settings);
+        Self { features: spec.features.of_preview(), preview: true, ..spec }
+    }
+
+    /// These frames with other settings, without `auto`; previews keep theirs.
+    #[must_use]
+    pub fn changed(&self, scene: &GpuScene, settings: &Settings) -> Self {
+        if self.preview { *self } else { Self::new(scene, settings) }
     }
 
     /// This frame with other settings.

@@ -91,6 +91,7 @@ fn variants() -> impl Iterator<Item = FrameSpec> {
         records: inspect,
         output,
         secondary: bits & 1 != 0 && bits & 104 != 0,
+        preview: false,
         robustness: Robustness::default(),
     };
     let few = || (0..8).map(|i| 1 << i).chain([0, 255]);

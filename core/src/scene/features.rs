@@ -143,6 +143,19 @@ impl Features {
         }
     }
 
+    /// Those that decide what a primary ray hits, and the base colours of what it hits.
+    #[must_use]
+    pub(crate) fn of_preview(&self) -> Self {
+        Self {
+            textures: self.textures,
+            vertex_colors: self.vertex_colors,
+            alpha_mask: self.alpha_mask,
+            single_sided: self.single_sided,
+            spheres: self.spheres,
+            ..Self::NONE
+        }
+    }
+
     /// Whether a sample may trace rays besides the primary one and shadow rays, so that their radiance is stored.
     #[must_use]
     pub fn secondary_rays(&self) -> bool {

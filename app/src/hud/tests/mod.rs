@@ -94,5 +94,5 @@ fn hud_state() -> HudState {
 }
 
 fn busy(step: [u32; 2]) -> Busy {
-    Busy { what: "loading a scene with a rather long name.glb".to_owned(), seconds: 3.5, step }
+    Busy { what: "loading a scene with a rather long name.glb".to_owned(), seconds: 3.5, unit: "step", step }
 }

@@ -18,7 +18,7 @@ impl Renderer {
     /// destination is then unchanged.
     pub fn set_target(&mut self, target: &wgpu::Texture) -> Result<()> {
         check(target, self.targets.size)?;
-        let spec = FrameSpec::new(&self.scene, &self.settings);
+        let spec = FrameSpec::new(&self.scene, &self.spec.settings);
         self.passes = self.link(&spec, target, None)?;
         self.targets.display = target.clone();
         self.has_target = true;
