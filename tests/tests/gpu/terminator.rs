@@ -119,7 +119,8 @@ fn light_does_not_leak_through_a_sheet() {
 
 /// A bulging square seen from the side, with or without a black plate between it and the curved surface above.
 fn bulge(plate: bool) -> TestScene {
-    let camera = Camera::look_at(vec3(3.0, 0.0, 0.04), Vec3::ZERO, 4.0_f32.to_radians()).unwrap();
+    let camera =
+        Camera::look_at(vec3(3.0, 0.0, 0.04), Vec3::ZERO, 4.0_f32.to_radians()).expect("a valid camera");
     let mut scene = lit_from(vec3(1.0, 0.0, -0.1), camera);
     leaning_square(&mut scene, |p| p.x);
     if plate {
