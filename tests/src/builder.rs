@@ -99,7 +99,7 @@ impl Builder {
         if self.0.materials.iter().all(|m| m.textures().next().is_none()) {
             self.0.texcoords.clear();
         }
-        if self.0.materials.iter().all(|m| !m.has_normal_map()) {
+        if self.0.materials.iter().all(|m| !m.reads_tangents()) {
             self.0.tangents.clear();
         }
         if self.0.materials.iter().all(|m| m.coordinates.values().all(|c| !c.second)) {

@@ -1,7 +1,8 @@
 //! Data of extended materials, behind the objects in the same storage: a record for each material, then tables of
 //! tangents and of second texture coordinates by primitive. A record is: places of the tables, scale of normals,
 //! strength of occlusion; specular colour and strength, or specular reflectance and glossiness; absorption, flags;
-//! clearcoat and its roughness; sheen's colour and roughness; then the slots.
+//! clearcoat and its roughness; sheen's colour and roughness; the slots; strength of anisotropy, cosine and sine of its
+//! rotation.
 
 use glam::{Affine2, Vec4};
 
@@ -16,6 +17,13 @@ type Words = [u32; 4];
 pub const RECORD_SLOTS: u32 = 5;
 pub const SLOT_PARTS: u32 = 3;
 
+/// Place of the anisotropy in a record.
+pub const RECORD_ANISOTROPY: u32 = RECORD_SLOTS + SLOT_PARTS * TextureSlot::ALL.len() as u32;
+/// Size of a record.
+const RECORD_PARTS: u32 = RECORD_ANISOTROPY + 1;
+
+/// Flag in the place of the table of tangents: the material has a normal map.
+pub const RECORD_NORMAL_MAP: u32 = 1 << 31;
 /// Flag in the third part of a record: the material has specular-glossiness factors.
 pub const RECORD_SPECULAR_GLOSSINESS: u32 = 1;
 
@@ -39,8 +47,7 @@ impl Records {
         if extended == 0 {
             return Self { words: Vec::new(), places: vec![0; scene.materials.len()] };
         }
-        let size = RECORD_SLOTS + SLOT_PARTS * TextureSlot::ALL.len() as u32;
-        let tangents = start + extended * size;
+        let tangents = start + extended * RECORD_PARTS;
         let second = if scene.tangents.is_empty() { tangents } else { tangents + order.len() as u32 };
         let mut records = Self { words: Vec::new(), places: Vec::new() };
         for material in &scene.materials {
@@ -69,7 +76,8 @@ impl Records {
 
 /// A material's record. `tables` are the places of tangents and second coordinates.
 fn record(m: &Material, atlas: &Atlas, [tangents, second]: [u32; 2]) -> Vec<Words> {
-    let mapped = if m.has_normal_map() { tangents } else { 0 };
+    let bumpy = if m.has_normal_map() { RECORD_NORMAL_MAP } else { 0 };
+    let mapped = if m.reads_tangents() { tangents | bumpy } else { 0 };
     let twice = if m.coordinates.values().any(|c| c.second) { second } else { 0 };
     let (reflectance, strength, flags) = match m.specular_glossiness {
         Some(s) => (s.specular, s.glossiness, RECORD_SPECULAR_GLOSSINESS),
@@ -94,5 +102,7 @@ fn record(m: &Material, atlas: &Atlas, [tangents, second]: [u32; 2]) -> Vec<Word
         let set = coordinates.map_or(0, |c| if c.second { SET_SECOND } else { SET_FIRST });
         words.extend([atlas.place(m.texture(slot)), [x[0], x[1], y[0], y[1]], [s, t, set, 0]]);
     }
+    let (sine, cosine) = m.anisotropy_rotation.sin_cos();
+    words.push(floats(Vec4::new(m.anisotropy, cosine, sine, 0.0)));
     words
 }

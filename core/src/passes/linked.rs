@@ -54,8 +54,10 @@ impl Linked {
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec3;
+
     use super::*;
-    use crate::scene::builtin;
+    use crate::scene::{Material, builtin};
 
     #[test]
     fn a_plain_scene_is_spared_what_it_does_not_need() {
@@ -79,6 +81,29 @@ mod tests {
             "wgsl/shade/material_maps.wgsl",
         ] {
             assert!(all.files.contains(file) && !auto.files.contains(file), "{file}");
+        }
+    }
+
+    /// What lobes of materials need is linked where a material has the lobe.
+    #[test]
+    fn lobes_are_linked_where_materials_have_them() {
+        type Change = fn(&mut Material);
+        let of = |change: Change| {
+            let mut scene = builtin("room").expect("room");
+            scene.tangents = vec![[0; 3]; scene.positions.len()];
+            scene.materials.iter_mut().for_each(change);
+            Linked::of(&scene, &Thinness::of(&scene), Specialize::Auto).expect("links").files
+        };
+        let extended = of(|m| m.specular = 0.5);
+        let lobes: [(Change, &[&str]); 2] = [
+            (|m| m.sheen_color = Vec3::ONE, &["wgsl/shade/sheen.wgsl", "wgsl/shade/lobe_albedos.wgsl"]),
+            (|m| m.anisotropy = 0.5, &["wgsl/shade/anisotropy.wgsl"]),
+        ];
+        for (change, files) in lobes {
+            let linked = of(change);
+            for file in files {
+                assert!(linked.contains(file) && !extended.contains(file), "{file}");
+            }
         }
     }
 

@@ -131,7 +131,15 @@ impl FrameSpec {
         if !f.sheen {
             sources.push(wgsl!("wgsl/shade/lobe_albedos.wgsl"));
         }
-        sources.extend([wgsl!("wgsl/path/microfacets.wgsl"), wgsl!("wgsl/path/lobes_microfacet.wgsl")]);
+        sources.extend([
+            pick(
+                f.anisotropy,
+                wgsl!("wgsl/path/lobes_anisotropic.wgsl"),
+                wgsl!("wgsl/path/lobes_isotropic.wgsl"),
+            ),
+            wgsl!("wgsl/path/microfacets.wgsl"),
+            wgsl!("wgsl/path/lobes_microfacet.wgsl"),
+        ]);
         sources
     }
 }

@@ -308,6 +308,11 @@ impl FrameSpec {
         sources.extend(match (f.glossy, f.extended_materials) {
             (_, true) => {
                 vec![
+                    pick(
+                        f.anisotropy,
+                        wgsl!("wgsl/shade/anisotropy.wgsl"),
+                        wgsl!("wgsl/shade/anisotropy_unread.wgsl"),
+                    ),
                     wgsl!("wgsl/shade/material_extended.wgsl"),
                     wgsl!("wgsl/shade/material_layers.wgsl"),
                     wgsl!("wgsl/shade/material.wgsl"),
@@ -324,6 +329,9 @@ impl FrameSpec {
             (false, false) => wgsl!("wgsl/shade/lights_none.wgsl"),
         });
         if f.glossy || f.extended_materials {
+            if !f.anisotropy {
+                sources.push(wgsl!("wgsl/shade/anisotropy_none.wgsl"));
+            }
             if f.sheen {
                 sources.extend([wgsl!("wgsl/shade/lobe_albedos.wgsl"), wgsl!("wgsl/shade/sheen.wgsl")]);
             } else {

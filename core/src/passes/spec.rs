@@ -36,7 +36,7 @@ pub(super) const CHANNELS: &[(&str, Needed)] = &[
     ("COLOR", |spec| spec.features.vertex_colors),
     ("COLOR_BLUE", |spec| spec.features.vertex_colors),
     ("FOOTPRINT", FrameSpec::averages_textures),
-    ("TANGENT", |spec| spec.features.normal_maps),
+    ("TANGENT", |spec| spec.features.tangents),
     ("FIRST_S", |spec| spec.features.slot_coordinates),
     ("FIRST_T", |spec| spec.features.slot_coordinates),
     ("SECOND_S", |spec| spec.features.slot_coordinates),

@@ -39,6 +39,8 @@ fn features(bits: u32) -> Features {
         several_lights: bit(7),
         extended_materials: bit(1),
         normal_maps: bit(0) && bit(1),
+        tangents: bit(1) && (bit(0) || bit(6)),
+        anisotropy: bit(1) && bit(6),
         slot_coordinates: bit(0) && bit(1) && bit(2),
         layers: bit(1) && bit(5),
         environment_map: bit(3),

@@ -53,7 +53,7 @@ impl Maps {
     /// The values after quantisation for storage.
     pub(super) fn stored(&self, features: &Features, rounding: &mut Rounding) -> Self {
         let mut stored = Self::default();
-        if features.normal_maps {
+        if features.tangents {
             let tangent = rounding.direction(Cause::Storage, self.tangent);
             (stored.tangent, stored.sign) =
                 tangent_decode_exact(tangent_encode(tangent.as_vec3(), self.sign < 0.0));
@@ -82,7 +82,7 @@ impl Reference {
         let primitive = intersection.primitive;
         let weights = DVec3::new(1.0 - intersection.u - intersection.v, intersection.u, intersection.v);
         let mut maps = Maps::default();
-        if let Some(corners) = self.scene.tangents.get(primitive).filter(|_| material.has_normal_map()) {
+        if let Some(corners) = self.scene.tangents.get(primitive).filter(|_| material.reads_tangents()) {
             let [(a, sign), (b, _), (c, _)] = corners.map(tangent_decode_exact);
             let side = if inside { -1.0 } else { 1.0 };
             let tangent = weights.x * a + weights.y * b + weights.z * c;

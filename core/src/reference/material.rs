@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
 
 use super::{
     Cause, Maps, Reference, Rounding,
+    anisotropy::Anisotropy,
     maps::{Place, toksvig},
     sheen::Sheen,
 };
@@ -36,6 +37,7 @@ pub struct Material {
     /// Strength and roughness of the clear coat.
     pub(super) coat: DVec2,
     pub(super) sheen: Option<Sheen>,
+    pub(super) anisotropy: Option<Anisotropy>,
 }
 
 /// A material with the geometry that shading depends on.
@@ -106,6 +108,11 @@ impl Reference {
                 f64::from(m.sheen_roughness) * slot(TextureSlot::SheenRoughness).w,
                 &self.albedos,
             ),
+            anisotropy: Anisotropy::of(
+                m,
+                m.texture(TextureSlot::Anisotropy).map(|_| slot(TextureSlot::Anisotropy)),
+                maps,
+            ),
         }
     }
 
@@ -138,8 +145,9 @@ impl Reference {
         let rough = 1.0 - m.gloss();
         let dielectric = m.rough_reflectance(m.at_normal(), m.at_grazing(), cosine) * rough;
         let metal = m.rough_reflectance(m.base, DVec3::ONE, cosine) * m.metallic * rough;
-        let mirrored = 2.0 * cosine * normal - view;
-        let dominant = mirrored.lerp(normal, m.roughness * m.roughness);
+        let bent = m.reflecting(normal, view);
+        let mirrored = 2.0 * bent.dot(view).clamp(0.0, 1.0) * bent - view;
+        let dominant = mirrored.lerp(bent, m.roughness * m.roughness);
         let lobe = self.environment_lobe(dominant, m.roughness);
         let matte = diffuse * ambient;
         let sheen = m.coat_passes(cosine) * m.sheen_albedo(cosine) * ambient;
@@ -151,7 +159,7 @@ impl Reference {
 impl Material {
     /// The fraction of the specular lobe that is traced as a mirror.
     pub(super) fn gloss(&self) -> f64 {
-        (1.0 - 2.0 * self.roughness).max(0.0)
+        (1.0 - 2.0 * self.widest()).max(0.0)
     }
 
     /// Albedo of the diffuse lobe.
@@ -298,25 +306,44 @@ impl Shading<'_> {
         let strength = DVec3::splat(m.coat.x);
         let cosine = self.normal.dot(self.view).clamp(0.0, 1.0);
         let sheen = m.coat_passes(cosine) * m.sheen_lobe(self.normal, self.view, light);
-        let coat = sheen + self.microfacets(0.04 * strength, strength, m.coat.y, light);
+        let coat = sheen + self.microfacets([0.04 * strength, strength], m.coat.y, None, light);
         if m.roughness >= 1.0 || m.weights.is_some() {
             return coat;
         }
         let f0 = m.at_normal().lerp(m.base, m.metallic);
         let f90 = m.at_grazing();
         let under = m.under(cosine);
-        coat + under * self.microfacets(f0, f90, m.roughness, light)
+        coat + under * self.microfacets([f0, f90], m.roughness, m.anisotropy, light)
     }
 
     /// A microfacet lobe with its reflectance at normal and at grazing incidence.
-    fn microfacets(&mut self, f0: DVec3, f90: DVec3, roughness: f64, light: DVec3) -> DVec3 {
+    fn microfacets(
+        &mut self,
+        [f0, f90]: [DVec3; 2],
+        roughness: f64,
+        anisotropy: Option<Anisotropy>,
+        light: DVec3,
+    ) -> DVec3 {
         if f0 == DVec3::ZERO && f90 == DVec3::ZERO {
             return DVec3::ZERO;
         }
         let half_way = (self.view + light).normalize_or_zero();
-        let exponent = 2.0 / roughness.max(LEAST_ROUGHNESS).powi(4) - 2.0;
+        let least = roughness.max(LEAST_ROUGHNESS);
+        let (exponent, scale) = match anisotropy {
+            None => {
+                let exponent = 2.0 / least.powi(4) - 2.0;
+                (exponent, exponent + 2.0)
+            }
+            Some(a) => {
+                // Between the exponents of both sides, by the direction of the half vector.
+                let exponents = 2.0 / a.alpha(least).powf(2.0) - 2.0;
+                let beside = (a.frame(self.normal).transpose() * half_way).truncate();
+                let shares = (beside * beside) / beside.length_squared().max(1.0e-12);
+                (shares.dot(exponents), (exponents + 2.0).element_product().sqrt())
+            }
+        };
         let cosine = self.rounding.number(Cause::Highlight, self.normal.dot(half_way), 1.0).max(0.0);
-        let distribution = (exponent + 2.0) / std::f64::consts::TAU * cosine.powf(exponent);
+        let distribution = scale / std::f64::consts::TAU * cosine.powf(exponent);
         let fresnel = f0 + (f90 - f0) * (1.0 - self.view.dot(half_way).clamp(0.0, 1.0)).powi(5);
         let widest = self.normal.dot(light).max(self.normal.dot(self.view)).max(LEAST_COSINE);
         fresnel * (1.0 - roughness) * distribution / (4.0 * widest)

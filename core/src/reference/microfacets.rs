@@ -59,7 +59,12 @@ impl Microfacets {
     ) -> Self {
         let local = frame.transpose() * view;
         let view = DVec3::new(local.x, local.y, local.z.max(LEAST_COSINE)).normalize();
-        let shares = albedos.at(view.z, (alpha.x * alpha.y).powf(0.25));
+        let mut shares = albedos.at(view.z, (alpha.x * alpha.y).powf(0.25));
+        if alpha.x != alpha.y {
+            // More than the albedo of an anisotropic lobe, so that compensation never adds light.
+            let more = 1.0 + 0.3 * (1.0 - (alpha.min_element() / alpha.max_element()).sqrt());
+            shares.x = (more * shares.x).min(1.0);
+        }
         let Reflectance { f0, f90, ratio } = reflectance;
         let (scale, albedo) = match ratio {
             Some(_) => (DVec3::ONE, shares.x * reflectance.at(view.z)),

@@ -33,6 +33,7 @@
 //! [`Rounding`]: with numbers displaced by up to [`ULPS`] units in the last place (and origins of spawned rays by
 //! [`SPAWN_ULPS`]), for one [`Cause`] after the other. A result that is not among these is wrong.
 
+mod anisotropy;
 mod attributes;
 mod cone;
 mod contrast;

@@ -37,7 +37,7 @@ impl Material {
         }
         let mut shares = Shares::default();
         let [x, y] = tangents(s.normal);
-        let frame = DMat3::from_cols(x, y, s.normal);
+        let frame = self.anisotropy.map_or_else(|| DMat3::from_cols(x, y, s.normal), |a| a.frame(s.normal));
         let least = f64::from(LEAST_ROUGHNESS);
         let mut under = DVec3::ONE;
         if self.coat.x > 0.0 && self.coat.y >= least {
@@ -55,7 +55,7 @@ impl Material {
         under *= self.sheen_passes(cosine);
         let scattered = self.base * (1.0 - self.metallic) * (1.0 - self.transmission);
         let entering = self.base * (1.0 - self.metallic) * self.transmission;
-        if self.roughness < least {
+        if self.roughness < least && self.anisotropy.is_none() {
             let fresnel = self.fresnel(cosine, s.inside);
             shares.mirror += under * fresnel;
             let passed = 1.0 - self.dielectric(cosine, s.inside);
@@ -65,7 +65,9 @@ impl Material {
             shares.diffuse = under * scattered;
         } else {
             let lobe = |metallic: f64| {
-                let alpha = DVec2::splat(self.roughness.powi(2));
+                let alpha = self
+                    .anisotropy
+                    .map_or(DVec2::splat(self.roughness.powi(2)), |a| a.alpha(self.roughness.max(least)));
                 Microfacets::new(frame, view, alpha, self.reflectance(metallic, s.inside), albedos)
             };
             shares.diffuse = under * scattered * (1.0 - lobe(0.0).albedo);

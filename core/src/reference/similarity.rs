@@ -68,9 +68,9 @@ impl ReferenceFrame<'_> {
 
     /// Part of TX: whether tangents or second coordinates must not be interpolated.
     fn maps_apart(&self, object: u32, [p, q]: [&Maps; 2], tolerances: &Tolerances) -> bool {
-        let bumpy = self.reference.material_of(object).has_normal_map();
+        let oriented = self.reference.material_of(object).reads_tangents();
         let turned = p.sign != q.sign || p.tangent.dot(q.tangent) <= f64::from(tolerances.norm);
-        bumpy && turned || at_seam(p.second.fract_gl(), q.second.fract_gl(), f64::from(tolerances.tex))
+        oriented && turned || at_seam(p.second.fract_gl(), q.second.fract_gl(), f64::from(tolerances.tex))
     }
 
     /// G4: whether each point lies on the other side of the other's tangent plane, by more than rounding.

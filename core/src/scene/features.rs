@@ -76,6 +76,10 @@ pub struct Features {
     pub extended_materials: bool,
     /// Some material has a normal map.
     pub normal_maps: bool,
+    /// Some material reads tangents.
+    pub tangents: bool,
+    /// Some material is anisotropic.
+    pub anisotropy: bool,
     /// Some texture slot does not read the first set of texture coordinates as they are.
     pub slot_coordinates: bool,
     /// Some material has a specular colour, specular-glossiness factors, a clear coat, sheen or absorption.
@@ -117,6 +121,8 @@ impl Features {
             several_lights: scene.lights.len() > 1,
             extended_materials: used().any(Material::is_extended),
             normal_maps: used().any(Material::has_normal_map),
+            tangents: used().any(Material::reads_tangents),
+            anisotropy: used().any(Material::is_anisotropic),
             slot_coordinates: used().any(|m| !m.coordinates.is_empty()),
             layers: used().any(Material::is_layered),
             sheen: used().any(Material::has_sheen),

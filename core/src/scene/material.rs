@@ -73,6 +73,10 @@ pub struct Material {
     pub sheen_color: Vec3,
     /// Roughness of the sheen.
     pub sheen_roughness: f32,
+    /// Strength of the anisotropy of the surface's microfacets, from 0 to 1 (KHR_materials_anisotropy).
+    pub anisotropy: f32,
+    /// Angle of the wider side of the lobe from the tangent towards the bitangent, in radians.
+    pub anisotropy_rotation: f32,
     /// Absorption coefficient of what the surface bounds, linear RGB: transmittance over a distance d is exp(-d times
     /// this).
     pub absorption: Vec3,
@@ -134,6 +138,8 @@ impl Default for Material {
             clearcoat_roughness: 0.0,
             sheen_color: Vec3::ZERO,
             sheen_roughness: 0.0,
+            anisotropy: 0.0,
+            anisotropy_rotation: 0.0,
             absorption: Vec3::ZERO,
             priority: 0,
             weights: None,
@@ -164,10 +170,22 @@ impl Material {
         self.maps.contains_key(&TextureSlot::Normal)
     }
 
+    /// Whether the microfacets of the surface are anisotropic.
+    #[must_use]
+    pub fn is_anisotropic(&self) -> bool {
+        self.anisotropy > 0.0
+    }
+
+    /// Whether the material reads tangents: it has a normal map or is anisotropic.
+    #[must_use]
+    pub fn reads_tangents(&self) -> bool {
+        self.has_normal_map() || self.is_anisotropic()
+    }
+
     /// Whether the material has more than its factors and the first three textures with common coordinates.
     #[must_use]
     pub fn is_extended(&self) -> bool {
-        !self.maps.is_empty() || !self.coordinates.is_empty() || self.is_layered()
+        !self.maps.is_empty() || !self.coordinates.is_empty() || self.is_layered() || self.is_anisotropic()
     }
 
     /// Whether the material has a specular colour, specular-glossiness factors, a clear coat, sheen or absorption.
@@ -209,7 +227,8 @@ impl Material {
     #[must_use]
     pub fn has_microfacets(&self) -> bool {
         let textured = self.metallic_roughness_texture.is_some() || self.specular_glossiness.is_some();
-        let rough = self.roughness >= LEAST_ROUGHNESS || textured || self.has_normal_map();
+        let rough =
+            self.roughness >= LEAST_ROUGHNESS || textured || self.has_normal_map() || self.is_anisotropic();
         let diffuse = self.roughness >= 1.0 && self.metallic == 0.0 && self.transmission == 0.0 && !textured;
         let coat =
             self.clearcoat > 0.0 && (self.clearcoat_roughness >= LEAST_ROUGHNESS || self.has_normal_map());

@@ -32,11 +32,14 @@ pub enum TextureSlot {
     SheenColor,
     /// Roughness of the sheen in alpha.
     SheenRoughness,
+    /// Direction of the anisotropy in the tangent frame in red and green, each twice the channel minus one; strength in
+    /// blue.
+    Anisotropy,
 }
 
 impl TextureSlot {
     /// All slots in order.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::BaseColor,
         Self::MetallicRoughness,
         Self::Emissive,
@@ -50,6 +53,7 @@ impl TextureSlot {
         Self::ClearcoatRoughness,
         Self::SheenColor,
         Self::SheenRoughness,
+        Self::Anisotropy,
     ];
 
     /// The slot's name in messages.
@@ -69,6 +73,7 @@ impl TextureSlot {
             Self::ClearcoatRoughness => "clearcoat roughness",
             Self::SheenColor => "sheen colour",
             Self::SheenRoughness => "sheen roughness",
+            Self::Anisotropy => "anisotropy",
         }
     }
 

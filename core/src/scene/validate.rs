@@ -96,8 +96,8 @@ impl Scene {
                 );
             }
         }
-        if material.has_normal_map() && self.tangents.is_empty() && !self.positions.is_empty() {
-            return fail(format!("{what}, normal texture"), "expected tangents, found none".into());
+        if material.reads_tangents() && self.tangents.is_empty() && !self.positions.is_empty() {
+            return fail(format!("{what}, normal map or anisotropy"), "expected tangents, found none".into());
         }
         Ok(())
     }
@@ -201,6 +201,7 @@ fn check_material(material: &Material, what: &str) -> Result<()> {
         ("clearcoat", material.clearcoat),
         ("clearcoat roughness", material.clearcoat_roughness),
         ("sheen roughness", material.sheen_roughness),
+        ("anisotropy", material.anisotropy),
         ("red of the sheen", material.sheen_color.x),
         ("green of the sheen", material.sheen_color.y),
         ("blue of the sheen", material.sheen_color.z),
@@ -217,11 +218,12 @@ fn check_material(material: &Material, what: &str) -> Result<()> {
             format!("expected a number from 1 to {MAX_IOR}, found {}", material.ior),
         );
     }
-    if !material.normal_scale.is_finite() {
-        return fail(
-            format!("{what}, normal scale"),
-            format!("expected a finite number, found {}", material.normal_scale),
-        );
+    let numbers = [
+        ("normal scale", material.normal_scale),
+        ("rotation of the anisotropy", material.anisotropy_rotation),
+    ];
+    if let Some((name, found)) = numbers.iter().find(|(_, v)| !v.is_finite()) {
+        return fail(format!("{what}, {name}"), format!("expected a finite number, found {found}"));
     }
     match material.alpha_cutoff {
         Some(cutoff) if cutoff.is_nan() => fail(format!("{what}, alpha cutoff"), "found NaN".into()),

@@ -50,6 +50,61 @@ pub fn lobes() -> Scene {
     scene
 }
 
+/// Brushed metal and plastic at several directions and strengths, of factors, of a texture and with a normal map, seen from
+/// both sides and in a mirror; anisotropic glass under a coat.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn brushed() -> Scene {
+    let mut b = Builder::new();
+    let byte = |i: u32| (i.wrapping_mul(2_654_435_761) >> 24) as u8;
+    let image = b.image(Image8 { width: 8, height: 8, rgba: (0..256).map(byte).collect() });
+    let grain = b.texture(Texture { image, wrap: [Wrap::Repeat; 2], nearest: false });
+    let steel = |roughness: f32, anisotropy: f32, anisotropy_rotation: f32| Material {
+        roughness,
+        anisotropy,
+        anisotropy_rotation,
+        ..mirror(vec3(0.8, 0.7, 0.6))
+    };
+    let looks = [
+        steel(0.3, 0.6, 0.0),
+        steel(0.1, 0.3, 1.2),
+        Material { maps: [(TextureSlot::Anisotropy, grain)].into(), ..steel(0.4, 1.0, 0.4) },
+        Material { metallic: 0.0, ior: 1.5, base_color: vec3(0.2, 0.4, 0.7), ..steel(0.5, 0.8, -0.7) },
+        Material {
+            maps: [(TextureSlot::Normal, grain)].into(),
+            normal_scale: 0.2,
+            metallic: 0.6,
+            ..steel(0.6, 0.5, 2.0)
+        },
+        steel(0.25, 0.9, 0.9),
+    ];
+    for (i, look) in looks.into_iter().enumerate() {
+        let object = b.object(look);
+        let corner = vec3(-1.3 + 0.9 * (i % 3) as f32, 0.1 + 0.75 * (i / 3) as f32, -0.2 * i as f32);
+        let (u, v) = (vec3(0.8, 0.0, 0.3 - 0.15 * i as f32), 0.7 * Vec3::Y);
+        let [from, along] = if i == 5 { [corner + u, -u] } else { [corner, u] };
+        b.textured_quad(object, [from, along, v], [Vec2::ZERO, vec2(1.1, 0.9)]);
+    }
+    let ball = b.object(steel(0.2, 0.7, 0.5));
+    b.sphere(ball, vec3(-0.5, 0.35, 0.7), 0.3);
+    let vase = b.object(Material {
+        roughness: 0.3,
+        anisotropy: 0.6,
+        clearcoat: 0.5,
+        clearcoat_roughness: 0.1,
+        ..glass(1.4)
+    });
+    b.sphere(vase, vec3(0.5, 0.3, 0.8), 0.25);
+    let floor = b.object(mirror(Vec3::splat(0.6)));
+    b.quad(floor, vec3(-3.0, 0.0, 2.0), 6.0 * Vec3::X, -5.0 * Vec3::Z);
+    b.point_light(vec3(0.8, 2.0, 1.6), vec3(5.0, 4.5, 4.0));
+    b.point_light(vec3(-1.9, 0.9, 1.4), vec3(1.5, 1.8, 2.0));
+    b.environment(vec3(0.2, 0.3, 0.5), vec3(0.2, 0.25, 0.3));
+    b.seen_by(Camera::look_at(vec3(0.2, 1.1, 3.2), vec3(0.0, 0.7, 0.0), 0.7).expect("a valid camera"))
+}
+
 /// Cloth with a sheen over metal and over dielectrics, under a coat, from a texture, and with a normal of its own.
 ///
 /// # Panics

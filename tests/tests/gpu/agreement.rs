@@ -219,6 +219,20 @@ fn cloth_in_a_studio() {
 }
 
 #[test]
+fn brushed() {
+    agree("brushed", gallery::brushed(), [101, 67], Settings::default());
+}
+
+#[test]
+fn brushed_in_a_studio() {
+    let mut scene = gallery::brushed();
+    scene.surround(EnvironmentMap::studio().rotated(0.7));
+    let pair = Pair::new(scene, [101, 67], Settings { exposure: Some(0.0), ..Settings::default() });
+    agree_in(Method::Full, "brushed in a studio", &pair);
+    agree_in(Method::Adaptive, "brushed in a studio", &pair);
+}
+
+#[test]
 fn lenses() {
     agree("lenses", gallery::lenses(), [96, 64], Settings { depth: 5, ..Settings::default() });
 }

@@ -68,8 +68,13 @@ fn a_sample_is_that_of_the_reference() {
         ("minray", 1e-3, &ways[4..5]),
         ("furnace", 1e-2, &ways[..3]),
         ("lobes", 1e-2, &ways[..3]),
+        ("brushed", 1e-2, &ways[..2]),
     ] {
-        let mut scene = if name == "lobes" { gallery::lobes() } else { builtin(name).expect("built in") };
+        let mut scene = match name {
+            "lobes" => gallery::lobes(),
+            "brushed" => gallery::brushed(),
+            name => builtin(name).expect("built in"),
+        };
         if name == "furnace" {
             scene.surround(EnvironmentMap::studio().rotated(0.3));
         }

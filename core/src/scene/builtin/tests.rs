@@ -55,6 +55,8 @@ fn the_room_needs_nearly_everything() {
         panes: false,
         extended_materials: false,
         normal_maps: false,
+        tangents: false,
+        anisotropy: false,
         slot_coordinates: false,
         layers: false,
         microfacets: true,

@@ -218,7 +218,7 @@ pub(super) fn add<'b>(
                     all_thin.push(part.mesh.thin(&placement, name, part.material)?);
                     continue;
                 }
-                if part.material.reads.normal_map.is_some() {
+                if part.material.reads.tangents.is_some() {
                     source.budget.needs(&name, TANGENTS_BYTES * part.mesh.triangles() as u64)?;
                 }
                 let added = part.mesh.add(&placement, name.clone(), part.material, scene)?;

@@ -1,5 +1,5 @@
-//! Reads the material extensions of specular colours, specular-glossiness factors, clear coats, sheen and
-//! absorption.
+//! Reads the material extensions of specular colours, specular-glossiness factors, clear coats, sheen, anisotropy
+//! and absorption.
 
 use glam::Vec3;
 use gltf::json;
@@ -14,9 +14,10 @@ const SPECULAR: &str = "KHR_materials_specular";
 const GLOSSINESS: &str = "KHR_materials_pbrSpecularGlossiness";
 const CLEARCOAT: &str = "KHR_materials_clearcoat";
 const SHEEN: &str = "KHR_materials_sheen";
+const ANISOTROPY: &str = "KHR_materials_anisotropy";
 
 /// The textures of the extensions: slot, extension and property.
-const TEXTURES: [(TextureSlot, &str, &str); 7] = [
+const TEXTURES: [(TextureSlot, &str, &str); 8] = [
     (TextureSlot::Specular, SPECULAR, "specularTexture"),
     (TextureSlot::SpecularColor, SPECULAR, "specularColorTexture"),
     (TextureSlot::SpecularGlossiness, GLOSSINESS, "specularGlossinessTexture"),
@@ -24,6 +25,7 @@ const TEXTURES: [(TextureSlot, &str, &str); 7] = [
     (TextureSlot::ClearcoatRoughness, CLEARCOAT, "clearcoatRoughnessTexture"),
     (TextureSlot::SheenColor, SHEEN, "sheenColorTexture"),
     (TextureSlot::SheenRoughness, SHEEN, "sheenRoughnessTexture"),
+    (TextureSlot::Anisotropy, ANISOTROPY, "anisotropyTexture"),
 ];
 
 /// The least transmittance of a channel over the attenuation distance.
@@ -95,6 +97,13 @@ pub(super) fn read(json: &json::Material, material: &mut Material, numbers: &mut
         material.sheen_color = within(color, "sheenColorFactor", 1.0, numbers)?;
         let roughness = property(e, "sheenRoughnessFactor", 0.0, what)?;
         material.sheen_roughness = numbers.share("sheenRoughnessFactor", roughness)?;
+    }
+    if let Some(e) = extension(json, ANISOTROPY) {
+        let strength = property(e, "anisotropyStrength", 0.0, what)?;
+        material.anisotropy = numbers.share("anisotropyStrength", strength)?;
+        let rotation = property(e, "anisotropyRotation", 0.0_f32, what)?;
+        let any = f32::MIN..=f32::MAX;
+        material.anisotropy_rotation = numbers.within("anisotropyRotation", rotation, any)?;
     }
     material.absorption = absorption(json, numbers)?;
     Ok(())

@@ -74,7 +74,7 @@ impl<'b> Mesh<'b> {
         }
         let normals = attributes.get(Semantic::Normals, &[Type::Vec3])?;
         // Without normals, tangents are to be ignored.
-        let reads_tangents = reads.normal_map.is_some() && normals.is_some();
+        let reads_tangents = reads.tangents.is_some() && normals.is_some();
         let tangents = if reads_tangents { attributes.get(Semantic::Tangents, &[Type::Vec4])? } else { None };
         let colors = attributes.get(Semantic::Colors(0), &[Type::Vec3, Type::Vec4])?;
         let lengths = texcoords.iter().map(|(set, a)| (format!("TEXCOORD_{set}"), a));
@@ -92,14 +92,18 @@ impl<'b> Mesh<'b> {
             }
         }
         let is_thin = !matches!(mode, Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan);
-        if is_thin && (colors.is_some() || reads.first.is_some() || reads.second.is_some()) {
+        if is_thin && (colors.is_some() || reads.textured) {
             warnings.push(format!("{what}: its points and lines have one colour, without textures"));
         }
         let indices = attributes.indices()?;
         let mut take = |set: u32| {
             let found = texcoords.iter().position(|(n, _)| *n == set).map(|i| texcoords.swap_remove(i));
-            if found.is_none() {
+            if found.is_none() && reads.textured {
                 warnings.push(format!("{what}: without TEXCOORD_{set} its textures are read at (0, 0)"));
+            } else if found.is_none() && tangents.is_none() {
+                warnings.push(format!(
+                    "{what}: without TANGENT and TEXCOORD_{set} its anisotropy has some direction of the surface"
+                ));
             }
             found
         };
@@ -264,7 +268,7 @@ impl<'b> Mesh<'b> {
         }
         let kept = scene.positions.len() - before;
         if let Some(coordinates) =
-            material.reads.normal_map.filter(|_| vertices.tangents.is_empty() && kept > 0)
+            material.reads.tangents.filter(|_| vertices.tangents.is_empty() && kept > 0)
         {
             drop(vertices);
             let computed = tangents::computed(scene, before..scene.positions.len(), coordinates)?;

@@ -33,8 +33,10 @@ pub(super) struct Reads {
     pub first: Option<Coordinates>,
     /// Index n of the attribute TEXCOORD_n that other slots read, stored as it is.
     pub second: Option<u32>,
-    /// The coordinates of the normal map: those of the first slot or others.
-    pub normal_map: Option<Option<SlotCoordinates>>,
+    /// Whether some texture is read.
+    pub textured: bool,
+    /// The coordinates that tangents follow, where the material reads tangents: those of the first slot or others.
+    pub tangents: Option<Option<SlotCoordinates>>,
 }
 
 /// A texture slot of the file.
@@ -136,6 +138,9 @@ pub(super) fn read(
     let mut reads = Reads::default();
     let mut coordinates = BTreeMap::new();
     for Slot { slot, texture, coordinates: own } in slots(json, what)? {
+        if slot == TextureSlot::Anisotropy && !material.is_anisotropic() {
+            continue;
+        }
         let name = slot.name();
         let relative = match &reads.first {
             None => None,
@@ -176,9 +181,15 @@ pub(super) fn read(
             reads.second = Some(own.set);
         }
         coordinates.extend(relative.map(|relative| (slot, relative)));
-        if slot == TextureSlot::Normal {
-            reads.normal_map = Some(relative);
+        let oriented = slot == TextureSlot::Normal || slot == TextureSlot::Anisotropy;
+        if oriented && reads.tangents.is_none() {
+            reads.tangents = Some(relative);
         }
+    }
+    reads.textured = reads.first.is_some();
+    if material.is_anisotropic() && reads.tangents.is_none() {
+        reads.first.get_or_insert(Coordinates::of(&TextureTransform::default(), 0));
+        reads.tangents = Some(None);
     }
     material.coordinates = coordinates;
     Ok(reads)

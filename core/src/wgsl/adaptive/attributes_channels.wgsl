@@ -50,7 +50,7 @@ fn attributes_store(pixel: vec2u, a: Attributes, traced: u32) {
         attributes[attributes_channel(CHANNEL_FOOTPRINT, pixel)] = footprint_encode(a.footprint);
     }
     let words = maps_pack(a.maps);
-    if HAS_NORMAL_MAPS {
+    if HAS_TANGENTS {
         attributes[attributes_channel(CHANNEL_TANGENT, pixel)] = words.tangent;
     }
     if HAS_SLOT_COORDINATES {
@@ -97,7 +97,7 @@ fn attributes_load(pixel: vec2u) -> Attributes {
         a.footprint = footprint_decode(attributes[attributes_channel(CHANNEL_FOOTPRINT, pixel)]);
     }
     var words: MapsWords;
-    if HAS_NORMAL_MAPS {
+    if HAS_TANGENTS {
         words.tangent = attributes[attributes_channel(CHANNEL_TANGENT, pixel)];
     }
     if HAS_SLOT_COORDINATES {

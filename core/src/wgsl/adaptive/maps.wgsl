@@ -1,4 +1,4 @@
-// What normal maps and textures with coordinates of their own need of a surface: tangents and both sets of texture
+// What normal maps, anisotropic lobes and textures with coordinates of their own need of a surface: tangents and both sets of texture
 // coordinates, as attributes that are stored and interpolated.
 
 struct Maps {
@@ -14,7 +14,7 @@ struct Maps {
 fn maps_interpolate(a: Maps, b: Maps, a_weight: f32) -> Maps {
     var middle = a;
     let b_weight = 1.0 - a_weight;
-    if HAS_NORMAL_MAPS {
+    if HAS_TANGENTS {
         let tangent = a_weight * a.tangent.xyz + b_weight * b.tangent.xyz;
         middle.tangent = vec4f(tangent * inverseSqrt(max(dot(tangent, tangent), 1.0e-12)), a.tangent.w);
     }
@@ -34,7 +34,7 @@ fn maps_pack(maps: Maps) -> MapsWords {
 
 fn maps_unpack(words: MapsWords) -> Maps {
     var maps: Maps;
-    if HAS_NORMAL_MAPS {
+    if HAS_TANGENTS {
         maps.tangent = maps_tangent_decode(words.tangent);
     }
     if HAS_SLOT_COORDINATES {

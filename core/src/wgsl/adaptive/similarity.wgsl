@@ -38,7 +38,7 @@ fn similarity_failed(a: Attributes, a_pixel: vec2u, b: Attributes, b_pixel: vec2
     let extent = dot(abs(a_position) + abs(frame.camera.origin), vec3f(1.0));
     let rounding = 1.5 * NORMAL_ERROR * distance + 5.0e-7 * (extent + a.depth + b.depth);
     failed |= select(0u, CHECK_CONVEX, from_a * from_b < 0.0 && min(abs(from_a), abs(from_b)) > rounding);
-    if HAS_TEXTURES {
+    if HAS_TEXTURES || HAS_TANGENTS {
         let seam = texture_seam_matters(a.object - 1u) && similarity_seam(a.texcoord, b.texcoord);
         failed |= select(0u, CHECK_TEX, seam || !similarity_maps(a.object - 1u, a.maps, b.maps));
     }

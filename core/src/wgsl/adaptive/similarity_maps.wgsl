@@ -2,7 +2,7 @@
 // be interpolated. Tangents turn where parts of the texture meet that are apart in the image.
 
 fn similarity_maps(object: u32, a: Maps, b: Maps) -> bool {
-    if HAS_NORMAL_MAPS && material_has_normal_map(object) {
+    if HAS_TANGENTS && material_has_tangents(object) {
         if a.tangent.w != b.tangent.w || dot(a.tangent.xyz, b.tangent.xyz) <= frame.tolerances.norm {
             return false;
         }

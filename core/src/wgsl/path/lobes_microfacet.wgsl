@@ -54,7 +54,7 @@ fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
 // A coat over the surface, whose dielectric part covers the diffuse lobe and refraction.
 fn lobes_add_layers(lobes: ptr<function, Lobes>, s: Surface, m: Material, view: vec3f) {
     let cosine = (*lobes).cosine;
-    let frame = directions_frame(s.normal);
+    let frame = lobes_frame(m, s.normal);
     var under = vec3f(material_coat_passes(m, cosine));
     let coat = material_coat(m);
     if coat.x > 0.0 && coat.y >= LEAST_ROUGHNESS {
@@ -76,7 +76,7 @@ fn lobes_add_layers(lobes: ptr<function, Lobes>, s: Surface, m: Material, view: 
     }
     let diffuse = m.base * ((1.0 - m.metallic) * (1.0 - m.transmission));
     let refraction = m.base * ((1.0 - m.metallic) * m.transmission);
-    if m.roughness < LEAST_ROUGHNESS {
+    if lobes_smooth(m) {
         let fresnel = material_fresnel(m, cosine, s.inside);
         (*lobes).mirror += under * fresnel;
         let passed = 1.0 - material_dielectric(m, cosine, s.inside);
@@ -115,5 +115,5 @@ fn lobes_reflection(
         f0 = 2.0 * f0 / (1.0 + f0);
         f90 = 2.0 * f90 / (1.0 + f90);
     }
-    return microfacets_of(frame, vec2f(m.roughness * m.roughness), view, f0, f90, ratio, albedo);
+    return microfacets_of(frame, lobes_alpha(m), view, f0, f90, ratio, albedo);
 }

@@ -36,7 +36,7 @@ fn microfacets_of(
     lobe.f0 = f0;
     lobe.f90 = f90;
     lobe.ratio = ratio;
-    let shares = lobe_albedo_entry(lobe.view.z, sqrt(sqrt(alpha.x * alpha.y))).xy;
+    let shares = lobes_shares(alpha, lobe_albedo_entry(lobe.view.z, sqrt(sqrt(alpha.x * alpha.y))).xy);
     lobe.scale = 1.0 + f0 * (1.0 / shares.x - 1.0);
     *albedo = lobe.scale * (f0 * shares.x + (f90 - f0) * shares.y);
     if ratio > 0.0 {

@@ -39,7 +39,9 @@ fn environment_reflected(m: Material, diffuse: vec3f, normal: vec3f, view: vec3f
     if max(specular.x, max(specular.y, specular.z)) <= 0.0 {
         return matte + sheen;
     }
-    let lobe = environment_lobe(environment_dominant(m, cosine, normal, view), m.roughness);
+    let bent = anisotropy_normal(m, normal, view);
+    let toward = clamp(dot(bent, view), 0.0, 1.0);
+    let lobe = environment_lobe(environment_dominant(m, toward, bent, view), m.roughness);
     let seen = material_sheen_passes(m, cosine) * lobe;
     return matte + metal * seen + dielectric * ((1.0 - m.metallic) * seen - matte) + sheen;
 }

@@ -6,7 +6,7 @@ fn material_is(m: Material, flag: u32) -> bool {
 
 // The fraction of the specular lobe that is traced as a mirror.
 fn material_gloss(m: Material) -> f32 {
-    return max(0.0, 1.0 - 2.0 * m.roughness);
+    return max(0.0, 1.0 - 2.0 * anisotropy_widest(m));
 }
 
 // The index of refraction on the viewer's side over that on the other; `inside` means that the viewer is behind
@@ -125,7 +125,7 @@ fn material_lobe(m: Material, normal: vec3f, view: vec3f, light: vec3f) -> vec3f
     }
     let f0 = mix(material_f0(m), m.base, m.metallic);
     let under = material_under(m, cosine);
-    return coat + under * material_microfacets(f0, material_f90(m), m.roughness, normal, view, light);
+    return coat + under * anisotropy_lobe(m, f0, material_f90(m), normal, view, light);
 }
 
 // Microfacet lobe for one light (Blinn-Phong distribution, Neumann's visibility term), with its reflectance at normal

@@ -17,6 +17,7 @@ struct Material {
     coat: vec2f,
     // Colour and roughness of the sheen.
     sheen: vec4f,
+    anisotropy: Anisotropy,
 }
 
 fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f, maps: Maps) -> Material {
@@ -69,13 +70,14 @@ fn material_extend(m: ptr<function, Material>, record: u32, at: Lookup, maps: Ma
     if HAS_LAYERS {
         material_layer(m, record, at, maps);
     }
-    if HAS_NORMAL_MAPS && header.x != 0u {
+    if HAS_NORMAL_MAPS && (header.x & RECORD_NORMAL_MAP) != 0u {
         let bumps = material_lookup(record, SLOT_NORMAL, at, maps);
         let average = 2.0 * texture_data(bumps.place, bumps.texcoord, bumps.footprint).rgb - 1.0;
         (*m).roughness = material_toksvig((*m).roughness, length(average));
         let scale = bitcast<f32>(header.z);
         (*m).bump = average * vec3f(scale, scale, 1.0);
     }
+    (*m).anisotropy = anisotropy_at(record, at, maps);
 }
 
 // Fraction of ambient light that reaches the point.

@@ -7,7 +7,12 @@ fn material_record(object: u32) -> u32 {
 
 fn material_has_normal_map(object: u32) -> bool {
     let record = material_record(object);
-    return HAS_NORMAL_MAPS && record != 0u && object_part(0u, record).x != 0u;
+    return HAS_NORMAL_MAPS && record != 0u && (object_part(0u, record).x & RECORD_NORMAL_MAP) != 0u;
+}
+
+fn material_has_tangents(object: u32) -> bool {
+    let record = material_record(object);
+    return record != 0u && object_part(0u, record).x != 0u;
 }
 
 // A texture with the coordinates at which a slot reads it.

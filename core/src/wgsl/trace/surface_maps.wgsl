@@ -9,8 +9,9 @@ fn surface_maps(s: Surface, hit: Hit, corners: array<vec3f, 3>, direction: vec3f
     }
     let tables = object_part(0u, record).xy;
     let weights = vec3f(1.0 - hit.u - hit.v, hit.u, hit.v);
-    if HAS_NORMAL_MAPS && tables.x != 0u {
-        let words = object_part(0u, tables.x + hit.primitive);
+    let tangents = tables.x & ~RECORD_NORMAL_MAP;
+    if HAS_TANGENTS && tangents != 0u {
+        let words = object_part(0u, tangents + hit.primitive);
         let a = maps_tangent_decode(words.x);
         let tangent = weights.x * a.xyz + weights.y * maps_tangent_decode(words.y).xyz
             + weights.z * maps_tangent_decode(words.z).xyz;

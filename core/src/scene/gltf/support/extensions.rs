@@ -47,7 +47,7 @@ pub(super) static EXTENSIONS: [Extension; 56] = [
     ignored_extension("KHR_implicit_shapes"),
     ignored_extension("KHR_interactivity"),
     shown_extension("KHR_lights_punctual").object(&LIGHT_OF_NODE),
-    not_shown_extension("KHR_materials_anisotropy", |e, _| number(e, "anisotropyStrength", 0.0) != 0.0),
+    shown_extension("KHR_materials_anisotropy").object(&ANISOTROPY),
     shown_extension("KHR_materials_clearcoat").object(&CLEARCOAT),
     not_shown_extension("KHR_materials_diffuse_transmission", |e, _| {
         number(e, "diffuseTransmissionFactor", 0.0) != 0.0
@@ -87,6 +87,14 @@ pub(super) static EXTENSIONS: [Extension; 56] = [
     not_shown_extension("MSFT_texture_dds", replaces_no_source),
 ];
 
+static ANISOTROPY: Object = object(
+    "KHR_materials_anisotropy",
+    &[
+        shown("anisotropyRotation"),
+        shown("anisotropyStrength"),
+        shown("anisotropyTexture").object(&TEXTURE_INFO),
+    ],
+);
 static CLEARCOAT: Object = object(
     "KHR_materials_clearcoat",
     &[

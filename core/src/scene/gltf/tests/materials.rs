@@ -235,6 +235,39 @@ fn layers_of_extensions() {
 }
 
 #[test]
+fn anisotropy_is_read_with_its_tangents() {
+    let brushed =
+        json!({ "anisotropyStrength": 0.5, "anisotropyRotation": 1.25, "anisotropyTexture": { "index": 1 } });
+    let scene = textured(json!({ "extensions": { "KHR_materials_anisotropy": brushed } })).scene();
+    let material = &scene.materials[0];
+    assert_eq!((material.anisotropy, material.anisotropy_rotation), (0.5, 1.25));
+    assert_eq!(material.maps.keys().copied().collect::<Vec<_>>(), [TextureSlot::Anisotropy]);
+    assert_eq!((scene.tangents.len(), scene.not_shown.len(), scene.warnings.len()), (1, 0, 0));
+    let (tangent, sign) = tangent_decode_exact(scene.tangents[0][1]);
+    assert!((tangent.as_vec3() - Vec3::X).length() < 2.0e-4 && sign == -1.0, "along u: {tangent} {sign}");
+    // Without a texture, tangents follow the first set of coordinates.
+    let plain = json!({ "extensions": { "KHR_materials_anisotropy": { "anisotropyStrength": 1 } } });
+    let mut file = textured(plain.clone());
+    let turned = file.floats("VEC2", &[0.0, 0.0, 0.0, 1.0, 1.0, 0.0]);
+    file.attribute("TEXCOORD_0", turned);
+    let scene = file.scene();
+    let (tangent, _) = tangent_decode_exact(scene.tangents[0][1]);
+    assert!((tangent.as_vec3() - Vec3::Y).length() < 2.0e-4, "{tangent}");
+    assert!(scene.warnings.is_empty(), "{:?}", scene.warnings);
+    let scene = with_material(plain).scene();
+    assert!(scene.tangents.len() == 1 && scene.materials[0].is_anisotropic());
+    assert!(scene.warnings[0].contains("without TANGENT and TEXCOORD_0"), "{:?}", scene.warnings);
+    // Without strength there is none.
+    let none = json!({ "KHR_materials_anisotropy": { "anisotropyRotation": 1, "anisotropyTexture": { "index": 1 } } });
+    let scene = textured(json!({ "extensions": none })).scene();
+    assert!(!scene.materials[0].is_extended() && scene.tangents.is_empty() && scene.images.is_empty());
+    for (name, bad) in [("anisotropyStrength", json!("much")), ("anisotropyRotation", json!([1]))] {
+        with_material(json!({ "extensions": { "KHR_materials_anisotropy": { name: bad } } }))
+            .fails(&["material 0", name]);
+    }
+}
+
+#[test]
 fn a_bad_transform_is_named() {
     let transform = json!({ "KHR_texture_transform": { "scale": "large" } });
     let mut file = textured(json!({ "normalTexture": { "index": 0, "extensions": transform } }));
