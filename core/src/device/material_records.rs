@@ -2,7 +2,7 @@
 //! tangents and of second texture coordinates by primitive. A record is: places of the tables, scale of normals,
 //! strength of occlusion; specular colour and strength, or specular reflectance and glossiness; absorption, flags;
 //! clearcoat and its roughness; sheen's colour and roughness; the slots; strength of anisotropy, cosine and sine of its
-//! rotation.
+//! rotation; strength of iridescence, index of the film, least and greatest thickness.
 
 use glam::{Affine2, Vec4};
 
@@ -19,8 +19,10 @@ pub const SLOT_PARTS: u32 = 3;
 
 /// Place of the anisotropy in a record.
 pub const RECORD_ANISOTROPY: u32 = RECORD_SLOTS + SLOT_PARTS * TextureSlot::ALL.len() as u32;
+/// Place of the iridescence.
+pub const RECORD_IRIDESCENCE: u32 = RECORD_ANISOTROPY + 1;
 /// Size of a record.
-const RECORD_PARTS: u32 = RECORD_ANISOTROPY + 1;
+const RECORD_PARTS: u32 = RECORD_IRIDESCENCE + 1;
 
 /// Flag in the place of the table of tangents: the material has a normal map.
 pub const RECORD_NORMAL_MAP: u32 = 1 << 31;
@@ -104,5 +106,7 @@ fn record(m: &Material, atlas: &Atlas, [tangents, second]: [u32; 2]) -> Vec<Word
     }
     let (sine, cosine) = m.anisotropy_rotation.sin_cos();
     words.push(floats(Vec4::new(m.anisotropy, cosine, sine, 0.0)));
+    let [thin, thick] = m.iridescence_thickness;
+    words.push(floats(Vec4::new(m.iridescence, m.iridescence_ior, thin, thick)));
     words
 }

@@ -184,6 +184,7 @@ impl FrameSpec {
             ("RECORD_SPECULAR_GLOSSINESS", material_records::RECORD_SPECULAR_GLOSSINESS),
             ("RECORD_NORMAL_MAP", material_records::RECORD_NORMAL_MAP),
             ("RECORD_ANISOTROPY", material_records::RECORD_ANISOTROPY),
+            ("RECORD_IRIDESCENCE", material_records::RECORD_IRIDESCENCE),
             ("SET_FIRST", material_records::SET_FIRST),
             ("SET_SECOND", material_records::SET_SECOND),
             ("LIGHT_DIRECTIONAL", gpu_scene::LIGHT_DIRECTIONAL),

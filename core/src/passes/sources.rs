@@ -313,6 +313,11 @@ impl FrameSpec {
                         wgsl!("wgsl/shade/anisotropy.wgsl"),
                         wgsl!("wgsl/shade/anisotropy_unread.wgsl"),
                     ),
+                    pick(
+                        f.iridescence,
+                        wgsl!("wgsl/shade/iridescence.wgsl"),
+                        wgsl!("wgsl/shade/iridescence_unread.wgsl"),
+                    ),
                     wgsl!("wgsl/shade/material_extended.wgsl"),
                     wgsl!("wgsl/shade/material_layers.wgsl"),
                     wgsl!("wgsl/shade/material.wgsl"),
@@ -331,6 +336,9 @@ impl FrameSpec {
         if f.glossy || f.extended_materials {
             if !f.anisotropy {
                 sources.push(wgsl!("wgsl/shade/anisotropy_none.wgsl"));
+            }
+            if !f.iridescence {
+                sources.push(wgsl!("wgsl/shade/iridescence_none.wgsl"));
             }
             if f.sheen {
                 sources.extend([wgsl!("wgsl/shade/lobe_albedos.wgsl"), wgsl!("wgsl/shade/sheen.wgsl")]);

@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
 use super::{
     Cause, Maps, Reference, Rounding,
     anisotropy::Anisotropy,
+    iridescence::Film,
     maps::{Place, toksvig},
     sheen::Sheen,
 };
@@ -38,6 +39,7 @@ pub struct Material {
     pub(super) coat: DVec2,
     pub(super) sheen: Option<Sheen>,
     pub(super) anisotropy: Option<Anisotropy>,
+    pub(super) film: Option<Film>,
 }
 
 /// A material with the geometry that shading depends on.
@@ -113,6 +115,15 @@ impl Reference {
                 m.texture(TextureSlot::Anisotropy).map(|_| slot(TextureSlot::Anisotropy)),
                 maps,
             ),
+            film: Some(Film {
+                strength: f64::from(m.iridescence) * slot(TextureSlot::Iridescence).x,
+                ior: f64::from(m.iridescence_ior),
+                thickness: {
+                    let [thin, thick] = m.iridescence_thickness.map(f64::from);
+                    thin + (thick - thin) * slot(TextureSlot::IridescenceThickness).y
+                },
+            })
+            .filter(|film| film.strength > 0.0),
         }
     }
 
@@ -126,7 +137,7 @@ impl Reference {
         let diffuse = m.diffuse(cosine, s.inside);
         m.emission
             + self.environment_reflected(&m, diffuse, s.normal, s.view) * m.occlusion
-            + self.lights_reflected(&mut s, diffuse + m.lit_metal() * m.sheen_passes(cosine))
+            + self.lights_reflected(&mut s, diffuse + m.lit_metal(cosine) * m.sheen_passes(cosine))
     }
 
     /// Reflected radiance of the environment: the diffuse lobe and, of a map, the part of the specular lobe that is not
@@ -136,15 +147,19 @@ impl Reference {
         if !self.has_environment_map() {
             let cosine = normal.dot(view).clamp(0.0, 1.0);
             let sheen = m.coat_passes(cosine) * m.sheen_albedo(cosine);
-            return ambient * (diffuse + m.rough_metal() * m.sheen_passes(cosine) + sheen);
+            return ambient * (diffuse + m.rough_metal(cosine) * m.sheen_passes(cosine) + sheen);
         }
         if m.weights.is_some() {
             return diffuse * ambient;
         }
         let cosine = normal.dot(view).clamp(0.0, 1.0);
         let rough = 1.0 - m.gloss();
-        let dielectric = m.rough_reflectance(m.at_normal(), m.at_grazing(), cosine) * rough;
-        let metal = m.rough_reflectance(m.base, DVec3::ONE, cosine) * m.metallic * rough;
+        let filmed = |metallic, [f0, f90]: [DVec3; 2]| {
+            let [f0, f90] = [f0, f90].map(|f| m.filmed(metallic, f, cosine, 0.0));
+            m.rough_reflectance(f0, f90, cosine) * rough
+        };
+        let dielectric = filmed(0.0, [m.at_normal(), m.at_grazing()]);
+        let metal = filmed(1.0, [m.base, DVec3::ONE]) * m.metallic;
         let bent = m.reflecting(normal, view);
         let mirrored = 2.0 * bent.dot(view).clamp(0.0, 1.0) * bent - view;
         let dominant = mirrored.lerp(bent, m.roughness * m.roughness);
@@ -180,22 +195,22 @@ impl Material {
     /// rough metal.
     #[must_use]
     pub fn albedo(&self, cosine: f64, inside: bool) -> DVec3 {
-        self.diffuse(cosine, inside) + self.rough_metal()
+        self.diffuse(cosine, inside) + self.rough_metal(cosine)
     }
 
     /// The part of a metal's reflection that is not traced as a mirror.
-    fn rough_metal(&self) -> DVec3 {
+    fn rough_metal(&self, cosine: f64) -> DVec3 {
         match self.weights {
             Some(_) => DVec3::ZERO,
-            None => self.base * self.metallic * (1.0 - self.gloss()),
+            None => self.filmed(1.0, self.base, cosine, 0.0) * self.metallic * (1.0 - self.gloss()),
         }
     }
 
     /// The part of a metal's reflection of lights that is not in its lobe.
-    fn lit_metal(&self) -> DVec3 {
+    fn lit_metal(&self, cosine: f64) -> DVec3 {
         match self.weights {
             Some(_) => DVec3::ZERO,
-            None => self.base * self.metallic * self.roughness,
+            None => self.filmed(1.0, self.base, cosine, 0.0) * self.metallic * self.roughness,
         }
     }
 
@@ -221,7 +236,8 @@ impl Material {
     /// Reflectance of the dielectric part at this cosine of the view angle.
     pub(super) fn dielectric(&self, cosine: f64, inside: bool) -> DVec3 {
         let from_within = inside && self.transmission > 0.0 && !self.thin;
-        let mut dielectric = self.colored(fresnel_dielectric(cosine, self.ratio(from_within)));
+        let ratio = self.ratio(from_within);
+        let mut dielectric = self.filmed(0.0, self.colored(fresnel_dielectric(cosine, ratio)), cosine, ratio);
         if self.thin {
             // Both faces of the pane with all internal reflections.
             dielectric = 2.0 * dielectric / (1.0 + dielectric);
@@ -232,7 +248,8 @@ impl Material {
     /// Reflectance at this cosine of the view angle.
     #[must_use]
     pub fn fresnel(&self, cosine: f64, inside: bool) -> DVec3 {
-        self.dielectric(cosine, inside).lerp(schlick(self.base, cosine), self.metallic)
+        let metal = self.filmed(1.0, schlick(self.base, cosine), cosine, 0.0);
+        self.dielectric(cosine, inside).lerp(metal, self.metallic)
     }
 
     /// Reflectance of the dielectric part at normal incidence.
@@ -310,10 +327,10 @@ impl Shading<'_> {
         if m.roughness >= 1.0 || m.weights.is_some() {
             return coat;
         }
-        let f0 = m.at_normal().lerp(m.base, m.metallic);
-        let f90 = m.at_grazing();
+        let plain = [m.at_normal().lerp(m.base, m.metallic), m.at_grazing()];
+        let reflectance = plain.map(|f| m.filmed(m.metallic, f, cosine, 0.0));
         let under = m.under(cosine);
-        coat + under * self.microfacets([f0, f90], m.roughness, m.anisotropy, light)
+        coat + under * self.microfacets(reflectance, m.roughness, m.anisotropy, light)
     }
 
     /// A microfacet lobe with its reflectance at normal and at grazing incidence.

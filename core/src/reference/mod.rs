@@ -43,6 +43,7 @@ mod environment;
 mod frame;
 mod gbuffer;
 mod intersection;
+mod iridescence;
 mod jitter;
 mod judge;
 mod lights;

@@ -68,7 +68,7 @@ impl Material {
                 let alpha = self
                     .anisotropy
                     .map_or(DVec2::splat(self.roughness.powi(2)), |a| a.alpha(self.roughness.max(least)));
-                Microfacets::new(frame, view, alpha, self.reflectance(metallic, s.inside), albedos)
+                Microfacets::new(frame, view, alpha, self.reflectance(metallic, cosine, s.inside), albedos)
             };
             shares.diffuse = under * scattered * (1.0 - lobe(0.0).albedo);
             shares.refraction = under * entering;
@@ -78,14 +78,15 @@ impl Material {
     }
 
     /// Reflectance of the microfacets at a metalness.
-    fn reflectance(&self, metallic: f64, inside: bool) -> Reflectance {
+    fn reflectance(&self, metallic: f64, cosine: f64, inside: bool) -> Reflectance {
         let mut f0 = self.at_normal().lerp(self.base, metallic);
         let mut f90 = DVec3::splat(self.specular.w).lerp(DVec3::ONE, metallic);
+        let ratio = (self.transmission > 0.0).then(|| self.ratio(inside && !self.thin));
+        [f0, f90] = [f0, f90].map(|f| self.filmed(metallic, f, cosine, ratio.unwrap_or(0.0)));
         if self.thin {
             // Both faces of a pane.
             [f0, f90] = [f0, f90].map(|f| 2.0 * f / (1.0 + f));
         }
-        let ratio = (self.transmission > 0.0).then(|| self.ratio(inside && !self.thin));
         Reflectance { f0, f90, ratio }
     }
 }

@@ -80,6 +80,8 @@ pub struct Features {
     pub tangents: bool,
     /// Some material is anisotropic.
     pub anisotropy: bool,
+    /// Some material has a thin film.
+    pub iridescence: bool,
     /// Some texture slot does not read the first set of texture coordinates as they are.
     pub slot_coordinates: bool,
     /// Some material has a specular colour, specular-glossiness factors, a clear coat, sheen or absorption.
@@ -123,6 +125,7 @@ impl Features {
             normal_maps: used().any(Material::has_normal_map),
             tangents: used().any(Material::reads_tangents),
             anisotropy: used().any(Material::is_anisotropic),
+            iridescence: used().any(Material::is_iridescent),
             slot_coordinates: used().any(|m| !m.coordinates.is_empty()),
             layers: used().any(Material::is_layered),
             sheen: used().any(Material::has_sheen),

@@ -77,6 +77,12 @@ pub struct Material {
     pub anisotropy: f32,
     /// Angle of the wider side of the lobe from the tangent towards the bitangent, in radians.
     pub anisotropy_rotation: f32,
+    /// Share of the surface that a thin film covers, from 0 to 1 (KHR_materials_iridescence).
+    pub iridescence: f32,
+    /// Index of refraction of the film, at least 1.
+    pub iridescence_ior: f32,
+    /// Thickness of the film in nanometres where its texture is 0, and where it is 1 or there is none.
+    pub iridescence_thickness: [f32; 2],
     /// Absorption coefficient of what the surface bounds, linear RGB: transmittance over a distance d is exp(-d times
     /// this).
     pub absorption: Vec3,
@@ -140,6 +146,9 @@ impl Default for Material {
             sheen_roughness: 0.0,
             anisotropy: 0.0,
             anisotropy_rotation: 0.0,
+            iridescence: 0.0,
+            iridescence_ior: 1.3,
+            iridescence_thickness: [100.0, 400.0],
             absorption: Vec3::ZERO,
             priority: 0,
             weights: None,
@@ -182,10 +191,20 @@ impl Material {
         self.has_normal_map() || self.is_anisotropic()
     }
 
+    /// Whether a thin film covers the surface.
+    #[must_use]
+    pub fn is_iridescent(&self) -> bool {
+        self.iridescence > 0.0
+    }
+
     /// Whether the material has more than its factors and the first three textures with common coordinates.
     #[must_use]
     pub fn is_extended(&self) -> bool {
-        !self.maps.is_empty() || !self.coordinates.is_empty() || self.is_layered() || self.is_anisotropic()
+        !self.maps.is_empty()
+            || !self.coordinates.is_empty()
+            || self.is_layered()
+            || self.is_anisotropic()
+            || self.is_iridescent()
     }
 
     /// Whether the material has a specular colour, specular-glossiness factors, a clear coat, sheen or absorption.
@@ -219,6 +238,7 @@ impl Material {
             && self.weights.is_none()
             && self.metallic_roughness_texture.is_none()
             && !self.is_layered()
+            && !self.is_iridescent()
     }
 
     /// Whether paths leave some point of the surface by a microfacet lobe: rough metal, a rough dielectric that is

@@ -62,6 +62,8 @@ pub const MAX_RADIANCE: f32 = 1.0e30;
 
 /// The largest index of refraction, with a reflectance of 0.9996 at normal incidence.
 pub const MAX_IOR: f32 = 1.0e4;
+/// The largest thickness of a thin film in nanometres: far more than shows any colour.
+pub const MAX_THICKNESS: f32 = 1.0e6;
 
 /// The least range of a light; the fourth power of its inverse is finite in f32.
 pub const MIN_RANGE: f32 = 1.0e-9;

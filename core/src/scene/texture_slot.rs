@@ -35,11 +35,15 @@ pub enum TextureSlot {
     /// Direction of the anisotropy in the tangent frame in red and green, each twice the channel minus one; strength in
     /// blue.
     Anisotropy,
+    /// Share of the surface that a thin film covers in red.
+    Iridescence,
+    /// Thickness of the film between its least and its greatest in green.
+    IridescenceThickness,
 }
 
 impl TextureSlot {
     /// All slots in order.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 16] = [
         Self::BaseColor,
         Self::MetallicRoughness,
         Self::Emissive,
@@ -54,6 +58,8 @@ impl TextureSlot {
         Self::SheenColor,
         Self::SheenRoughness,
         Self::Anisotropy,
+        Self::Iridescence,
+        Self::IridescenceThickness,
     ];
 
     /// The slot's name in messages.
@@ -74,6 +80,8 @@ impl TextureSlot {
             Self::SheenColor => "sheen colour",
             Self::SheenRoughness => "sheen roughness",
             Self::Anisotropy => "anisotropy",
+            Self::Iridescence => "iridescence",
+            Self::IridescenceThickness => "iridescence thickness",
         }
     }
 

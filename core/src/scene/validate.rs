@@ -4,7 +4,9 @@ use std::ops::RangeInclusive;
 
 use glam::Vec3;
 
-use super::{LightKind, MAX_COORDINATE, MAX_IOR, MAX_LIGHTS, MAX_RADIANCE, MIN_RANGE, Material, Scene};
+use super::{
+    LightKind, MAX_COORDINATE, MAX_IOR, MAX_LIGHTS, MAX_RADIANCE, MAX_THICKNESS, MIN_RANGE, Material, Scene,
+};
 use crate::{Camera, Error, Result};
 
 /// Allowed deviation of unit vectors from unit length.
@@ -202,6 +204,7 @@ fn check_material(material: &Material, what: &str) -> Result<()> {
         ("clearcoat roughness", material.clearcoat_roughness),
         ("sheen roughness", material.sheen_roughness),
         ("anisotropy", material.anisotropy),
+        ("iridescence", material.iridescence),
         ("red of the sheen", material.sheen_color.x),
         ("green of the sheen", material.sheen_color.y),
         ("blue of the sheen", material.sheen_color.z),
@@ -212,10 +215,18 @@ fn check_material(material: &Material, what: &str) -> Result<()> {
     if let Some((name, found)) = shares.iter().find(|(_, v)| !(0.0..=1.0).contains(v)) {
         return fail(format!("{what}, {name}"), format!("expected a number from 0 to 1, found {found}"));
     }
-    if !(1.0..=MAX_IOR).contains(&material.ior) {
+    let indices =
+        [("index of refraction", material.ior), ("index of the thin film", material.iridescence_ior)];
+    if let Some((name, found)) = indices.iter().find(|(_, v)| !(1.0..=MAX_IOR).contains(v)) {
         return fail(
-            format!("{what}, index of refraction"),
-            format!("expected a number from 1 to {MAX_IOR}, found {}", material.ior),
+            format!("{what}, {name}"),
+            format!("expected a number from 1 to {MAX_IOR}, found {found}"),
+        );
+    }
+    if let Some(found) = material.iridescence_thickness.iter().find(|v| !(0.0..=MAX_THICKNESS).contains(*v)) {
+        return fail(
+            format!("{what}, thickness of the thin film"),
+            format!("expected a number from 0 to {MAX_THICKNESS}, found {found}"),
         );
     }
     let numbers = [

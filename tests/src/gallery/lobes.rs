@@ -105,6 +105,52 @@ pub fn brushed() -> Scene {
     b.seen_by(Camera::look_at(vec3(0.2, 1.1, 3.2), vec3(0.0, 0.7, 0.0), 0.7).expect("a valid camera"))
 }
 
+/// Thin films over metal and dielectrics, mirroring and rough, with textures, over a pane and a ball of glass.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn films() -> Scene {
+    let mut b = Builder::new();
+    let byte = |i: u32| (i.wrapping_mul(2_654_435_761) >> 24) as u8;
+    let image = b.image(Image8 { width: 8, height: 8, rgba: (0..256).map(byte).collect() });
+    let stains = b.texture(Texture { image, wrap: [Wrap::Repeat; 2], nearest: false });
+    let film = |material: Material, iridescence_ior: f32, thickness: f32| Material {
+        iridescence: 1.0,
+        iridescence_ior,
+        iridescence_thickness: [100.0, thickness],
+        ..material
+    };
+    let plastic = |roughness: f32| Material { roughness, ior: 1.5, ..matte(vec3(0.1, 0.15, 0.3)) };
+    let metal = |roughness: f32| Material { roughness, ..mirror(vec3(0.9, 0.6, 0.3)) };
+    let looks = [
+        film(metal(0.1), 1.3, 400.0),
+        film(metal(0.6), 1.8, 550.0),
+        film(plastic(0.2), 1.7, 320.0),
+        Material {
+            maps: [(TextureSlot::Iridescence, stains), (TextureSlot::IridescenceThickness, stains)].into(),
+            ..film(plastic(0.5), 2.0, 900.0)
+        },
+        Material { metallic: 0.5, iridescence: 0.6, clearcoat: 0.3, ..film(metal(0.3), 1.4, 480.0) },
+        Material { thin: true, ..film(glass(1.5), 1.9, 420.0) },
+    ];
+    for (i, look) in looks.into_iter().enumerate() {
+        let object = b.object(look);
+        let corner = vec3(-1.3 + 0.9 * (i % 3) as f32, 0.1 + 0.75 * (i / 3) as f32, -0.2 * i as f32);
+        let (u, v) = (vec3(0.8, 0.0, 0.3 - 0.15 * i as f32), 0.7 * Vec3::Y);
+        b.textured_quad(object, [corner, u, v], [Vec2::ZERO, vec2(1.1, 0.9)]);
+    }
+    for (x, look) in [(-0.6, film(metal(0.35), 1.5, 380.0)), (0.6, film(glass(1.4), 1.8, 500.0))] {
+        let ball = b.object(look);
+        b.sphere(ball, vec3(x, 0.32, 0.8), 0.3);
+    }
+    let floor = b.object(Material { roughness: 0.2, ior: 1.5, ..matte(vec3(0.5, 0.45, 0.4)) });
+    b.quad(floor, vec3(-3.0, 0.0, 2.0), 6.0 * Vec3::X, -5.0 * Vec3::Z);
+    b.point_light(vec3(0.8, 2.0, 1.6), vec3(5.0, 4.5, 4.0));
+    b.environment(vec3(0.4, 0.5, 0.6), vec3(0.2, 0.25, 0.3));
+    b.seen_by(Camera::look_at(vec3(0.2, 1.1, 3.2), vec3(0.0, 0.7, 0.0), 0.7).expect("a valid camera"))
+}
+
 /// Cloth with a sheen over metal and over dielectrics, under a coat, from a texture, and with a normal of its own.
 ///
 /// # Panics

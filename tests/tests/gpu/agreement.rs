@@ -233,6 +233,19 @@ fn brushed_in_a_studio() {
 }
 
 #[test]
+fn films() {
+    agree("films", gallery::films(), [101, 67], Settings { depth: 5, ..Settings::default() });
+}
+
+#[test]
+fn films_in_a_studio() {
+    let mut scene = gallery::films();
+    scene.surround(EnvironmentMap::studio().rotated(0.7));
+    let pair = Pair::new(scene, [101, 67], Settings { exposure: Some(0.0), ..Settings::default() });
+    agree_in(Method::Full, "films in a studio", &pair);
+}
+
+#[test]
 fn lenses() {
     agree("lenses", gallery::lenses(), [96, 64], Settings { depth: 5, ..Settings::default() });
 }

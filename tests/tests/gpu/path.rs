@@ -69,10 +69,12 @@ fn a_sample_is_that_of_the_reference() {
         ("furnace", 1e-2, &ways[..3]),
         ("lobes", 1e-2, &ways[..3]),
         ("brushed", 1e-2, &ways[..2]),
+        ("films", 1e-2, &ways[..2]),
     ] {
         let mut scene = match name {
             "lobes" => gallery::lobes(),
             "brushed" => gallery::brushed(),
+            "films" => gallery::films(),
             name => builtin(name).expect("built in"),
         };
         if name == "furnace" {

@@ -57,6 +57,7 @@ fn the_room_needs_nearly_everything() {
         normal_maps: false,
         tangents: false,
         anisotropy: false,
+        iridescence: false,
         slot_coordinates: false,
         layers: false,
         microfacets: true,

@@ -1,5 +1,5 @@
-//! Reads the material extensions of specular colours, specular-glossiness factors, clear coats, sheen, anisotropy
-//! and absorption.
+//! Reads the material extensions of specular colours, specular-glossiness factors, clear coats, sheen, anisotropy,
+//! iridescence and absorption.
 
 use glam::Vec3;
 use gltf::json;
@@ -7,7 +7,7 @@ use json::texture::Info;
 use serde_json::Value;
 
 use super::normalized::Numbers;
-use crate::scene::{MAX_RADIANCE, Material, SpecularGlossiness, TextureSlot};
+use crate::scene::{MAX_IOR, MAX_RADIANCE, MAX_THICKNESS, Material, SpecularGlossiness, TextureSlot};
 use crate::{Error, Result};
 
 const SPECULAR: &str = "KHR_materials_specular";
@@ -15,9 +15,10 @@ const GLOSSINESS: &str = "KHR_materials_pbrSpecularGlossiness";
 const CLEARCOAT: &str = "KHR_materials_clearcoat";
 const SHEEN: &str = "KHR_materials_sheen";
 const ANISOTROPY: &str = "KHR_materials_anisotropy";
+const IRIDESCENCE: &str = "KHR_materials_iridescence";
 
 /// The textures of the extensions: slot, extension and property.
-const TEXTURES: [(TextureSlot, &str, &str); 8] = [
+const TEXTURES: [(TextureSlot, &str, &str); 10] = [
     (TextureSlot::Specular, SPECULAR, "specularTexture"),
     (TextureSlot::SpecularColor, SPECULAR, "specularColorTexture"),
     (TextureSlot::SpecularGlossiness, GLOSSINESS, "specularGlossinessTexture"),
@@ -26,6 +27,8 @@ const TEXTURES: [(TextureSlot, &str, &str); 8] = [
     (TextureSlot::SheenColor, SHEEN, "sheenColorTexture"),
     (TextureSlot::SheenRoughness, SHEEN, "sheenRoughnessTexture"),
     (TextureSlot::Anisotropy, ANISOTROPY, "anisotropyTexture"),
+    (TextureSlot::Iridescence, IRIDESCENCE, "iridescenceTexture"),
+    (TextureSlot::IridescenceThickness, IRIDESCENCE, "iridescenceThicknessTexture"),
 ];
 
 /// The least transmittance of a channel over the attenuation distance.
@@ -104,6 +107,16 @@ pub(super) fn read(json: &json::Material, material: &mut Material, numbers: &mut
         let rotation = property(e, "anisotropyRotation", 0.0_f32, what)?;
         let any = f32::MIN..=f32::MAX;
         material.anisotropy_rotation = numbers.within("anisotropyRotation", rotation, any)?;
+    }
+    if let Some(e) = extension(json, IRIDESCENCE) {
+        let factor = property(e, "iridescenceFactor", 0.0, what)?;
+        material.iridescence = numbers.share("iridescenceFactor", factor)?;
+        let ior = property(e, "iridescenceIor", 1.3, what)?;
+        material.iridescence_ior = numbers.within("iridescenceIor", ior, 1.0..=MAX_IOR)?;
+        let ends = [("iridescenceThicknessMinimum", 100.0), ("iridescenceThicknessMaximum", 400.0)];
+        for (thickness, (name, default)) in material.iridescence_thickness.iter_mut().zip(ends) {
+            *thickness = numbers.within(name, property(e, name, default, what)?, 0.0..=MAX_THICKNESS)?;
+        }
     }
     material.absorption = absorption(json, numbers)?;
     Ok(())

@@ -138,7 +138,12 @@ pub(super) fn read(
     let mut reads = Reads::default();
     let mut coordinates = BTreeMap::new();
     for Slot { slot, texture, coordinates: own } in slots(json, what)? {
-        if slot == TextureSlot::Anisotropy && !material.is_anisotropic() {
+        let used = match slot {
+            TextureSlot::Anisotropy => material.is_anisotropic(),
+            TextureSlot::Iridescence | TextureSlot::IridescenceThickness => material.is_iridescent(),
+            _ => true,
+        };
+        if !used {
             continue;
         }
         let name = slot.name();

@@ -110,6 +110,9 @@ fn lobes_reflection(
     f0 += metallic * (m.base - f0);
     var f90 = vec3f(material_strength(m));
     f90 += metallic * (1.0 - f90);
+    let cosine = clamp(dot(frame[2], view), 0.0, 1.0);
+    f0 = iridescence_over(m, metallic, f0, cosine, ratio);
+    f90 = iridescence_over(m, metallic, f90, cosine, ratio);
     if material_is(m, OBJECT_THIN) {
         // Both faces of the pane.
         f0 = 2.0 * f0 / (1.0 + f0);

@@ -31,8 +31,12 @@ fn environment_reflected(m: Material, diffuse: vec3f, normal: vec3f, view: vec3f
     }
     let cosine = clamp(dot(normal, view), 0.0, 1.0);
     let rough = 1.0 - material_gloss(m);
-    let dielectric = environment_reflectance(material_f0(m), material_f90(m), m.roughness, cosine) * rough;
-    let metal = environment_reflectance(m.base, vec3f(1.0), m.roughness, cosine) * (m.metallic * rough);
+    let f0 = iridescence_over(m, 0.0, material_f0(m), cosine, 0.0);
+    let f90 = iridescence_over(m, 0.0, material_f90(m), cosine, 0.0);
+    let dielectric = environment_reflectance(f0, f90, m.roughness, cosine) * rough;
+    let metal_f0 = iridescence_over(m, 1.0, m.base, cosine, 0.0);
+    let metal_f90 = iridescence_over(m, 1.0, vec3f(1.0), cosine, 0.0);
+    let metal = environment_reflectance(metal_f0, metal_f90, m.roughness, cosine) * (m.metallic * rough);
     let specular = metal + (1.0 - m.metallic) * dielectric;
     let sheen = material_coat_passes(m, cosine) * material_sheen_albedo(m, cosine) * ambient;
     let matte = diffuse * ambient;

@@ -7,5 +7,5 @@ fn environment_kind(m: Material) -> u32 {
 fn environment_reflected(m: Material, diffuse: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     let cosine = clamp(dot(normal, view), 0.0, 1.0);
     let sheen = material_coat_passes(m, cosine) * material_sheen_albedo(m, cosine);
-    return frame.ambient * (diffuse + material_rough_metal(m) * material_sheen_passes(m, cosine) + sheen);
+    return frame.ambient * (diffuse + material_rough_metal(m, cosine) * material_sheen_passes(m, cosine) + sheen);
 }

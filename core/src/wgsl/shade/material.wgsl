@@ -27,6 +27,7 @@ fn material_dielectric(m: Material, cosine: f32, inside: bool) -> vec3f {
     let solid_inside = inside && m.transmission > 0.0 && !material_is(m, OBJECT_THIN);
     let ratio = material_ratio(m, solid_inside);
     var dielectric = material_specular(m, fresnel_reflectance(cosine, ratio, fresnel_transmitted(cosine, ratio)));
+    dielectric = iridescence_over(m, 0.0, dielectric, cosine, ratio);
     if material_is(m, OBJECT_THIN) {
         // Reflectance of a thin pane: both faces with all internal reflections.
         dielectric = 2.0 * dielectric / (1.0 + dielectric);
@@ -36,7 +37,7 @@ fn material_dielectric(m: Material, cosine: f32, inside: bool) -> vec3f {
 
 fn material_fresnel(m: Material, cosine: f32, inside: bool) -> vec3f {
     let metal = m.base + (1.0 - m.base) * material_grazing(cosine);
-    return mix(material_dielectric(m, cosine, inside), metal, m.metallic);
+    return mix(material_dielectric(m, cosine, inside), iridescence_over(m, 1.0, metal, cosine, 0.0), m.metallic);
 }
 
 // Fraction of light that passes the clear coat and the sheen.
@@ -82,24 +83,24 @@ fn material_diffuse(m: Material, cosine: f32, inside: bool) -> vec3f {
 }
 
 // The part of a metal's reflection that is not traced as a mirror; it counts as diffuse as well.
-fn material_rough_metal(m: Material) -> vec3f {
+fn material_rough_metal(m: Material, cosine: f32) -> vec3f {
     if material_is(m, OBJECT_WEIGHTS) {
         return vec3f(0.0);
     }
-    return m.base * (m.metallic * (1.0 - material_gloss(m)));
+    return iridescence_over(m, 1.0, m.base, cosine, 0.0) * (m.metallic * (1.0 - material_gloss(m)));
 }
 
 // The part of a metal's reflection of lights that is not in its lobe, as if it were diffuse.
-fn material_lit_metal(m: Material) -> vec3f {
+fn material_lit_metal(m: Material, cosine: f32) -> vec3f {
     if material_is(m, OBJECT_WEIGHTS) {
         return vec3f(0.0);
     }
-    return m.base * (m.metallic * m.roughness);
+    return iridescence_over(m, 1.0, m.base, cosine, 0.0) * (m.metallic * m.roughness);
 }
 
 // Sum of the albedos of the diffuse and the specular lobe.
 fn material_albedo(m: Material, cosine: f32, inside: bool) -> vec3f {
-    return material_diffuse(m, cosine, inside) + material_rough_metal(m);
+    return material_diffuse(m, cosine, inside) + material_rough_metal(m, cosine);
 }
 
 // Radiance towards the viewer without further rays: emission, ambient and direct light. `view` is the unit vector
@@ -110,7 +111,7 @@ fn material_local(m: Material, position: vec3f, normal: vec3f, view: vec3f, insi
     }
     let cosine = clamp(dot(normal, view), 0.0, 1.0);
     let diffuse = material_diffuse(m, cosine, inside);
-    let lit = diffuse + material_lit_metal(m) * material_sheen_passes(m, cosine);
+    let lit = diffuse + material_lit_metal(m, cosine) * material_sheen_passes(m, cosine);
     return m.emission + environment_reflected(m, diffuse, normal, view) * material_occlusion(m)
         + lights_reflected(m, lit, position, normal, view, shadow);
 }
@@ -123,9 +124,10 @@ fn material_lobe(m: Material, normal: vec3f, view: vec3f, light: vec3f) -> vec3f
     if m.roughness >= 1.0 || material_is(m, OBJECT_WEIGHTS) {
         return coat;
     }
-    let f0 = mix(material_f0(m), m.base, m.metallic);
+    let f0 = iridescence_over(m, m.metallic, mix(material_f0(m), m.base, m.metallic), cosine, 0.0);
+    let f90 = iridescence_over(m, m.metallic, material_f90(m), cosine, 0.0);
     let under = material_under(m, cosine);
-    return coat + under * anisotropy_lobe(m, f0, material_f90(m), normal, view, light);
+    return coat + under * anisotropy_lobe(m, f0, f90, normal, view, light);
 }
 
 // Microfacet lobe for one light (Blinn-Phong distribution, Neumann's visibility term), with its reflectance at normal

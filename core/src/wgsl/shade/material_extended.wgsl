@@ -18,6 +18,7 @@ struct Material {
     // Colour and roughness of the sheen.
     sheen: vec4f,
     anisotropy: Anisotropy,
+    iridescence: Iridescence,
 }
 
 fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f, maps: Maps) -> Material {
@@ -78,6 +79,7 @@ fn material_extend(m: ptr<function, Material>, record: u32, at: Lookup, maps: Ma
         (*m).bump = average * vec3f(scale, scale, 1.0);
     }
     (*m).anisotropy = anisotropy_at(record, at, maps);
+    (*m).iridescence = iridescence_at(record, at, maps);
 }
 
 // Fraction of ambient light that reaches the point.

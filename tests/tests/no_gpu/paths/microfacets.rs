@@ -101,6 +101,38 @@ fn sheen_keeps_energy() {
     }
 }
 
+/// A film over white plastic loses no light, smooth and rough: what it does not reflect passes to the plastic. Over metal it
+/// adds none.
+#[test]
+fn films_keep_energy() {
+    let film = |material: Material| Material {
+        iridescence: 1.0,
+        iridescence_ior: 1.8,
+        iridescence_thickness: [100.0, 450.0],
+        ..material
+    };
+    for cosine in [0.9, 0.4] {
+        for roughness in [0.0, 0.3, 0.8] {
+            let plastic = Material { ior: 1.5, roughness, ..matte(Vec3::ONE) };
+            let found = mean(&wall(film(plastic), cosine), &settings(DirectLight::Bsdf, 2), 800);
+            let error = 4.0 * found.error2().map(f64::sqrt).max_element();
+            let off = (found.value() - 1.0).abs().max_element();
+            assert!(error < 0.05 && off < error + 0.006, "{cosine} {roughness}: {}", found.value());
+            let found = mean(
+                &wall(film(metal(Vec3::splat(0.7), roughness)), cosine),
+                &settings(DirectLight::Bsdf, 2),
+                400,
+            );
+            let (low, high) = (found.value().min_element(), found.value().max_element());
+            assert!(
+                low > 0.1 && high < 1.004 + error && high - low > 0.02,
+                "{cosine} {roughness}: {}",
+                found.value()
+            );
+        }
+    }
+}
+
 fn brushed(roughness: f32, anisotropy: f32, anisotropy_rotation: f32) -> Material {
     Material { anisotropy, anisotropy_rotation, ..metal(Vec3::ONE, roughness) }
 }

@@ -55,7 +55,7 @@ pub(super) static EXTENSIONS: [Extension; 56] = [
     not_shown_extension("KHR_materials_dispersion", |e, _| number(e, "dispersion", 0.0) != 0.0),
     shown_extension("KHR_materials_emissive_strength").object(&EMISSIVE_STRENGTH),
     shown_extension("KHR_materials_ior").object(&IOR),
-    not_shown_extension("KHR_materials_iridescence", |e, _| number(e, "iridescenceFactor", 0.0) != 0.0),
+    shown_extension("KHR_materials_iridescence").object(&IRIDESCENCE),
     shown_extension("KHR_materials_pbrSpecularGlossiness").object(&SPECULAR_GLOSSINESS),
     shown_extension("KHR_materials_sheen").object(&SHEEN),
     shown_extension("KHR_materials_specular").object(&SPECULAR),
@@ -134,6 +134,17 @@ static INSTANCING_ATTRIBUTES: Object = object(
     ],
 );
 static IOR: Object = object("KHR_materials_ior", &[shown("ior")]);
+static IRIDESCENCE: Object = object(
+    "KHR_materials_iridescence",
+    &[
+        shown("iridescenceFactor"),
+        shown("iridescenceIor"),
+        shown("iridescenceTexture").object(&TEXTURE_INFO),
+        shown("iridescenceThicknessMaximum"),
+        shown("iridescenceThicknessMinimum"),
+        shown("iridescenceThicknessTexture").object(&TEXTURE_INFO),
+    ],
+);
 static LIGHT_OF_NODE: Object = object("KHR_lights_punctual", &[shown("light").index(&LIGHTS)]);
 pub(super) static LIGHT: Object = object(
     "KHR_lights_punctual.light",

@@ -268,6 +268,27 @@ fn anisotropy_is_read_with_its_tangents() {
 }
 
 #[test]
+fn iridescence_is_read() {
+    let film = json!({
+        "iridescenceFactor": 0.5, "iridescenceIor": 1.75, "iridescenceTexture": { "index": 1 },
+        "iridescenceThicknessMinimum": 200, "iridescenceThicknessMaximum": 300,
+    });
+    let scene = textured(json!({ "extensions": { "KHR_materials_iridescence": film } })).scene();
+    let material = &scene.materials[0];
+    assert_eq!((material.iridescence, material.iridescence_ior), (0.5, 1.75));
+    assert_eq!(material.iridescence_thickness, [200.0, 300.0]);
+    assert_eq!(material.maps.keys().copied().collect::<Vec<_>>(), [TextureSlot::Iridescence]);
+    assert_eq!((scene.not_shown.len(), scene.warnings.len()), (0, 0));
+    let material =
+        imported(json!({ "extensions": { "KHR_materials_iridescence": { "iridescenceFactor": 1 } } }));
+    assert_eq!((material.iridescence_ior, material.iridescence_thickness), (1.3, [100.0, 400.0]));
+    let none = json!({ "KHR_materials_iridescence": { "iridescenceTexture": { "index": 1 } } });
+    assert!(!textured(json!({ "extensions": none })).scene().materials[0].is_extended());
+    let bad = json!({ "KHR_materials_iridescence": { "iridescenceThicknessMaximum": "thick" } });
+    with_material(json!({ "extensions": bad })).fails(&["material 0", "iridescenceThicknessMaximum"]);
+}
+
+#[test]
 fn a_bad_transform_is_named() {
     let transform = json!({ "KHR_texture_transform": { "scale": "large" } });
     let mut file = textured(json!({ "normalTexture": { "index": 0, "extensions": transform } }));
