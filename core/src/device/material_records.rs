@@ -2,7 +2,8 @@
 //! tangents and of second texture coordinates by primitive. A record is: places of the tables, scale of normals,
 //! strength of occlusion; specular colour and strength, or specular reflectance and glossiness; absorption, flags;
 //! clearcoat and its roughness; sheen's colour and roughness; the slots; strength of anisotropy, cosine and sine of its
-//! rotation; strength of iridescence, index of the film, least and greatest thickness.
+//! rotation; strength of iridescence, index of the film, least and greatest thickness;
+//! colour and share of diffuse transmission.
 
 use glam::{Affine2, Vec4};
 
@@ -21,8 +22,10 @@ pub const SLOT_PARTS: u32 = 3;
 pub const RECORD_ANISOTROPY: u32 = RECORD_SLOTS + SLOT_PARTS * TextureSlot::ALL.len() as u32;
 /// Place of the iridescence.
 pub const RECORD_IRIDESCENCE: u32 = RECORD_ANISOTROPY + 1;
+/// Place of the diffuse transmission.
+pub const RECORD_TRANSLUCENCY: u32 = RECORD_IRIDESCENCE + 1;
 /// Size of a record.
-const RECORD_PARTS: u32 = RECORD_IRIDESCENCE + 1;
+const RECORD_PARTS: u32 = RECORD_TRANSLUCENCY + 1;
 
 /// Flag in the place of the table of tangents: the material has a normal map.
 pub const RECORD_NORMAL_MAP: u32 = 1 << 31;
@@ -85,7 +88,7 @@ fn record(m: &Material, atlas: &Atlas, [tangents, second]: [u32; 2]) -> Vec<Word
         Some(s) => (s.specular, s.glossiness, RECORD_SPECULAR_GLOSSINESS),
         None => (m.specular_color, m.specular, 0),
     };
-    let solid = m.transmission > 0.0 && !m.thin;
+    let solid = (m.transmission > 0.0 || m.is_translucent()) && !m.thin;
     let floats = |v: Vec4| v.to_array().map(f32::to_bits);
     let mut absorption = floats(if solid { m.absorption.extend(0.0) } else { Vec4::ZERO });
     absorption[3] = flags;
@@ -108,5 +111,6 @@ fn record(m: &Material, atlas: &Atlas, [tangents, second]: [u32; 2]) -> Vec<Word
     words.push(floats(Vec4::new(m.anisotropy, cosine, sine, 0.0)));
     let [thin, thick] = m.iridescence_thickness;
     words.push(floats(Vec4::new(m.iridescence, m.iridescence_ior, thin, thick)));
+    words.push(floats(m.diffuse_transmission_color.extend(m.diffuse_transmission)));
     words
 }

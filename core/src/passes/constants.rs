@@ -185,6 +185,7 @@ impl FrameSpec {
             ("RECORD_NORMAL_MAP", material_records::RECORD_NORMAL_MAP),
             ("RECORD_ANISOTROPY", material_records::RECORD_ANISOTROPY),
             ("RECORD_IRIDESCENCE", material_records::RECORD_IRIDESCENCE),
+            ("RECORD_TRANSLUCENCY", material_records::RECORD_TRANSLUCENCY),
             ("SET_FIRST", material_records::SET_FIRST),
             ("SET_SECOND", material_records::SET_SECOND),
             ("LIGHT_DIRECTIONAL", gpu_scene::LIGHT_DIRECTIONAL),

@@ -95,10 +95,14 @@ mod tests {
             Linked::of(&scene, &Thinness::of(&scene), Specialize::Auto).expect("links").files
         };
         let extended = of(|m| m.specular = 0.5);
-        let lobes: [(Change, &[&str]); 3] = [
+        let lobes: [(Change, &[&str]); 4] = [
             (|m| m.sheen_color = Vec3::ONE, &["wgsl/shade/sheen.wgsl", "wgsl/shade/lobe_albedos.wgsl"]),
             (|m| m.anisotropy = 0.5, &["wgsl/shade/anisotropy.wgsl"]),
             (|m| m.iridescence = 0.5, &["wgsl/shade/iridescence.wgsl"]),
+            (
+                |m| m.diffuse_transmission = 0.5,
+                &["wgsl/shade/translucency.wgsl", "wgsl/shade/translucency_lights.wgsl"],
+            ),
         ];
         for (change, files) in lobes {
             let linked = of(change);

@@ -137,6 +137,7 @@ impl FrameSpec {
                 wgsl!("wgsl/path/lobes_anisotropic.wgsl"),
                 wgsl!("wgsl/path/lobes_isotropic.wgsl"),
             ),
+            pick(f.translucency, wgsl!("wgsl/path/behind.wgsl"), wgsl!("wgsl/path/behind_none.wgsl")),
             wgsl!("wgsl/path/microfacets.wgsl"),
             wgsl!("wgsl/path/lobes_microfacet.wgsl"),
         ]);

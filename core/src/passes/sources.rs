@@ -211,6 +211,11 @@ impl FrameSpec {
                 wgsl!("wgsl/shade/terminator_smooth.wgsl"),
                 wgsl!("wgsl/shade/terminator_flat.wgsl"),
             ),
+            pick(
+                f.translucency,
+                wgsl!("wgsl/shade/translucency_side.wgsl"),
+                wgsl!("wgsl/shade/translucency_side_front.wgsl"),
+            ),
         ]
     }
 
@@ -318,6 +323,11 @@ impl FrameSpec {
                         wgsl!("wgsl/shade/iridescence.wgsl"),
                         wgsl!("wgsl/shade/iridescence_unread.wgsl"),
                     ),
+                    pick(
+                        f.translucency,
+                        wgsl!("wgsl/shade/translucency.wgsl"),
+                        wgsl!("wgsl/shade/translucency_unread.wgsl"),
+                    ),
                     wgsl!("wgsl/shade/material_extended.wgsl"),
                     wgsl!("wgsl/shade/material_layers.wgsl"),
                     wgsl!("wgsl/shade/material.wgsl"),
@@ -340,6 +350,14 @@ impl FrameSpec {
             if !f.iridescence {
                 sources.push(wgsl!("wgsl/shade/iridescence_none.wgsl"));
             }
+            if !f.translucency {
+                sources.push(wgsl!("wgsl/shade/translucency_none.wgsl"));
+            }
+            sources.push(pick(
+                f.translucency && f.lights,
+                wgsl!("wgsl/shade/translucency_lights.wgsl"),
+                wgsl!("wgsl/shade/translucency_dark.wgsl"),
+            ));
             if f.sheen {
                 sources.extend([wgsl!("wgsl/shade/lobe_albedos.wgsl"), wgsl!("wgsl/shade/sheen.wgsl")]);
             } else {

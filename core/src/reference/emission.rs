@@ -34,9 +34,7 @@ impl Reference {
         let way = point - s.position;
         let distance = way.length();
         let direction = way / distance;
-        let cosine = s.normal.dot(direction);
-        let lit = cosine > 0.0 && s.face.dot(direction) > 0.0 && normal.dot(direction) != 0.0;
-        if !lit {
+        if !self.reaches(s, direction) || normal.dot(direction) == 0.0 {
             return None;
         }
         let ray = Ray { t_max: REACH * distance, ..s.spawn(direction, (0.0, 0.0), rounding) };

@@ -77,8 +77,7 @@ impl Reference {
         let surroundings = self.surroundings.as_ref()?;
         let d = surroundings.distribution.draw(number, place.into());
         let direction = surroundings.map.turned_back(d);
-        let cosine = s.normal.dot(direction);
-        if cosine <= 0.0 || s.face.dot(direction) <= 0.0 {
+        if !self.reaches(s, direction) {
             return None;
         }
         let ray = s.spawn(direction, (0.0, 0.0), rounding);

@@ -55,6 +55,13 @@ impl Reference {
         Arrival { direction, distance, irradiance }
     }
 
+    /// Irradiance of the lights behind a surface, on its back.
+    pub(super) fn lights_behind(&self, s: &Shading<'_>) -> DVec3 {
+        let lights = (0..self.scene.lights.len()).filter(|i| s.shadow >> i & 1 == 0);
+        let arrivals = lights.map(|i| self.arrival(i, s.position));
+        arrivals.map(|arrival| arrival.irradiance * (-s.normal.dot(arrival.direction)).max(0.0)).sum()
+    }
+
     /// Radiance that a surface reflects towards the viewer from the lights that are not shadowed.
     pub(super) fn lights_reflected(&self, s: &mut Shading<'_>, diffuse: DVec3) -> DVec3 {
         let shadow = s.shadow;

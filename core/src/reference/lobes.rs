@@ -11,6 +11,8 @@ use crate::scene::LobeAlbedos;
 pub(super) struct Lobes {
     /// Albedo of the diffuse lobe.
     pub diffuse: DVec3,
+    /// Albedo of the diffuse lobe on the side away from the viewer.
+    behind: DVec3,
     /// Albedo of the lobes for which light is looked for: the diffuse one and the glossy ones.
     pub albedo: DVec3,
     /// The reflected ray and the refracted ray, each if the surface has that lobe.
@@ -19,8 +21,8 @@ pub(super) struct Lobes {
     glossy: [Option<Microfacets>; 2],
     /// The material, for its sheen; what a coat lets through to it; and the unit vector to the viewer.
     sheen: (Material, DVec3, DVec3),
-    /// The largest channel of each lobe: diffuse, mirror, refraction, glossy, coat, sheen.
-    largest: [f64; 6],
+    /// The largest channel of each lobe: diffuse, mirror, refraction, glossy, coat, sheen, diffuse behind.
+    largest: [f64; 7],
 }
 
 /// The lobe that a path is scattered by.
@@ -32,6 +34,7 @@ pub(super) enum Chosen {
     Glossy,
     Coat,
     Sheen,
+    Behind,
 }
 
 /// How a path continues.
@@ -71,8 +74,10 @@ impl Lobes {
         let largest = |lobe: Option<Microfacets>| lobe.map_or(0.0, |lobe| lobe.albedo.max_element());
         Self {
             diffuse: shares.diffuse,
+            behind: shares.behind,
             albedo: shares.diffuse
                 + shares.sheen[0]
+                + shares.behind
                 + [glossy, coat].into_iter().flatten().map(|l| l.albedo).sum::<DVec3>(),
             specular: [
                 mirror,
@@ -87,6 +92,7 @@ impl Lobes {
                 largest(glossy),
                 largest(coat),
                 shares.sheen[0].max_element(),
+                shares.behind.max_element(),
             ],
         }
     }
@@ -131,6 +137,7 @@ impl Lobes {
             Chosen::Glossy,
             Chosen::Coat,
             Chosen::Sheen,
+            Chosen::Behind,
         ];
         let mut end = 0.0;
         let chosen = all.into_iter().zip(self.largest).find(|(_, largest)| {
@@ -144,6 +151,10 @@ impl Lobes {
     /// a path continues in it.
     pub fn response(&self, s: &Surface, direction: DVec3) -> (DVec3, f64) {
         let cosine = s.normal.dot(direction);
+        if self.largest[6] > 0.0 && cosine < 0.0 && s.face.dot(direction) < 0.0 {
+            let share = -cosine / PI;
+            return (share * self.behind, share * self.largest[6] / self.sum());
+        }
         if cosine <= 0.0 || s.face.dot(direction) <= 0.0 {
             return (DVec3::ZERO, 0.0);
         }
@@ -173,6 +184,7 @@ impl Lobes {
         let of = |weight: DVec3, lobe: usize| weight * self.sum() / self.largest[lobe];
         let (direction, cone) = match chosen {
             Chosen::Diffuse | Chosen::Sheen => (cosine_weighted(s.normal, random).0, (0.0, 0.0)),
+            Chosen::Behind => (cosine_weighted(-s.normal, random).0, (0.0, 0.0)),
             Chosen::Glossy => (self.glossy[0]?.draw(random), reflected),
             Chosen::Coat => (self.glossy[1]?.draw(random), reflected),
             Chosen::Refraction if self.glossy[0].is_some() => {

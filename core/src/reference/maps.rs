@@ -142,7 +142,7 @@ impl Reference {
     /// Transmittance of what a ray has crossed when it arrives at a surface: an absorbing solid that it leaves.
     pub(super) fn absorbed(&self, s: &Surface, distance: f64) -> DVec3 {
         let m = self.material_of(s.object);
-        if !s.inside || m.thin || m.transmission == 0.0 {
+        if !s.inside || m.thin || m.transmission == 0.0 && !m.is_translucent() {
             return DVec3::ONE;
         }
         (-distance * m.absorption.as_dvec3()).exp()

@@ -1,5 +1,7 @@
 //! Materials by Whitted's model; the formulas are in `core/MATERIALS.md`.
 
+use std::f64::consts::PI;
+
 use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
 
 use super::{
@@ -40,6 +42,8 @@ pub struct Material {
     pub(super) sheen: Option<Sheen>,
     pub(super) anisotropy: Option<Anisotropy>,
     pub(super) film: Option<Film>,
+    /// Colour of diffuse transmission and its share of the diffuse light.
+    pub(super) translucency: DVec4,
 }
 
 /// A material with the geometry that shading depends on.
@@ -124,6 +128,12 @@ impl Reference {
                 },
             })
             .filter(|film| film.strength > 0.0),
+            translucency: {
+                let color = m.diffuse_transmission_color.as_dvec3();
+                let color = color * slot(TextureSlot::DiffuseTransmissionColor).xyz();
+                let share = slot(TextureSlot::DiffuseTransmission).w;
+                color.extend(f64::from(m.diffuse_transmission) * share)
+            },
         }
     }
 
@@ -135,7 +145,14 @@ impl Reference {
         }
         let cosine = s.normal.dot(s.view).clamp(0.0, 1.0);
         let diffuse = m.diffuse(cosine, s.inside);
+        let behind = m.behind(cosine, s.inside);
+        let mut from_behind = self.environment_ambient(-s.normal) * m.occlusion;
+        if self.has_environment_map() {
+            let [f0, f90] = [m.at_normal(), m.at_grazing()].map(|f| m.filmed(0.0, f, cosine, 0.0));
+            from_behind *= 1.0 - m.rough_reflectance(f0, f90, cosine) * (1.0 - m.gloss());
+        }
         m.emission
+            + behind * (from_behind + self.lights_behind(&s) / PI)
             + self.environment_reflected(&m, diffuse, s.normal, s.view) * m.occlusion
             + self.lights_reflected(&mut s, diffuse + m.lit_metal(cosine) * m.sheen_passes(cosine))
     }
@@ -181,14 +198,25 @@ impl Material {
     pub(super) fn diffuse(&self, cosine: f64, inside: bool) -> DVec3 {
         match self.weights {
             Some(weights) => self.base * f64::from(weights.diffuse),
-            None => {
-                self.under(cosine)
-                    * self.base
-                    * (1.0 - self.metallic)
-                    * (1.0 - self.transmission)
-                    * (1.0 - self.dielectric(cosine, inside) * self.gloss())
-            }
+            None => self.scattered((1.0 - self.translucency.w) * self.base, cosine, inside),
         }
+    }
+
+    /// Albedo of the diffuse lobe on the other side of the surface.
+    pub(super) fn behind(&self, cosine: f64, inside: bool) -> DVec3 {
+        match self.weights {
+            Some(_) => DVec3::ZERO,
+            None => self.scattered(self.translucency.w * self.translucency.xyz(), cosine, inside),
+        }
+    }
+
+    /// Albedo of a diffuse lobe of this colour under the layers and the specular lobe.
+    fn scattered(&self, color: DVec3, cosine: f64, inside: bool) -> DVec3 {
+        self.under(cosine)
+            * color
+            * (1.0 - self.metallic)
+            * (1.0 - self.transmission)
+            * (1.0 - self.dielectric(cosine, inside) * self.gloss())
     }
 
     /// Albedo for light from all directions, such as the ambient term: the diffuse lobe and the reflection of

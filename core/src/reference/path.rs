@@ -182,7 +182,11 @@ impl Path<'_> {
         }
         self.foveate(foveation, rounding)?;
         let chosen = chosen?;
-        self.media = if chosen == Chosen::Refraction { boundary.beyond } else { boundary.here };
+        self.media = if matches!(chosen, Chosen::Refraction | Chosen::Behind) {
+            boundary.beyond
+        } else {
+            boundary.here
+        };
         self.leave((&s, &m), &lobes, chosen, rounding)
     }
 

@@ -1,6 +1,6 @@
 //! Shadow rays to every light in front of the surface (SHDBIT of Kim 2016, section 3.2).
 
-use std::cell::Cell;
+use std::{cell::Cell, f64::consts::PI};
 
 use glam::DVec3;
 
@@ -36,6 +36,7 @@ impl Reference {
 
     /// Share of a light that reaches the surface; 1 for a light behind the shading normal.
     pub(super) fn light_share(&self, s: &Surface, light: usize, rounding: &mut Rounding) -> f64 {
+        let s = &self.lit_side(s, self.arrival(light, s.position).direction);
         let origin = s.position + rounding.spawn(Cause::ShadowEdge, s.extent) * s.face;
         let origin = rounding.vector(Cause::ShadowEdge, origin, s.extent);
         let arrival = self.arrival(light, origin);
@@ -58,6 +59,21 @@ impl Reference {
         }
         let above = self.arrival(light, origin + lift);
         share * self.share_along(light, origin + lift, above.direction, above.distance, None, rounding)
+    }
+
+    /// The surface as a light in this direction sees it: from behind where a translucent one is lit from there.
+    fn lit_side(&self, s: &Surface, direction: DVec3) -> Surface {
+        if s.normal.dot(direction) >= 0.0 || !self.material_of(s.object).is_translucent() {
+            return *s;
+        }
+        Surface { normal: -s.normal, face: -s.face, inside: !s.inside, ..*s }
+    }
+
+    /// Whether light from this direction reaches the viewer by the lobes for which light is looked for.
+    pub(super) fn reaches(&self, s: &Surface, direction: DVec3) -> bool {
+        let [normal, face] = [s.normal, s.face].map(|n| n.dot(direction));
+        normal > 0.0 && face > 0.0
+            || normal < 0.0 && face < 0.0 && self.material_of(s.object).is_translucent()
     }
 
     /// Share of a light that arrives from a direction at a point, on the primitive `left` if on any.
@@ -113,7 +129,8 @@ impl Reference {
                 shadow: !(1 << light),
                 rounding,
             };
-            sum += share * self.lights_reflected(&mut shading, m.diffuse(cosine, s.inside));
+            let behind = m.behind(cosine, s.inside) / PI * self.lights_behind(&shading);
+            sum += share * (behind + self.lights_reflected(&mut shading, m.diffuse(cosine, s.inside)));
         }
         sum
     }

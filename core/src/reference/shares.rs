@@ -13,6 +13,8 @@ use crate::scene::{LEAST_ROUGHNESS, LobeAlbedos};
 #[derive(Default)]
 pub(super) struct Shares {
     pub diffuse: DVec3,
+    /// On the side away from the viewer.
+    pub behind: DVec3,
     pub mirror: DVec3,
     /// Before the microfacets' reflectance, where the surface is rough.
     pub refraction: DVec3,
@@ -53,16 +55,18 @@ impl Material {
         }
         shares.sheen = [under * self.sheen_albedo(cosine), under];
         under *= self.sheen_passes(cosine);
-        let scattered = self.base * (1.0 - self.metallic) * (1.0 - self.transmission);
+        let scatters = (1.0 - self.metallic) * (1.0 - self.transmission);
+        let scattered = self.base * scatters * (1.0 - self.translucency.w);
+        let behind = self.translucency.truncate() * scatters * self.translucency.w;
         let entering = self.base * (1.0 - self.metallic) * self.transmission;
         if self.roughness < least && self.anisotropy.is_none() {
             let fresnel = self.fresnel(cosine, s.inside);
             shares.mirror += under * fresnel;
             let passed = 1.0 - self.dielectric(cosine, s.inside);
-            shares.diffuse = under * scattered * passed;
+            [shares.diffuse, shares.behind] = [scattered, behind].map(|share| under * share * passed);
             shares.refraction = under * entering * passed;
         } else if self.roughness >= 1.0 && self.metallic == 0.0 && self.transmission == 0.0 {
-            shares.diffuse = under * scattered;
+            [shares.diffuse, shares.behind] = [scattered, behind].map(|share| under * share);
         } else {
             let lobe = |metallic: f64| {
                 let alpha = self
@@ -70,7 +74,8 @@ impl Material {
                     .map_or(DVec2::splat(self.roughness.powi(2)), |a| a.alpha(self.roughness.max(least)));
                 Microfacets::new(frame, view, alpha, self.reflectance(metallic, cosine, s.inside), albedos)
             };
-            shares.diffuse = under * scattered * (1.0 - lobe(0.0).albedo);
+            let passed = under * (1.0 - lobe(0.0).albedo);
+            [shares.diffuse, shares.behind] = [scattered, behind].map(|share| share * passed);
             shares.refraction = under * entering;
             shares.glossy[0] = Some(lobe(self.metallic).under(under));
         }

@@ -82,6 +82,8 @@ pub struct Features {
     pub anisotropy: bool,
     /// Some material has a thin film.
     pub iridescence: bool,
+    /// Some material transmits light diffusely.
+    pub translucency: bool,
     /// Some texture slot does not read the first set of texture coordinates as they are.
     pub slot_coordinates: bool,
     /// Some material has a specular colour, specular-glossiness factors, a clear coat, sheen or absorption.
@@ -126,6 +128,7 @@ impl Features {
             tangents: used().any(Material::reads_tangents),
             anisotropy: used().any(Material::is_anisotropic),
             iridescence: used().any(Material::is_iridescent),
+            translucency: used().any(Material::is_translucent),
             slot_coordinates: used().any(|m| !m.coordinates.is_empty()),
             layers: used().any(Material::is_layered),
             sheen: used().any(Material::has_sheen),

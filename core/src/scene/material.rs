@@ -83,6 +83,10 @@ pub struct Material {
     pub iridescence_ior: f32,
     /// Thickness of the film in nanometres where its texture is 0, and where it is 1 or there is none.
     pub iridescence_thickness: [f32; 2],
+    /// Share of the diffuse light that is transmitted, from 0 to 1 (KHR_materials_diffuse_transmission).
+    pub diffuse_transmission: f32,
+    /// Colour of the light that is transmitted diffusely, linear RGB.
+    pub diffuse_transmission_color: Vec3,
     /// Absorption coefficient of what the surface bounds, linear RGB: transmittance over a distance d is exp(-d times
     /// this).
     pub absorption: Vec3,
@@ -149,6 +153,8 @@ impl Default for Material {
             iridescence: 0.0,
             iridescence_ior: 1.3,
             iridescence_thickness: [100.0, 400.0],
+            diffuse_transmission: 0.0,
+            diffuse_transmission_color: Vec3::ONE,
             absorption: Vec3::ZERO,
             priority: 0,
             weights: None,
@@ -197,6 +203,12 @@ impl Material {
         self.iridescence > 0.0
     }
 
+    /// Whether the surface transmits light diffusely.
+    #[must_use]
+    pub fn is_translucent(&self) -> bool {
+        self.diffuse_transmission > 0.0
+    }
+
     /// Whether the material has more than its factors and the first three textures with common coordinates.
     #[must_use]
     pub fn is_extended(&self) -> bool {
@@ -205,6 +217,7 @@ impl Material {
             || self.is_layered()
             || self.is_anisotropic()
             || self.is_iridescent()
+            || self.is_translucent()
     }
 
     /// Whether the material has a specular colour, specular-glossiness factors, a clear coat, sheen or absorption.
@@ -239,11 +252,11 @@ impl Material {
             && self.metallic_roughness_texture.is_none()
             && !self.is_layered()
             && !self.is_iridescent()
+            && !self.is_translucent()
     }
 
     /// Whether paths leave some point of the surface by a microfacet lobe: rough metal, a rough dielectric that is
-    /// neither matte nor a mirror, rough glass, a rough coat,
-    /// or sheen.
+    /// neither matte nor a mirror, rough glass, a rough coat, sheen, or diffuse transmission, which the same kernels sample.
     #[must_use]
     pub fn has_microfacets(&self) -> bool {
         let textured = self.metallic_roughness_texture.is_some() || self.specular_glossiness.is_some();
@@ -252,7 +265,9 @@ impl Material {
         let diffuse = self.roughness >= 1.0 && self.metallic == 0.0 && self.transmission == 0.0 && !textured;
         let coat =
             self.clearcoat > 0.0 && (self.clearcoat_roughness >= LEAST_ROUGHNESS || self.has_normal_map());
-        !self.unlit && self.weights.is_none() && (rough && !diffuse || coat || self.has_sheen())
+        !self.unlit
+            && self.weights.is_none()
+            && (rough && !diffuse || coat || self.has_sheen() || self.is_translucent())
     }
 
     /// Whether some view angle makes a reflection ray worth tracing.
@@ -274,7 +289,7 @@ impl Material {
     /// leaves a solid.
     #[must_use]
     pub fn is_single_sided(&self) -> bool {
-        !self.double_sided && !self.refracts()
+        !self.double_sided && !self.refracts() && !self.is_translucent()
     }
 
     /// Whether the material transmits light.

@@ -39,11 +39,15 @@ pub enum TextureSlot {
     Iridescence,
     /// Thickness of the film between its least and its greatest in green.
     IridescenceThickness,
+    /// Share of the diffuse light that is transmitted in alpha.
+    DiffuseTransmission,
+    /// Colour of the light that is transmitted diffusely, sRGB.
+    DiffuseTransmissionColor,
 }
 
 impl TextureSlot {
     /// All slots in order.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 18] = [
         Self::BaseColor,
         Self::MetallicRoughness,
         Self::Emissive,
@@ -60,6 +64,8 @@ impl TextureSlot {
         Self::Anisotropy,
         Self::Iridescence,
         Self::IridescenceThickness,
+        Self::DiffuseTransmission,
+        Self::DiffuseTransmissionColor,
     ];
 
     /// The slot's name in messages.
@@ -82,6 +88,8 @@ impl TextureSlot {
             Self::Anisotropy => "anisotropy",
             Self::Iridescence => "iridescence",
             Self::IridescenceThickness => "iridescence thickness",
+            Self::DiffuseTransmission => "diffuse transmission",
+            Self::DiffuseTransmissionColor => "diffuse transmission colour",
         }
     }
 
@@ -95,6 +103,7 @@ impl TextureSlot {
                 | Self::SpecularColor
                 | Self::SpecularGlossiness
                 | Self::SheenColor
+                | Self::DiffuseTransmissionColor
         )
     }
 }

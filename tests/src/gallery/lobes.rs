@@ -151,6 +151,58 @@ pub fn films() -> Scene {
     b.seen_by(Camera::look_at(vec3(0.2, 1.1, 3.2), vec3(0.0, 0.7, 0.0), 0.7).expect("a valid camera"))
 }
 
+/// Leaves and lamp shades that transmit light diffusely, by factors and by textures, glossy, with a normal map, a coat and
+/// partial coverage, lit from both sides.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn leaves() -> Scene {
+    let mut b = Builder::new();
+    let byte = |i: u32| (i.wrapping_mul(2_654_435_761) >> 24) as u8;
+    let image = b.image(Image8 { width: 8, height: 8, rgba: (0..256).map(byte).collect() });
+    let veins = b.texture(Texture { image, wrap: [Wrap::Repeat; 2], nearest: false });
+    let leaf = |diffuse_transmission: f32, diffuse_transmission_color: Vec3| Material {
+        diffuse_transmission,
+        diffuse_transmission_color,
+        ..matte(vec3(0.2, 0.5, 0.1))
+    };
+    let looks = [
+        leaf(0.5, vec3(0.8, 0.9, 0.2)),
+        Material { roughness: 0.3, ior: 1.5, ..leaf(1.0, vec3(0.9, 0.4, 0.2)) },
+        Material {
+            maps: [(TextureSlot::DiffuseTransmission, veins), (TextureSlot::DiffuseTransmissionColor, veins)]
+                .into(),
+            ..leaf(0.9, Vec3::ONE)
+        },
+        Material {
+            maps: [(TextureSlot::Normal, veins)].into(),
+            normal_scale: 0.1,
+            clearcoat: 0.5,
+            ..leaf(0.7, vec3(0.3, 0.8, 0.6))
+        },
+        Material { blends: true, alpha: 0.6, ..leaf(0.6, vec3(0.9, 0.7, 0.3)) },
+        Material { metallic: 0.5, roughness: 0.6, double_sided: false, ..leaf(0.8, vec3(0.9, 0.8, 0.7)) },
+    ];
+    for (i, look) in looks.into_iter().enumerate() {
+        let object = b.object(look);
+        let corner = vec3(-1.3 + 0.9 * (i % 3) as f32, 0.1 + 0.75 * (i / 3) as f32, -0.2 * i as f32);
+        let (u, v) = (vec3(0.8, 0.0, 0.5 - 0.2 * i as f32), 0.7 * Vec3::Y);
+        let [from, along] = if i == 5 { [corner + u, -u] } else { [corner, u] };
+        b.textured_quad(object, [from, along, v], [Vec2::ZERO, vec2(1.1, 0.9)]);
+    }
+    let shade = b.object(leaf(0.8, vec3(1.0, 0.9, 0.7)));
+    b.sphere(shade, vec3(-0.5, 0.35, 0.9), 0.25);
+    let lamp = b.object(Material { emission: vec3(3.0, 2.5, 2.0), ..matte(Vec3::ZERO) });
+    b.quad(lamp, vec3(0.3, 0.05, -1.8), 0.8 * Vec3::X, 0.8 * Vec3::Y);
+    let floor = b.object(Material { roughness: 0.2, ior: 1.5, ..matte(vec3(0.5, 0.45, 0.4)) });
+    b.quad(floor, vec3(-3.0, 0.0, 2.0), 6.0 * Vec3::X, -5.0 * Vec3::Z);
+    b.point_light(vec3(0.3, 1.8, -2.2), vec3(5.0, 4.5, 4.0));
+    b.point_light(vec3(-1.2, 1.6, 1.9), vec3(1.5, 2.0, 2.5));
+    b.environment(vec3(0.4, 0.5, 0.6), vec3(0.2, 0.25, 0.3));
+    b.seen_by(Camera::look_at(vec3(0.2, 1.1, 3.2), vec3(0.0, 0.7, 0.0), 0.7).expect("a valid camera"))
+}
+
 /// Cloth with a sheen over metal and over dielectrics, under a coat, from a texture, and with a normal of its own.
 ///
 /// # Panics

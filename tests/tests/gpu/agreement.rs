@@ -246,6 +246,19 @@ fn films_in_a_studio() {
 }
 
 #[test]
+fn leaves() {
+    agree("leaves", gallery::leaves(), [101, 67], Settings { depth: 4, ..Settings::default() });
+}
+
+#[test]
+fn leaves_in_a_studio() {
+    let mut scene = gallery::leaves();
+    scene.surround(EnvironmentMap::studio().rotated(0.7));
+    let pair = Pair::new(scene, [101, 67], Settings { exposure: Some(0.0), ..Settings::default() });
+    agree_in(Method::Full, "leaves in a studio", &pair);
+}
+
+#[test]
 fn lenses() {
     agree("lenses", gallery::lenses(), [96, 64], Settings { depth: 5, ..Settings::default() });
 }

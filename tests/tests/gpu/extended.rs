@@ -212,6 +212,38 @@ fn sheen_takes_from_the_cloth_what_it_reflects() {
     }
 }
 
+/// Light on the back of a wall is seen through it in the colour of its diffuse transmission, what is left of light on its
+/// front in the base colour; a shadow on the back darkens the one alone.
+#[test]
+fn diffuse_transmission_shows_light_from_behind() {
+    let (base, color, share) = (vec3(0.8, 0.4, 0.2), vec3(0.2, 0.9, 0.5), 0.75);
+    let leaf = || Material { diffuse_transmission: share, diffuse_transmission_color: color, ..matte(base) };
+    let slanted = vec3(0.0, 0.6, 0.8);
+    for (lights, expected) in [
+        (&[Vec3::Z][..], 0.25 * base),
+        (&[-Vec3::Z], 0.75 * color),
+        (&[slanted, -slanted], 0.8 * (0.25 * base + 0.75 * color)),
+    ] {
+        let mut b = Builder::new();
+        wall(&mut b, leaf());
+        lights.iter().for_each(|to_light| directional(&mut b, *to_light));
+        everywhere(b.seen_by(front_camera()), |_| Some(expected), 1.0e-5);
+    }
+    let mut b = Builder::new();
+    wall(&mut b, leaf());
+    let screen = b.object(matte(Vec3::ONE));
+    b.quad(screen, vec3(0.0, -2.0, -0.5), 2.0 * Vec3::X, 4.0 * Vec3::Y);
+    directional(&mut b, Vec3::Z);
+    directional(&mut b, -Vec3::Z);
+    b.environment(Vec3::ZERO, Vec3::splat(0.2));
+    let ambient = 0.2 * (0.25 * base + 0.75 * color);
+    let expected = |at: Vec2| {
+        let lit = if at.x < 0.0 { 0.75 * color } else { Vec3::ZERO };
+        (at.x.abs() > 0.1).then_some(0.25 * base + lit + ambient)
+    };
+    everywhere(b.seen_by(front_camera()), expected, 1.0e-5);
+}
+
 /// Specular-glossiness factors of a plain dielectric and of a metal are those of their metallic-roughness twins.
 #[test]
 fn specular_glossiness_is_metallic_roughness_in_other_words() {

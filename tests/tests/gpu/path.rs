@@ -70,11 +70,13 @@ fn a_sample_is_that_of_the_reference() {
         ("lobes", 1e-2, &ways[..3]),
         ("brushed", 1e-2, &ways[..2]),
         ("films", 1e-2, &ways[..2]),
+        ("leaves", 1e-2, &ways[..3]),
     ] {
         let mut scene = match name {
             "lobes" => gallery::lobes(),
             "brushed" => gallery::brushed(),
             "films" => gallery::films(),
+            "leaves" => gallery::leaves(),
             name => builtin(name).expect("built in"),
         };
         if name == "furnace" {

@@ -58,6 +58,7 @@ fn the_room_needs_nearly_everything() {
         tangents: false,
         anisotropy: false,
         iridescence: false,
+        translucency: false,
         slot_coordinates: false,
         layers: false,
         microfacets: true,

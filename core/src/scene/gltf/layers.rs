@@ -1,5 +1,5 @@
 //! Reads the material extensions of specular colours, specular-glossiness factors, clear coats, sheen, anisotropy,
-//! iridescence and absorption.
+//! iridescence, diffuse transmission and absorption.
 
 use glam::Vec3;
 use gltf::json;
@@ -16,9 +16,10 @@ const CLEARCOAT: &str = "KHR_materials_clearcoat";
 const SHEEN: &str = "KHR_materials_sheen";
 const ANISOTROPY: &str = "KHR_materials_anisotropy";
 const IRIDESCENCE: &str = "KHR_materials_iridescence";
+const DIFFUSE_TRANSMISSION: &str = "KHR_materials_diffuse_transmission";
 
 /// The textures of the extensions: slot, extension and property.
-const TEXTURES: [(TextureSlot, &str, &str); 10] = [
+const TEXTURES: [(TextureSlot, &str, &str); 12] = [
     (TextureSlot::Specular, SPECULAR, "specularTexture"),
     (TextureSlot::SpecularColor, SPECULAR, "specularColorTexture"),
     (TextureSlot::SpecularGlossiness, GLOSSINESS, "specularGlossinessTexture"),
@@ -29,6 +30,8 @@ const TEXTURES: [(TextureSlot, &str, &str); 10] = [
     (TextureSlot::Anisotropy, ANISOTROPY, "anisotropyTexture"),
     (TextureSlot::Iridescence, IRIDESCENCE, "iridescenceTexture"),
     (TextureSlot::IridescenceThickness, IRIDESCENCE, "iridescenceThicknessTexture"),
+    (TextureSlot::DiffuseTransmission, DIFFUSE_TRANSMISSION, "diffuseTransmissionTexture"),
+    (TextureSlot::DiffuseTransmissionColor, DIFFUSE_TRANSMISSION, "diffuseTransmissionColorTexture"),
 ];
 
 /// The least transmittance of a channel over the attenuation distance.
@@ -117,6 +120,13 @@ pub(super) fn read(json: &json::Material, material: &mut Material, numbers: &mut
         for (thickness, (name, default)) in material.iridescence_thickness.iter_mut().zip(ends) {
             *thickness = numbers.within(name, property(e, name, default, what)?, 0.0..=MAX_THICKNESS)?;
         }
+    }
+    if let Some(e) = extension(json, DIFFUSE_TRANSMISSION) {
+        let factor = property(e, "diffuseTransmissionFactor", 0.0, what)?;
+        material.diffuse_transmission = numbers.share("diffuseTransmissionFactor", factor)?;
+        let color = property(e, "diffuseTransmissionColorFactor", [1.0_f32; 3], what)?;
+        let name = "diffuseTransmissionColorFactor";
+        material.diffuse_transmission_color = within(color, name, 1.0, numbers)?;
     }
     material.absorption = absorption(json, numbers)?;
     Ok(())

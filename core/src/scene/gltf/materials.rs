@@ -145,6 +145,9 @@ fn factors(json: &json::Material, what: &str, warnings: &mut Vec<String>) -> Res
         ..Material::default()
     };
     layers::read(json, &mut material, &mut numbers)?;
+    if !solid && transmission == 0.0 {
+        material.absorption = Vec3::ZERO;
+    }
     Ok(material)
 }
 

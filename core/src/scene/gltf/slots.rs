@@ -141,6 +141,9 @@ pub(super) fn read(
         let used = match slot {
             TextureSlot::Anisotropy => material.is_anisotropic(),
             TextureSlot::Iridescence | TextureSlot::IridescenceThickness => material.is_iridescent(),
+            TextureSlot::DiffuseTransmission | TextureSlot::DiffuseTransmissionColor => {
+                material.is_translucent()
+            }
             _ => true,
         };
         if !used {

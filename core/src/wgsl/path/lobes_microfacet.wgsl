@@ -15,6 +15,7 @@ struct Lobes {
     // Reflection by the rough surface, and by a rough coat over it.
     glossy: Microfacets,
     coat: Microfacets,
+    behind: Behind,
     // Largest channel of the sheen's albedo, what a coat lets through to it, and what it needs to be evaluated.
     sheen_chance: f32,
     sheen_scale: vec3f,
@@ -34,7 +35,7 @@ fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
     } else {
         lobes_add_layers(&lobes, s, m, -direction);
     }
-    lobes.albedo += lobes.diffuse;
+    lobes.albedo += lobes.diffuse + behind_albedo(lobes.behind);
     if lobes.glossy.chance == 0.0 {
         lobes.beyond = fresnel_transmitted(lobes.cosine, material_ratio(m, s.inside));
         if lobes.beyond <= 0.0 && !material_is(m, OBJECT_THIN) {
@@ -47,7 +48,7 @@ fn lobes_at(s: Surface, m: Material, direction: vec3f) -> Lobes {
         lobes.chances.z *= max(0.25, 1.0 - max_component(microfacets_fresnel(lobes.glossy, lobes.cosine)));
     }
     lobes.sum = lobes.chances.x + lobes.chances.y + lobes.chances.z + lobes.glossy.chance + lobes.coat.chance
-        + lobes.sheen_chance;
+        + lobes.sheen_chance + behind_chance(lobes.behind);
     return lobes;
 }
 
@@ -74,18 +75,20 @@ fn lobes_add_layers(lobes: ptr<function, Lobes>, s: Surface, m: Material, view: 
         (*lobes).albedo += sheen;
         under *= material_sheen_passes(m, cosine);
     }
-    let diffuse = m.base * ((1.0 - m.metallic) * (1.0 - m.transmission));
+    let diffuse = translucency_reflected(m) * m.base * ((1.0 - m.metallic) * (1.0 - m.transmission));
     let refraction = m.base * ((1.0 - m.metallic) * m.transmission);
     if lobes_smooth(m) {
         let fresnel = material_fresnel(m, cosine, s.inside);
         (*lobes).mirror += under * fresnel;
         let passed = 1.0 - material_dielectric(m, cosine, s.inside);
         (*lobes).diffuse = under * diffuse * passed;
+        (*lobes).behind = behind_of(m, under * passed);
         (*lobes).refraction = under * refraction * passed;
         return;
     }
     if m.roughness >= 1.0 && m.metallic == 0.0 && m.transmission == 0.0 {
         (*lobes).diffuse = under * diffuse;
+        (*lobes).behind = behind_of(m, under);
         return;
     }
     let thin = material_is(m, OBJECT_THIN);
@@ -98,6 +101,7 @@ fn lobes_add_layers(lobes: ptr<function, Lobes>, s: Surface, m: Material, view: 
     (*lobes).glossy.chance *= max_component(under);
     (*lobes).albedo += under * albedo;
     (*lobes).diffuse = under * diffuse * (1.0 - covered);
+    (*lobes).behind = behind_of(m, under * (1.0 - covered));
     (*lobes).refraction = under * refraction;
 }
 

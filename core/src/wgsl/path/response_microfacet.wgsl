@@ -10,11 +10,12 @@ struct Response {
 
 // Whether light is looked for.
 fn response_exists(lobes: Lobes) -> bool {
-    return lobes.chances.x + lobes.glossy.chance + lobes.coat.chance + lobes.sheen_chance > 0.0;
+    let rough = lobes.glossy.chance + lobes.coat.chance + lobes.sheen_chance;
+    return lobes.chances.x + rough + behind_chance(lobes.behind) > 0.0;
 }
 
 fn response_reaches(s: Surface, direction: vec3f) -> bool {
-    return dot(s.normal, direction) > 0.0 && dot(s.face, direction) > 0.0;
+    return dot(s.normal, direction) > 0.0 && dot(s.face, direction) > 0.0 || behind_reaches(s, direction);
 }
 
 fn response_to(s: Surface, lobes: Lobes, direction: vec3f) -> Response {
@@ -27,6 +28,9 @@ fn response_to(s: Surface, lobes: Lobes, direction: vec3f) -> Response {
         value += lobes.sheen_scale * cosine * material_sheen_lobe(lobes.material, s.normal, lobes.view, direction);
         density += lobes.sheen_chance * (cosine / PI);
     }
+    let behind = behind_response(lobes.behind, s, direction);
+    value += behind.rgb;
+    density += behind.a;
     return Response(value, density / lobes.sum);
 }
 
@@ -60,7 +64,11 @@ fn response_sample(
     } else {
         cone = cone_bent(s, 1.0, 2.0);
         kind = RAY_REFLECTION;
-        if number < specular + lobes.glossy.chance {
+        if behind_chance(lobes.behind) > 0.0 && number >= lobes.sum - behind_chance(lobes.behind) {
+            drawn = directions_cosine(-s.normal, random);
+            cone = vec2f(0.0);
+            kind = RAY_REFRACTION;
+        } else if number < specular + lobes.glossy.chance {
             drawn = microfacets_draw(lobes.glossy, random);
         } else if lobes.sheen_chance == 0.0 || number < specular + lobes.glossy.chance + lobes.coat.chance {
             drawn = microfacets_draw(lobes.coat, random);

@@ -24,6 +24,13 @@ fn environment_dominant(m: Material, cosine: f32, normal: vec3f, view: vec3f) ->
     return mix(2.0 * cosine * normal - view, normal, m.roughness * m.roughness);
 }
 
+// Share of ambient light that the specular lobe of the dielectric part leaves to diffuse lobes.
+fn environment_passed(m: Material, cosine: f32) -> vec3f {
+    let f0 = iridescence_over(m, 0.0, material_f0(m), cosine, 0.0);
+    let f90 = iridescence_over(m, 0.0, material_f90(m), cosine, 0.0);
+    return 1.0 - environment_reflectance(f0, f90, m.roughness, cosine) * (1.0 - material_gloss(m));
+}
+
 fn environment_reflected(m: Material, diffuse: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     let ambient = environment_ambient(normal);
     if material_is(m, OBJECT_WEIGHTS) {

@@ -74,8 +74,13 @@ fn material_diffuse(m: Material, cosine: f32, inside: bool) -> vec3f {
     if material_is(m, OBJECT_WEIGHTS) {
         return m.base * m.weights.x;
     }
+    return material_scattered(m, translucency_reflected(m) * m.base, cosine, inside);
+}
+
+// What a diffuse lobe of this colour has of the light, below the layers and the specular lobe.
+fn material_scattered(m: Material, color: vec3f, cosine: f32, inside: bool) -> vec3f {
     let gloss = material_gloss(m);
-    let diffuse = material_under(m, cosine) * m.base * ((1.0 - m.metallic) * (1.0 - m.transmission));
+    let diffuse = material_under(m, cosine) * color * ((1.0 - m.metallic) * (1.0 - m.transmission));
     if gloss > 0.0 {
         return diffuse * (1.0 - material_dielectric(m, cosine, inside) * gloss);
     }
@@ -113,7 +118,8 @@ fn material_local(m: Material, position: vec3f, normal: vec3f, view: vec3f, insi
     let diffuse = material_diffuse(m, cosine, inside);
     let lit = diffuse + material_lit_metal(m, cosine) * material_sheen_passes(m, cosine);
     return m.emission + environment_reflected(m, diffuse, normal, view) * material_occlusion(m)
-        + lights_reflected(m, lit, position, normal, view, shadow);
+        + lights_reflected(m, lit, position, normal, view, shadow)
+        + translucency_local(m, position, normal, view, inside, shadow);
 }
 
 // The specular lobes for one light.

@@ -19,6 +19,7 @@ struct Material {
     sheen: vec4f,
     anisotropy: Anisotropy,
     iridescence: Iridescence,
+    translucency: Translucency,
 }
 
 fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f, maps: Maps) -> Material {
@@ -80,6 +81,7 @@ fn material_extend(m: ptr<function, Material>, record: u32, at: Lookup, maps: Ma
     }
     (*m).anisotropy = anisotropy_at(record, at, maps);
     (*m).iridescence = iridescence_at(record, at, maps);
+    (*m).translucency = translucency_at(record, at, maps);
 }
 
 // Fraction of ambient light that reaches the point.

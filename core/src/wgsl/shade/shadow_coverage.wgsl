@@ -5,15 +5,16 @@
 var<private> shadow_shares: array<f32, 32>;
 
 fn shadow_bits(s: Surface) -> u32 {
-    let origin = s.position + s.offset * s.face;
     var bits = 0u;
     for (var i = 0u; i < lights_count(); i += 1u) {
         shadow_shares[i] = 1.0;
+        let lit = translucency_side(s, lights_arrival(i, s.position).direction);
+        let origin = lit.position + lit.offset * lit.face;
         let arrival = lights_arrival(i, origin);
-        if dot(s.normal, arrival.direction) <= 0.0 && !material_has_normal_map(s.object) {
+        if dot(lit.normal, arrival.direction) <= 0.0 && !material_has_normal_map(s.object) {
             continue;
         }
-        let share = shadow_arriving(s, i, origin, arrival);
+        let share = shadow_arriving(lit, i, origin, arrival);
         shadow_shares[i] = share;
         bits |= select(0u, 1u << i, share < 1.0);
     }
@@ -37,11 +38,15 @@ fn shadow_add_dimmed(s: Surface, m: Material, view: vec3f, weight: vec3f, sum: p
     if material_is(m, OBJECT_UNLIT) {
         return;
     }
-    let diffuse = material_diffuse(m, clamp(dot(s.normal, view), 0.0, 1.0), s.inside);
+    let cosine = clamp(dot(s.normal, view), 0.0, 1.0);
+    let diffuse = material_diffuse(m, cosine, s.inside);
+    let behind = translucency_albedo(m, cosine, s.inside);
     for (var i = 0u; i < lights_count(); i += 1u) {
         let share = shadow_shares[i];
         if share > 0.0 && share < 1.0 {
-            *sum += weight * share * lights_reflected(m, diffuse, s.position, s.normal, view, ~(1u << i));
+            let alone = ~(1u << i);
+            *sum += weight * share * lights_reflected(m, diffuse, s.position, s.normal, view, alone);
+            *sum += weight * share * translucency_lit(behind, s.position, s.normal, alone);
         }
     }
 }

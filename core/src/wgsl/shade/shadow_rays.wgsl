@@ -2,14 +2,15 @@
 // the shading normal contributes nothing in any case and gets no ray.
 
 fn shadow_bits(s: Surface) -> u32 {
-    let origin = s.position + s.offset * s.face;
     var bits = 0u;
     for (var i = 0u; i < lights_count(); i += 1u) {
+        let lit = translucency_side(s, lights_arrival(i, s.position).direction);
+        let origin = lit.position + lit.offset * lit.face;
         let arrival = lights_arrival(i, origin);
-        if dot(s.normal, arrival.direction) <= 0.0 && !material_has_normal_map(s.object) {
+        if dot(lit.normal, arrival.direction) <= 0.0 && !material_has_normal_map(s.object) {
             continue;
         }
-        bits |= select(0u, 1u << i, shadow_arriving(s, i, origin, arrival) == 0.0);
+        bits |= select(0u, 1u << i, shadow_arriving(lit, i, origin, arrival) == 0.0);
     }
     return bits;
 }

@@ -133,6 +133,30 @@ fn films_keep_energy() {
     }
 }
 
+/// A white leaf in a furnace reflects and transmits all light, whatever the share; a coloured one its colours.
+#[test]
+fn diffuse_transmission_keeps_energy() {
+    for (share, roughness) in [(0.3, 1.0), (1.0, 1.0), (0.6, 0.4), (0.6, 0.0)] {
+        let leaf = |base: Vec3, diffuse_transmission_color: Vec3| Material {
+            diffuse_transmission: share,
+            diffuse_transmission_color,
+            roughness,
+            ior: 1.5,
+            ..matte(base)
+        };
+        let found = mean(&wall(leaf(Vec3::ONE, Vec3::ONE), 0.7), &settings(DirectLight::Bsdf, 2), 800);
+        let error = 4.0 * found.error2().map(f64::sqrt).max_element() + 0.004;
+        assert!((found.value() - 1.0).abs().max_element() < error, "{share} {roughness}: {}", found.value());
+        if roughness == 1.0 {
+            let (base, color) = (vec3(0.8, 0.2, 0.4), vec3(0.1, 0.9, 0.5));
+            let found = mean(&wall(leaf(base, color), 0.7), &settings(DirectLight::Bsdf, 2), 800);
+            let expected = base.lerp(color, share).as_dvec3();
+            let error = 4.0 * found.error2().map(f64::sqrt).max_element() + 0.004;
+            assert!((found.value() - expected).abs().max_element() < error, "{share}: {}", found.value());
+        }
+    }
+}
+
 fn brushed(roughness: f32, anisotropy: f32, anisotropy_rotation: f32) -> Material {
     Material { anisotropy, anisotropy_rotation, ..metal(Vec3::ONE, roughness) }
 }
@@ -242,8 +266,14 @@ fn every_way_to_find_light_finds_the_same_in_rough_surfaces() {
         let ball = b.object(material);
         b.sphere(ball, vec3(-1.0 + 0.5 * i as f32, 0.0, 0.0), 0.24);
     }
+    let leaf = b.object(Material {
+        diffuse_transmission: 0.7,
+        diffuse_transmission_color: vec3(0.9, 0.8, 0.3),
+        ..matte(vec3(0.3, 0.5, 0.1))
+    });
+    b.quad(leaf, vec3(-1.3, -0.3, -0.5), 2.6 * Vec3::X, 0.9 * Vec3::Y);
     let lamp = b.object(Material { emission: vec3(8.0, 6.0, 4.0), ..matte(Vec3::ZERO) });
-    b.quad(lamp, vec3(-0.5, 1.0, 0.3), Vec3::X, 0.4 * Vec3::Z);
+    b.quad(lamp, vec3(-0.5, 1.0, -0.9), Vec3::X, 0.8 * Vec3::Z);
     let camera = Camera::look_at(vec3(0.0, 0.4, 3.0), Vec3::ZERO, 0.55).expect("a valid camera");
     let mut scene = b.seen_by(camera);
     scene.surround(EnvironmentMap::studio());

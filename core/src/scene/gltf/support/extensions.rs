@@ -49,9 +49,7 @@ pub(super) static EXTENSIONS: [Extension; 56] = [
     shown_extension("KHR_lights_punctual").object(&LIGHT_OF_NODE),
     shown_extension("KHR_materials_anisotropy").object(&ANISOTROPY),
     shown_extension("KHR_materials_clearcoat").object(&CLEARCOAT),
-    not_shown_extension("KHR_materials_diffuse_transmission", |e, _| {
-        number(e, "diffuseTransmissionFactor", 0.0) != 0.0
-    }),
+    shown_extension("KHR_materials_diffuse_transmission").object(&DIFFUSE_TRANSMISSION),
     not_shown_extension("KHR_materials_dispersion", |e, _| number(e, "dispersion", 0.0) != 0.0),
     shown_extension("KHR_materials_emissive_strength").object(&EMISSIVE_STRENGTH),
     shown_extension("KHR_materials_ior").object(&IOR),
@@ -106,6 +104,15 @@ static CLEARCOAT: Object = object(
         shown("clearcoatRoughnessFactor"),
         shown("clearcoatRoughnessTexture").object(&TEXTURE_INFO),
         shown("clearcoatTexture").object(&TEXTURE_INFO),
+    ],
+);
+static DIFFUSE_TRANSMISSION: Object = object(
+    "KHR_materials_diffuse_transmission",
+    &[
+        shown("diffuseTransmissionColorFactor"),
+        shown("diffuseTransmissionColorTexture").object(&TEXTURE_INFO),
+        shown("diffuseTransmissionFactor"),
+        shown("diffuseTransmissionTexture").object(&TEXTURE_INFO),
     ],
 );
 static DRACO: Object =

@@ -289,6 +289,35 @@ fn iridescence_is_read() {
 }
 
 #[test]
+fn diffuse_transmission_is_read() {
+    let leaf = json!({
+        "diffuseTransmissionFactor": 0.5, "diffuseTransmissionColorFactor": [0.25, 0.5, 1],
+        "diffuseTransmissionTexture": { "index": 1 }, "diffuseTransmissionColorTexture": { "index": 1 },
+    });
+    let scene = textured(json!({ "extensions": { "KHR_materials_diffuse_transmission": leaf } })).scene();
+    let material = &scene.materials[0];
+    let read = (material.diffuse_transmission, material.diffuse_transmission_color);
+    assert_eq!(read, (0.5, vec3(0.25, 0.5, 1.0)));
+    let slots = [TextureSlot::DiffuseTransmission, TextureSlot::DiffuseTransmissionColor];
+    assert_eq!(material.maps.keys().copied().collect::<Vec<_>>(), slots);
+    assert_eq!((scene.not_shown.len(), scene.warnings.len()), (0, 0));
+    assert!(material.casts_shadow && !material.is_single_sided());
+    let none =
+        json!({ "KHR_materials_diffuse_transmission": { "diffuseTransmissionTexture": { "index": 1 } } });
+    assert!(!textured(json!({ "extensions": none })).scene().materials[0].is_extended());
+    // Its volume absorbs where it has a thickness.
+    for (thickness, absorbs) in [(1, true), (0, false)] {
+        let volume = json!({ "thicknessFactor": thickness, "attenuationDistance": 2, "attenuationColor": [1, 0.5, 0.25] });
+        let material = imported(json!({ "extensions": {
+            "KHR_materials_diffuse_transmission": { "diffuseTransmissionFactor": 1 }, "KHR_materials_volume": volume,
+        } }));
+        assert_eq!(material.absorption != Vec3::ZERO, absorbs);
+    }
+    let bad = json!({ "KHR_materials_diffuse_transmission": { "diffuseTransmissionFactor": "half" } });
+    with_material(json!({ "extensions": bad })).fails(&["material 0", "diffuseTransmissionFactor"]);
+}
+
+#[test]
 fn a_bad_transform_is_named() {
     let transform = json!({ "KHR_texture_transform": { "scale": "large" } });
     let mut file = textured(json!({ "normalTexture": { "index": 0, "extensions": transform } }));
