@@ -1,7 +1,7 @@
 //! Data of extended materials, behind the objects in the same storage: a record for each material, then tables of
 //! tangents and of second texture coordinates by primitive. A record is: places of the tables, scale of normals,
 //! strength of occlusion; specular colour and strength, or specular reflectance and glossiness; absorption, flags;
-//! clearcoat and its roughness; sheen's colour and roughness; the slots; strength of anisotropy, cosine and sine of its
+//! clearcoat, its roughness and the scale of its normals; sheen's colour and roughness; the slots; strength of anisotropy, cosine and sine of its
 //! rotation; strength of iridescence, index of the film, least and greatest thickness;
 //! colour and share of diffuse transmission.
 
@@ -27,7 +27,7 @@ pub const RECORD_TRANSLUCENCY: u32 = RECORD_IRIDESCENCE + 1;
 /// Size of a record.
 const RECORD_PARTS: u32 = RECORD_TRANSLUCENCY + 1;
 
-/// Flag in the place of the table of tangents: the material has a normal map.
+/// Flag in the place of the table of tangents: the material has a normal map, or its coat has.
 pub const RECORD_NORMAL_MAP: u32 = 1 << 31;
 /// Flag in the third part of a record: the material has specular-glossiness factors.
 pub const RECORD_SPECULAR_GLOSSINESS: u32 = 1;
@@ -81,7 +81,7 @@ impl Records {
 
 /// A material's record. `tables` are the places of tangents and second coordinates.
 fn record(m: &Material, atlas: &Atlas, [tangents, second]: [u32; 2]) -> Vec<Words> {
-    let bumpy = if m.has_normal_map() { RECORD_NORMAL_MAP } else { 0 };
+    let bumpy = if m.bends_normals() { RECORD_NORMAL_MAP } else { 0 };
     let mapped = if m.reads_tangents() { tangents | bumpy } else { 0 };
     let twice = if m.coordinates.values().any(|c| c.second) { second } else { 0 };
     let (reflectance, strength, flags) = match m.specular_glossiness {
@@ -96,7 +96,7 @@ fn record(m: &Material, atlas: &Atlas, [tangents, second]: [u32; 2]) -> Vec<Word
         [mapped, twice, m.normal_scale.to_bits(), m.occlusion_strength.to_bits()],
         floats(reflectance.extend(strength)),
         absorption,
-        floats(Vec4::new(m.clearcoat, m.clearcoat_roughness, 0.0, 0.0)),
+        floats(Vec4::new(m.clearcoat, m.clearcoat_roughness, m.clearcoat_normal_scale, 0.0)),
         floats(m.sheen_color.extend(m.sheen_roughness)),
     ];
     for slot in TextureSlot::ALL {

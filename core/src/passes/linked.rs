@@ -57,7 +57,7 @@ mod tests {
     use glam::Vec3;
 
     use super::*;
-    use crate::scene::{Material, builtin};
+    use crate::scene::{Material, TextureSlot, builtin};
 
     #[test]
     fn a_plain_scene_is_spared_what_it_does_not_need() {
@@ -95,13 +95,20 @@ mod tests {
             Linked::of(&scene, &Thinness::of(&scene), Specialize::Auto).expect("links").files
         };
         let extended = of(|m| m.specular = 0.5);
-        let lobes: [(Change, &[&str]); 4] = [
+        let lobes: [(Change, &[&str]); 5] = [
             (|m| m.sheen_color = Vec3::ONE, &["wgsl/shade/sheen.wgsl", "wgsl/shade/lobe_albedos.wgsl"]),
             (|m| m.anisotropy = 0.5, &["wgsl/shade/anisotropy.wgsl"]),
             (|m| m.iridescence = 0.5, &["wgsl/shade/iridescence.wgsl"]),
             (
                 |m| m.diffuse_transmission = 0.5,
                 &["wgsl/shade/translucency.wgsl", "wgsl/shade/translucency_lights.wgsl"],
+            ),
+            (
+                |m| {
+                    m.clearcoat = 0.5;
+                    m.maps.insert(TextureSlot::Normal, 0);
+                },
+                &["wgsl/shade/coat_normal.wgsl", "wgsl/shade/coat_lights.wgsl"],
             ),
         ];
         for (change, files) in lobes {

@@ -123,7 +123,10 @@ impl FrameSpec {
             sources.push(wgsl!("wgsl/path/lobes_matte.wgsl"));
             return sources;
         }
-        sources.push(wgsl!("wgsl/path/lobes_specular.wgsl"));
+        sources.extend([
+            pick(f.coat_normals, wgsl!("wgsl/path/coat_apart.wgsl"), wgsl!("wgsl/path/coat_shared.wgsl")),
+            wgsl!("wgsl/path/lobes_specular.wgsl"),
+        ]);
         if !f.microfacets {
             sources.push(wgsl!("wgsl/path/lobes.wgsl"));
             return sources;

@@ -328,6 +328,11 @@ impl FrameSpec {
                         wgsl!("wgsl/shade/translucency.wgsl"),
                         wgsl!("wgsl/shade/translucency_unread.wgsl"),
                     ),
+                    pick(
+                        f.coat_normals,
+                        wgsl!("wgsl/shade/coat_normal.wgsl"),
+                        wgsl!("wgsl/shade/coat_normal_unread.wgsl"),
+                    ),
                     wgsl!("wgsl/shade/material_extended.wgsl"),
                     wgsl!("wgsl/shade/material_layers.wgsl"),
                     wgsl!("wgsl/shade/material.wgsl"),
@@ -353,6 +358,14 @@ impl FrameSpec {
             if !f.translucency {
                 sources.push(wgsl!("wgsl/shade/translucency_none.wgsl"));
             }
+            if !f.coat_normals {
+                sources.push(wgsl!("wgsl/shade/coat_normal_none.wgsl"));
+            }
+            sources.push(pick(
+                f.coat_normals && f.lights,
+                wgsl!("wgsl/shade/coat_lights.wgsl"),
+                wgsl!("wgsl/shade/coat_dark.wgsl"),
+            ));
             sources.push(pick(
                 f.translucency && f.lights,
                 wgsl!("wgsl/shade/translucency_lights.wgsl"),

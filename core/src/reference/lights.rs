@@ -62,6 +62,17 @@ impl Reference {
         arrivals.map(|arrival| arrival.irradiance * (-s.normal.dot(arrival.direction)).max(0.0)).sum()
     }
 
+    /// Radiance that a coat with a normal of its own reflects towards the viewer from the lights that are not shadowed.
+    pub(super) fn coat_lit(&self, s: &mut Shading<'_>) -> DVec3 {
+        let shadow = s.shadow;
+        let mut sum = DVec3::ZERO;
+        for i in (0..self.scene.lights.len()).filter(|i| shadow >> i & 1 == 0) {
+            let arrival = self.arrival(i, s.position);
+            sum += arrival.irradiance * s.coat_lobe(arrival.direction);
+        }
+        sum
+    }
+
     /// Radiance that a surface reflects towards the viewer from the lights that are not shadowed.
     pub(super) fn lights_reflected(&self, s: &mut Shading<'_>, diffuse: DVec3) -> DVec3 {
         let shadow = s.shadow;

@@ -4,7 +4,11 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 
-use super::{Cause, Material, Reference, Rounding, Surface, microfacets::Microfacets, scatter::BsdfSample};
+use super::{
+    Cause, Material, Reference, Rounding, Surface,
+    microfacets::Microfacets,
+    scatter::{BsdfSample, reflected},
+};
 use crate::scene::LobeAlbedos;
 
 /// The lobes of a surface.
@@ -17,12 +21,14 @@ pub(super) struct Lobes {
     pub albedo: DVec3,
     /// The reflected ray and the refracted ray, each if the surface has that lobe.
     specular: [Option<BsdfSample>; 2],
+    /// The ray reflected by a smooth coat with a normal of its own.
+    coat_mirror: Option<BsdfSample>,
     /// Reflection by the rough surface, and by a rough coat over it.
     glossy: [Option<Microfacets>; 2],
     /// The material, for its sheen; what a coat lets through to it; and the unit vector to the viewer.
     sheen: (Material, DVec3, DVec3),
-    /// The largest channel of each lobe: diffuse, mirror, refraction, glossy, coat, sheen, diffuse behind.
-    largest: [f64; 7],
+    /// The largest channel of each lobe: diffuse, mirror, refraction, glossy, coat, sheen, diffuse behind, smooth coat.
+    largest: [f64; 8],
 }
 
 /// The lobe that a path is scattered by.
@@ -35,6 +41,7 @@ pub(super) enum Chosen {
     Coat,
     Sheen,
     Behind,
+    CoatMirror,
 }
 
 /// How a path continues.
@@ -61,6 +68,14 @@ impl Lobes {
         let cosine = (-s.normal.dot(direction)).clamp(0.0, 1.0);
         let shares = m.shares(s, -direction, reference.albedos.get_or_init(LobeAlbedos::new));
         let [mut mirror, mut refraction] = reference.specular(s, m, direction, rounding);
+        let mirrored_by = |normal: DVec3| reflected(direction, normal);
+        mirror = mirror.map(|ray| BsdfSample { direction: mirrored_by(s.normal), ..ray });
+        let coat_mirror = m.coat_normal.map(|(normal, _)| BsdfSample {
+            direction: mirrored_by(normal),
+            cone: reference.bent(s, 1.0, 2.0),
+            share: DVec3::splat(shares.coat_mirror),
+            crosses: false,
+        });
         for (ray, share) in [(&mut mirror, shares.mirror), (&mut refraction, shares.refraction)] {
             *ray = ray.map(|ray| BsdfSample { share, ..ray });
         }
@@ -83,6 +98,7 @@ impl Lobes {
                 mirror,
                 refraction.or(glossy.and(mirror)).map(|ray| BsdfSample { share: shares.refraction, ..ray }),
             ],
+            coat_mirror,
             glossy: [glossy, coat],
             sheen: (*m, shares.sheen[1], -direction),
             largest: [
@@ -93,6 +109,7 @@ impl Lobes {
                 largest(coat),
                 shares.sheen[0].max_element(),
                 shares.behind.max_element(),
+                shares.coat_mirror,
             ],
         }
     }
@@ -131,17 +148,18 @@ impl Lobes {
         }
         let number = rounding.number(Cause::Branch, number, 1.0).clamp(0.0, 1.0 - f64::EPSILON) * sum;
         let all = [
-            Chosen::Diffuse,
-            Chosen::Mirror,
-            Chosen::Refraction,
-            Chosen::Glossy,
-            Chosen::Coat,
-            Chosen::Sheen,
-            Chosen::Behind,
+            (Chosen::Diffuse, 0),
+            (Chosen::CoatMirror, 7),
+            (Chosen::Mirror, 1),
+            (Chosen::Refraction, 2),
+            (Chosen::Glossy, 3),
+            (Chosen::Coat, 4),
+            (Chosen::Sheen, 5),
+            (Chosen::Behind, 6),
         ];
         let mut end = 0.0;
-        let chosen = all.into_iter().zip(self.largest).find(|(_, largest)| {
-            end += largest;
+        let chosen = all.into_iter().find(|(_, lobe)| {
+            end += self.largest[*lobe];
             number < end
         });
         chosen.map(|(chosen, _)| chosen)
@@ -193,6 +211,10 @@ impl Lobes {
                 let cone = (s.width, s.growth);
                 let beyond = s.face.dot(direction) < 0.0;
                 return beyond.then_some(Continued { direction, cone, weight, density: None });
+            }
+            Chosen::CoatMirror => {
+                let BsdfSample { direction, cone, share, .. } = self.coat_mirror?;
+                return Some(Continued { direction, cone, weight: of(share, 7), density: None });
             }
             Chosen::Mirror | Chosen::Refraction => {
                 let i = usize::from(chosen == Chosen::Refraction);

@@ -148,10 +148,12 @@ impl Reference {
         (-distance * m.absorption.as_dvec3()).exp()
     }
 
-    /// The surface with the normal of its normal map, if it has one.
+    /// The surface with the normal of its normal map, if it has one, and its material with that of its coat.
     #[must_use]
-    pub fn bumped(&self, s: &Surface, m: &super::Material, direction: DVec3) -> Surface {
-        Surface { normal: m.normal(s.normal, s.face, -direction, &s.maps), ..*s }
+    pub fn bumped(&self, s: &Surface, m: super::Material, direction: DVec3) -> (Surface, super::Material) {
+        let apart = self.features.coat_normals;
+        let m = m.oriented(apart, s.normal, s.face, -direction, &s.maps);
+        (Surface { normal: m.normal(s.normal, s.face, -direction, &s.maps), ..*s }, m)
     }
 }
 
@@ -159,12 +161,25 @@ impl super::Material {
     /// The shading normal for a view direction: that of the normal map, where the surface mirrors bent so that the mirrored
     /// ray leaves on the viewer's side of the face.
     pub(super) fn normal(&self, normal: DVec3, face: DVec3, view: DVec3, maps: &Maps) -> DVec3 {
+        self.bent(self.bump, self.gloss() > 0.0, normal, face, view, maps)
+    }
+
+    /// A normal bent by a normal of a normal map, if there is one; `mirrors` keeps mirrored rays above the face.
+    pub(super) fn bent(
+        &self,
+        bump: Option<DVec3>,
+        mirrors: bool,
+        normal: DVec3,
+        face: DVec3,
+        view: DVec3,
+        maps: &Maps,
+    ) -> DVec3 {
         let along = maps.tangent - normal.dot(maps.tangent) * normal;
-        let Some(bump) = self.bump.filter(|_| along.length_squared() >= 1.0e-8) else { return normal };
+        let Some(bump) = bump.filter(|_| along.length_squared() >= 1.0e-8) else { return normal };
         let tangent = along.normalize();
         let bitangent = maps.sign * normal.cross(tangent);
         let bent = (bump.x * tangent + bump.y * bitangent + bump.z * normal).normalize_or_zero();
-        if self.gloss() <= 0.0 {
+        if !mirrors {
             return bent;
         }
         let mirrored = 2.0 * bent.dot(view) * bent - view;

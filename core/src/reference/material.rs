@@ -39,6 +39,10 @@ pub struct Material {
     pub(super) specular: DVec4,
     /// Strength and roughness of the clear coat.
     pub(super) coat: DVec2,
+    /// Averaged normal of the coat's normal map in the tangent frame.
+    coat_bump: Option<DVec3>,
+    /// The coat's normal, and the cosine of the view to it, where it may differ from the surface's.
+    pub(super) coat_normal: Option<(DVec3, f64)>,
     pub(super) sheen: Option<Sheen>,
     pub(super) anisotropy: Option<Anisotropy>,
     pub(super) film: Option<Film>,
@@ -94,6 +98,11 @@ impl Reference {
             f64::from(m.clearcoat) * slot(TextureSlot::Clearcoat).x,
             f64::from(m.clearcoat_roughness) * slot(TextureSlot::ClearcoatRoughness).y,
         );
+        let coat_bump = m
+            .texture(TextureSlot::ClearcoatNormal)
+            .map(|_| 2.0 * slot(TextureSlot::ClearcoatNormal).xyz() - 1.0);
+        let coat = DVec2::new(coat.x, coat_bump.map_or(coat.y, |bump| toksvig(coat.y, bump.length())));
+        let coat_scale = f64::from(m.clearcoat_normal_scale);
         let scale = DVec3::new(f64::from(m.normal_scale), f64::from(m.normal_scale), 1.0);
         Material {
             base,
@@ -109,6 +118,8 @@ impl Reference {
             bump: bump.map(|bump| bump * scale),
             specular,
             coat,
+            coat_bump: coat_bump.map(|bump| bump * DVec3::new(coat_scale, coat_scale, 1.0)),
+            coat_normal: None,
             sheen: Sheen::of(
                 m.sheen_color.as_dvec3() * slot(TextureSlot::SheenColor).xyz(),
                 f64::from(m.sheen_roughness) * slot(TextureSlot::SheenRoughness).w,
@@ -152,6 +163,7 @@ impl Reference {
             from_behind *= 1.0 - m.rough_reflectance(f0, f90, cosine) * (1.0 - m.gloss());
         }
         m.emission
+            + self.coat_lit(&mut s)
             + behind * (from_behind + self.lights_behind(&s) / PI)
             + self.environment_reflected(&m, diffuse, s.normal, s.view) * m.occlusion
             + self.lights_reflected(&mut s, diffuse + m.lit_metal(cosine) * m.sheen_passes(cosine))
@@ -303,6 +315,7 @@ impl Material {
 
     /// Reflectance of the clear coat.
     pub(super) fn coat_reflectance(&self, cosine: f64) -> f64 {
+        let cosine = self.coat_normal.map_or(cosine, |(_, cosine)| cosine);
         self.coat.x * fresnel_dielectric(cosine, 1.0 / 1.5)
     }
 
@@ -316,6 +329,27 @@ impl Material {
         self.coat_passes(cosine) * self.sheen_passes(cosine)
     }
 
+    /// The coat's part of the reflected ray's weight.
+    fn coat_mirror(&self, cosine: f64) -> f64 {
+        self.coat_reflectance(cosine) * (1.0 - 2.0 * self.coat.y).max(0.0)
+    }
+
+    /// The material as it is seen at a surface: with the normal of its coat, from that of the vertices.
+    pub(super) fn oriented(self, apart: bool, normal: DVec3, face: DVec3, view: DVec3, maps: &Maps) -> Self {
+        let coat = self.bent(self.coat_bump, self.coat.y < 0.5, normal, face, view, maps);
+        let seen = (coat, coat.dot(view).clamp(0.0, 1.0));
+        Self { coat_normal: apart.then_some(seen), ..self }
+    }
+
+    /// Normal of the one mirrored ray of Whitted's methods: that of the layer that mirrors more.
+    pub(super) fn mirroring(&self, normal: DVec3, cosine: f64, inside: bool) -> DVec3 {
+        let coat = self.coat_mirror(cosine);
+        match self.coat_normal {
+            Some((own, _)) if coat > (self.mirror(cosine, inside) - coat).max_element() => own,
+            _ => normal,
+        }
+    }
+
     /// Weight of the reflected ray's radiance.
     #[must_use]
     pub fn mirror(&self, cosine: f64, inside: bool) -> DVec3 {
@@ -323,8 +357,7 @@ impl Material {
             Some(weights) => DVec3::splat(f64::from(weights.mirror)),
             None if self.unlit => DVec3::ZERO,
             None => {
-                let coat = self.coat_reflectance(cosine) * (1.0 - 2.0 * self.coat.y).max(0.0);
-                coat + self.under(cosine) * self.fresnel(cosine, inside) * self.gloss()
+                self.coat_mirror(cosine) + self.under(cosine) * self.fresnel(cosine, inside) * self.gloss()
             }
         }
     }
@@ -351,19 +384,33 @@ impl Shading<'_> {
         let strength = DVec3::splat(m.coat.x);
         let cosine = self.normal.dot(self.view).clamp(0.0, 1.0);
         let sheen = m.coat_passes(cosine) * m.sheen_lobe(self.normal, self.view, light);
-        let coat = sheen + self.microfacets([0.04 * strength, strength], m.coat.y, None, light);
+        let mut coat = sheen;
+        if m.coat_normal.is_none() {
+            coat += self.microfacets(self.normal, [0.04 * strength, strength], m.coat.y, None, light);
+        }
         if m.roughness >= 1.0 || m.weights.is_some() {
             return coat;
         }
         let plain = [m.at_normal().lerp(m.base, m.metallic), m.at_grazing()];
         let reflectance = plain.map(|f| m.filmed(m.metallic, f, cosine, 0.0));
         let under = m.under(cosine);
-        coat + under * self.microfacets(reflectance, m.roughness, m.anisotropy, light)
+        coat + under * self.microfacets(self.normal, reflectance, m.roughness, m.anisotropy, light)
     }
 
-    /// A microfacet lobe with its reflectance at normal and at grazing incidence.
+    /// The lobe of a coat with a normal of its own for one light, times the cosine.
+    pub fn coat_lobe(&mut self, light: DVec3) -> DVec3 {
+        let m = self.material;
+        let Some((normal, _)) = m.coat_normal.filter(|(normal, _)| normal.dot(light) > 0.0) else {
+            return DVec3::ZERO;
+        };
+        let strength = DVec3::splat(m.coat.x);
+        normal.dot(light) * self.microfacets(normal, [0.04 * strength, strength], m.coat.y, None, light)
+    }
+
+    /// A microfacet lobe around a normal with its reflectance at normal and at grazing incidence.
     fn microfacets(
         &mut self,
+        normal: DVec3,
         [f0, f90]: [DVec3; 2],
         roughness: f64,
         anisotropy: Option<Anisotropy>,
@@ -382,15 +429,15 @@ impl Shading<'_> {
             Some(a) => {
                 // Between the exponents of both sides, by the direction of the half vector.
                 let exponents = 2.0 / a.alpha(least).powf(2.0) - 2.0;
-                let beside = (a.frame(self.normal).transpose() * half_way).truncate();
+                let beside = (a.frame(normal).transpose() * half_way).truncate();
                 let shares = (beside * beside) / beside.length_squared().max(1.0e-12);
                 (shares.dot(exponents), (exponents + 2.0).element_product().sqrt())
             }
         };
-        let cosine = self.rounding.number(Cause::Highlight, self.normal.dot(half_way), 1.0).max(0.0);
+        let cosine = self.rounding.number(Cause::Highlight, normal.dot(half_way), 1.0).max(0.0);
         let distribution = scale / std::f64::consts::TAU * cosine.powf(exponent);
         let fresnel = f0 + (f90 - f0) * (1.0 - self.view.dot(half_way).clamp(0.0, 1.0)).powi(5);
-        let widest = self.normal.dot(light).max(self.normal.dot(self.view)).max(LEAST_COSINE);
+        let widest = normal.dot(light).max(normal.dot(self.view)).max(LEAST_COSINE);
         fresnel * (1.0 - roughness) * distribution / (4.0 * widest)
     }
 }

@@ -149,7 +149,7 @@ impl Path<'_> {
         }
         let m = reference.material(s.object, s.texcoord, s.footprint, s.color, &s.maps);
         let m = reference.relative(m, &boundary);
-        let s = reference.bumped(&s, &m, self.ray.direction);
+        let (s, m) = reference.bumped(&s, m, self.ray.direction);
         if boundary.through.is_none() {
             self.throughput *= reference.absorbed(&s, self.passed + intersection.t);
         }

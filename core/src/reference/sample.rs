@@ -148,7 +148,7 @@ impl Reference {
         let m = self.material(smooth.object, smooth.texcoord, smooth.footprint, smooth.color, &smooth.maps);
         let m = self.relative(m, &boundary);
         let shadow = self.shadow_bits(&smooth, rounding);
-        let s = self.bumped(&smooth, &m, ray.direction);
+        let (s, m) = self.bumped(&smooth, m, ray.direction);
         let local = self.local(Shading {
             material: m,
             position: s.position,

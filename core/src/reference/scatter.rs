@@ -53,7 +53,7 @@ impl Reference {
         let cosine = (-s.normal.dot(direction)).clamp(0.0, 1.0);
         let cosine = rounding.number(Cause::Branch, cosine, 1.0).clamp(0.0, 1.0);
         let mirrored = BsdfSample {
-            direction: (direction - 2.0 * s.normal.dot(direction) * s.normal).normalize_or_zero(),
+            direction: reflected(direction, m.mirroring(s.normal, cosine, s.inside)),
             cone: self.bent(s, 1.0, 2.0),
             share: m.mirror(cosine, s.inside),
             crosses: false,
@@ -136,7 +136,7 @@ impl Reference {
     /// incident ray, of unit length.
     pub(super) fn mirrored_environment(&self, m: &Material, normal: DVec3, direction: DVec3) -> DVec3 {
         let cosine = (-normal.dot(direction)).clamp(0.0, 1.0);
-        let mirrored = direction - 2.0 * normal.dot(direction) * normal;
+        let mirrored = reflected(direction, m.mirroring(normal, cosine, false));
         m.mirror(cosine, false) * self.environment_lobe(mirrored, stepped(m.roughness))
     }
 
@@ -186,4 +186,9 @@ fn refracted(s: &Surface, m: &Material, direction: DVec3, cosine: f64) -> Option
     let other2 = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
     let turned = ratio * cosine - other2.max(0.0).sqrt();
     (other2 > 0.0).then(|| (ratio * direction + turned * s.normal, ratio, turned))
+}
+
+/// A direction mirrored by a normal.
+pub(super) fn reflected(direction: DVec3, normal: DVec3) -> DVec3 {
+    (direction - 2.0 * normal.dot(direction) * normal).normalize_or_zero()
 }

@@ -41,7 +41,7 @@ impl Reference {
         let origin = rounding.vector(Cause::ShadowEdge, origin, s.extent);
         let arrival = self.arrival(light, origin);
         let direction = rounding.direction(Cause::ShadowEdge, arrival.direction);
-        if s.normal.dot(direction) <= 0.0 && !self.material_of(s.object).has_normal_map() {
+        if s.normal.dot(direction) <= 0.0 && !self.material_of(s.object).bends_normals() {
             return 1.0;
         }
         if s.face.dot(direction) > 0.0 {
@@ -130,6 +130,7 @@ impl Reference {
                 rounding,
             };
             let behind = m.behind(cosine, s.inside) / PI * self.lights_behind(&shading);
+            let behind = behind + self.coat_lit(&mut shading);
             sum += share * (behind + self.lights_reflected(&mut shading, m.diffuse(cosine, s.inside)));
         }
         sum

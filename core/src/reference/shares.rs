@@ -16,6 +16,8 @@ pub(super) struct Shares {
     /// On the side away from the viewer.
     pub behind: DVec3,
     pub mirror: DVec3,
+    /// What a smooth coat with a normal of its own mirrors.
+    pub coat_mirror: f64,
     /// Before the microfacets' reflectance, where the surface is rough.
     pub refraction: DVec3,
     /// Reflection by the rough surface, and by a rough coat over it.
@@ -46,12 +48,21 @@ impl Material {
             let strength = DVec3::splat(self.coat.x);
             let reflectance = Reflectance { f0: 0.04 * strength, f90: strength, ratio: None };
             let alpha = DVec2::splat(self.coat.y.powi(2));
-            let coat = Microfacets::new(frame, view, alpha, reflectance, albedos);
+            let of_coat = self.coat_normal.map_or(frame, |(normal, _)| {
+                let [x, y] = tangents(normal);
+                DMat3::from_cols(x, y, normal)
+            });
+            let coat = Microfacets::new(of_coat, view, alpha, reflectance, albedos);
             under = 1.0 - coat.albedo;
             shares.glossy[1] = Some(coat);
         } else {
-            shares.mirror = DVec3::splat(self.coat_reflectance(cosine));
-            under -= shares.mirror;
+            let coat = self.coat_reflectance(cosine);
+            under -= coat;
+            if self.coat_normal.is_some() {
+                shares.coat_mirror = coat;
+            } else {
+                shares.mirror = DVec3::splat(coat);
+            }
         }
         shares.sheen = [under * self.sheen_albedo(cosine), under];
         under *= self.sheen_passes(cosine);

@@ -121,6 +121,8 @@ impl ReferenceFrame<'_> {
         let (ray, _) = self.ray(pixel);
         let footprint = attributes::moments(a.footprint);
         let material = self.reference.material(object, a.texcoord, footprint, a.color, &a.maps);
+        let apart = self.reference.features.coat_normals;
+        let material = material.oriented(apart, a.normal, a.face, -ray.direction, &a.maps);
         let normal = material.normal(a.normal, a.face, -ray.direction, &a.maps);
         let gcol = if a.mirrors_environment {
             self.covered(a) * self.reference.mirrored_environment(&material, normal, ray.direction)

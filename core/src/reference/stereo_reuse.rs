@@ -179,7 +179,7 @@ impl ReferenceFrame<'_> {
         let intersection = reference.first(ray, None, false, rounding)?;
         let z = reference.surface(ray, &intersection, rounding);
         let m = reference.material(z.object, z.texcoord, z.footprint, z.color, &z.maps);
-        let z = reference.bumped(&z, &m, ray.direction);
+        let (z, m) = reference.bumped(&z, m, ray.direction);
         let lobes = Lobes::of(reference, &z, &m, ray.direction, rounding);
         let other = Mirror::of(reference, &z, &m, &lobes)?;
         let apart = mirror.face.dot(z.position - mirror.point).abs();

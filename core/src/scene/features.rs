@@ -74,8 +74,10 @@ pub struct Features {
     pub several_lights: bool,
     /// Some material has more than its factors and the first three textures with common coordinates.
     pub extended_materials: bool,
-    /// Some material has a normal map.
+    /// Some material or its clear coat has a normal map.
     pub normal_maps: bool,
+    /// Some clear coat may have other normals than what it covers.
+    pub coat_normals: bool,
     /// Some material reads tangents.
     pub tangents: bool,
     /// Some material is anisotropic.
@@ -124,7 +126,8 @@ impl Features {
             lights: !scene.lights.is_empty(),
             several_lights: scene.lights.len() > 1,
             extended_materials: used().any(Material::is_extended),
-            normal_maps: used().any(Material::has_normal_map),
+            normal_maps: used().any(Material::bends_normals),
+            coat_normals: used().any(Material::has_coat_normals),
             tangents: used().any(Material::reads_tangents),
             anisotropy: used().any(Material::is_anisotropic),
             iridescence: used().any(Material::is_iridescent),

@@ -69,6 +69,8 @@ pub struct Material {
     pub clearcoat: f32,
     /// Roughness of the clear coat.
     pub clearcoat_roughness: f32,
+    /// Factor on the first two components of the normals in the clear coat's normal map.
+    pub clearcoat_normal_scale: f32,
     /// Colour of the sheen of a cloth, linear RGB; black without sheen (KHR_materials_sheen).
     pub sheen_color: Vec3,
     /// Roughness of the sheen.
@@ -146,6 +148,7 @@ impl Default for Material {
             specular_glossiness: None,
             clearcoat: 0.0,
             clearcoat_roughness: 0.0,
+            clearcoat_normal_scale: 1.0,
             sheen_color: Vec3::ZERO,
             sheen_roughness: 0.0,
             anisotropy: 0.0,
@@ -191,10 +194,22 @@ impl Material {
         self.anisotropy > 0.0
     }
 
+    /// Whether normals differ from those of the vertices: by a normal map of the surface or of its clear coat.
+    #[must_use]
+    pub fn bends_normals(&self) -> bool {
+        self.has_normal_map() || self.maps.contains_key(&TextureSlot::ClearcoatNormal)
+    }
+
+    /// Whether the clear coat may have other normals than what it covers.
+    #[must_use]
+    pub fn has_coat_normals(&self) -> bool {
+        self.clearcoat > 0.0 && self.bends_normals()
+    }
+
     /// Whether the material reads tangents: it has a normal map or is anisotropic.
     #[must_use]
     pub fn reads_tangents(&self) -> bool {
-        self.has_normal_map() || self.is_anisotropic()
+        self.bends_normals() || self.is_anisotropic()
     }
 
     /// Whether a thin film covers the surface.
@@ -264,7 +279,7 @@ impl Material {
             self.roughness >= LEAST_ROUGHNESS || textured || self.has_normal_map() || self.is_anisotropic();
         let diffuse = self.roughness >= 1.0 && self.metallic == 0.0 && self.transmission == 0.0 && !textured;
         let coat =
-            self.clearcoat > 0.0 && (self.clearcoat_roughness >= LEAST_ROUGHNESS || self.has_normal_map());
+            self.clearcoat > 0.0 && (self.clearcoat_roughness >= LEAST_ROUGHNESS || self.bends_normals());
         !self.unlit
             && self.weights.is_none()
             && (rough && !diffuse || coat || self.has_sheen() || self.is_translucent())

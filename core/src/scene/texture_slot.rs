@@ -43,11 +43,13 @@ pub enum TextureSlot {
     DiffuseTransmission,
     /// Colour of the light that is transmitted diffusely, sRGB.
     DiffuseTransmissionColor,
+    /// Normals of the clearcoat in the tangent frame.
+    ClearcoatNormal,
 }
 
 impl TextureSlot {
     /// All slots in order.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 19] = [
         Self::BaseColor,
         Self::MetallicRoughness,
         Self::Emissive,
@@ -66,6 +68,7 @@ impl TextureSlot {
         Self::IridescenceThickness,
         Self::DiffuseTransmission,
         Self::DiffuseTransmissionColor,
+        Self::ClearcoatNormal,
     ];
 
     /// The slot's name in messages.
@@ -90,6 +93,7 @@ impl TextureSlot {
             Self::IridescenceThickness => "iridescence thickness",
             Self::DiffuseTransmission => "diffuse transmission",
             Self::DiffuseTransmissionColor => "diffuse transmission colour",
+            Self::ClearcoatNormal => "clearcoat normal",
         }
     }
 

@@ -235,6 +235,7 @@ fn check_material(material: &Material, what: &str) -> Result<()> {
     }
     let numbers = [
         ("normal scale", material.normal_scale),
+        ("normal scale of the clearcoat", material.clearcoat_normal_scale),
         ("rotation of the anisotropy", material.anisotropy_rotation),
     ];
     if let Some((name, found)) = numbers.iter().find(|(_, v)| !v.is_finite()) {

@@ -203,6 +203,54 @@ pub fn leaves() -> Scene {
     b.seen_by(Camera::look_at(vec3(0.2, 1.1, 3.2), vec3(0.0, 0.7, 0.0), 0.7).expect("a valid camera"))
 }
 
+/// Lacquer: smooth and rough coats with flat and with bumpy normals, over flat and over bumpy surfaces, one of them seen
+/// through partial coverage.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn lacquer() -> Scene {
+    let mut b = Builder::new();
+    // Normals of shallow waves, as bytes.
+    let texel = |i: u32| {
+        let wave = |k: u32| (127.5 + 30.0 * (std::f32::consts::TAU * (k as f32 + 0.5) / 8.0).sin()) as u8;
+        [wave(i % 8), wave(i / 8), 250, 255]
+    };
+    let image = b.image(Image8 { width: 8, height: 8, rgba: (0..64).flat_map(texel).collect() });
+    let waves = b.texture(Texture { image, wrap: [Wrap::Repeat; 2], nearest: false });
+    let paint = |clearcoat_roughness: f32, slots: &[TextureSlot]| Material {
+        clearcoat: 0.9,
+        clearcoat_roughness,
+        roughness: 0.65,
+        ior: 1.5,
+        maps: slots.iter().map(|slot| (*slot, waves)).collect(),
+        ..matte(vec3(0.5, 0.1, 0.1))
+    };
+    let (base, coat) = (TextureSlot::Normal, TextureSlot::ClearcoatNormal);
+    let looks = [
+        paint(0.0, &[base]),
+        Material { clearcoat_normal_scale: 0.5, ..paint(0.3, &[coat]) },
+        Material { normal_scale: 0.4, ..paint(0.1, &[base, coat]) },
+        Material { metallic: 1.0, roughness: 0.02, clearcoat: 0.6, ..paint(0.0, &[coat]) },
+        Material { metallic: 1.0, roughness: 0.25, normal_scale: 0.3, ..paint(0.2, &[base]) },
+        Material { blends: true, alpha: 0.7, ..paint(0.3, &[coat]) },
+    ];
+    for (i, look) in looks.into_iter().enumerate() {
+        let object = b.object(look);
+        let corner = vec3(-1.3 + 0.9 * (i % 3) as f32, 0.1 + 0.75 * (i / 3) as f32, -0.2 * i as f32);
+        let (u, v) = (vec3(0.8, 0.0, 0.3 - 0.15 * i as f32), 0.7 * Vec3::Y);
+        b.textured_quad(object, [corner, u, v], [Vec2::ZERO, vec2(1.1, 0.9)]);
+    }
+    let ball = b.object(Material { maps: [].into(), ..paint(0.0, &[]) });
+    b.sphere(ball, vec3(-0.3, 0.35, 0.8), 0.3);
+    let floor = b.object(Material { roughness: 0.2, ior: 1.5, ..matte(vec3(0.5, 0.45, 0.4)) });
+    b.quad(floor, vec3(-3.0, 0.0, 2.0), 6.0 * Vec3::X, -5.0 * Vec3::Z);
+    b.point_light(vec3(0.8, 2.0, 1.6), vec3(5.0, 4.5, 4.0));
+    b.point_light(vec3(-1.9, 0.9, 1.4), vec3(1.5, 1.8, 2.0));
+    b.environment(vec3(0.4, 0.5, 0.6), vec3(0.2, 0.25, 0.3));
+    b.seen_by(Camera::look_at(vec3(0.2, 1.1, 3.2), vec3(0.0, 0.7, 0.0), 0.7).expect("a valid camera"))
+}
+
 /// Cloth with a sheen over metal and over dielectrics, under a coat, from a texture, and with a normal of its own.
 ///
 /// # Panics

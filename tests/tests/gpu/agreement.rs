@@ -259,6 +259,20 @@ fn leaves_in_a_studio() {
 }
 
 #[test]
+fn lacquer() {
+    agree("lacquer", gallery::lacquer(), [101, 67], Settings { depth: 4, ..Settings::default() });
+}
+
+#[test]
+fn lacquer_in_a_studio() {
+    let mut scene = gallery::lacquer();
+    scene.surround(EnvironmentMap::studio().rotated(0.7));
+    let pair = Pair::new(scene, [101, 67], Settings { exposure: Some(0.0), ..Settings::default() });
+    agree_in(Method::Full, "lacquer in a studio", &pair);
+    agree_in(Method::Adaptive, "lacquer in a studio", &pair);
+}
+
+#[test]
 fn lenses() {
     agree("lenses", gallery::lenses(), [96, 64], Settings { depth: 5, ..Settings::default() });
 }

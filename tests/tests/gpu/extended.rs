@@ -244,6 +244,39 @@ fn diffuse_transmission_shows_light_from_behind() {
     everywhere(b.seen_by(front_camera()), expected, 1.0e-5);
 }
 
+/// Over black paint only the coat is seen: bumps of the paint do not change it, those of its own normal map do, as bumps of
+/// the surface change a surface.
+#[test]
+fn a_coat_has_normals_of_its_own() {
+    let picture = |slots: &[TextureSlot]| {
+        let mut b = Builder::new();
+        let tilted = texels(&mut b, 1, &[[184, 127, 241, 255]]);
+        let maps = slots.iter().map(|slot| (*slot, tilted)).collect();
+        wall(&mut b, Material { clearcoat: 1.0, clearcoat_roughness: 0.4, maps, ..matte(Vec3::ZERO) });
+        directional(&mut b, vec3(0.5, 0.1, 0.8).normalize());
+        TestScene::new(b.seen_by(front_camera())).full([33, 33])
+    };
+    let (flat, bumpy) = (picture(&[]), picture(&[TextureSlot::Normal]));
+    for (one, other) in flat.pixels().zip(bumpy.pixels()) {
+        assert!((Vec3::from(one.0) - Vec3::from(other.0)).abs().max_element() < 1.0e-6, "{one:?}, {other:?}");
+    }
+    // In the middle; the image's up is -y.
+    let tilted = picture(&[TextureSlot::ClearcoatNormal]);
+    let [plain, own] = [&flat, &tilted].map(|image| image.get_pixel(16, 16).0[0]);
+    let half = (vec3(0.5, 0.1, 0.8).normalize() + Vec3::Z).normalize();
+    let normal = (2.0 * vec3(184.0, 128.0, 241.0) / 255.0 - 1.0).normalize();
+    let lobe = |normal: Vec3| {
+        let light = vec3(0.5, 0.1, 0.8).normalize();
+        let exponent = 2.0 / 0.4_f32.powi(4) - 2.0;
+        let fresnel = 0.04 + 0.96 * (1.0 - half.z).powi(5);
+        let distribution = (exponent + 2.0) / (2.0 * PI) * normal.dot(half).powf(exponent);
+        PI * normal.dot(light) * fresnel * 0.6 * distribution / (4.0 * normal.dot(light).max(normal.z))
+    };
+    for (found, expected) in [(plain, lobe(Vec3::Z)), (own, lobe(normal))] {
+        assert!((found / expected - 1.0).abs() < 1.0e-2, "{found}, expected {expected}");
+    }
+}
+
 /// Specular-glossiness factors of a plain dielectric and of a metal are those of their metallic-roughness twins.
 #[test]
 fn specular_glossiness_is_metallic_roughness_in_other_words() {

@@ -71,12 +71,14 @@ fn a_sample_is_that_of_the_reference() {
         ("brushed", 1e-2, &ways[..2]),
         ("films", 1e-2, &ways[..2]),
         ("leaves", 1e-2, &ways[..3]),
+        ("lacquer", 1e-2, &ways[..2]),
     ] {
         let mut scene = match name {
             "lobes" => gallery::lobes(),
             "brushed" => gallery::brushed(),
             "films" => gallery::films(),
             "leaves" => gallery::leaves(),
+            "lacquer" => gallery::lacquer(),
             name => builtin(name).expect("built in"),
         };
         if name == "furnace" {

@@ -55,6 +55,7 @@ fn the_room_needs_nearly_everything() {
         panes: false,
         extended_materials: false,
         normal_maps: false,
+        coat_normals: false,
         tangents: false,
         anisotropy: false,
         iridescence: false,

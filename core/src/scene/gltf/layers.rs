@@ -6,6 +6,7 @@ use gltf::json;
 use json::texture::Info;
 use serde_json::Value;
 
+use super::materials::MAX_SCALE;
 use super::normalized::Numbers;
 use crate::scene::{MAX_IOR, MAX_RADIANCE, MAX_THICKNESS, Material, SpecularGlossiness, TextureSlot};
 use crate::{Error, Result};
@@ -19,7 +20,7 @@ const IRIDESCENCE: &str = "KHR_materials_iridescence";
 const DIFFUSE_TRANSMISSION: &str = "KHR_materials_diffuse_transmission";
 
 /// The textures of the extensions: slot, extension and property.
-const TEXTURES: [(TextureSlot, &str, &str); 12] = [
+const TEXTURES: [(TextureSlot, &str, &str); 13] = [
     (TextureSlot::Specular, SPECULAR, "specularTexture"),
     (TextureSlot::SpecularColor, SPECULAR, "specularColorTexture"),
     (TextureSlot::SpecularGlossiness, GLOSSINESS, "specularGlossinessTexture"),
@@ -32,6 +33,7 @@ const TEXTURES: [(TextureSlot, &str, &str); 12] = [
     (TextureSlot::IridescenceThickness, IRIDESCENCE, "iridescenceThicknessTexture"),
     (TextureSlot::DiffuseTransmission, DIFFUSE_TRANSMISSION, "diffuseTransmissionTexture"),
     (TextureSlot::DiffuseTransmissionColor, DIFFUSE_TRANSMISSION, "diffuseTransmissionColorTexture"),
+    (TextureSlot::ClearcoatNormal, CLEARCOAT, "clearcoatNormalTexture"),
 ];
 
 /// The least transmittance of a channel over the attenuation distance.
@@ -97,6 +99,11 @@ pub(super) fn read(json: &json::Material, material: &mut Material, numbers: &mut
         let roughness = property(e, "clearcoatRoughnessFactor", 0.0, what)?;
         material.clearcoat = numbers.share("clearcoatFactor", property(e, "clearcoatFactor", 0.0, what)?)?;
         material.clearcoat_roughness = numbers.share("clearcoatRoughnessFactor", roughness)?;
+        if let Some(texture) = e.get("clearcoatNormalTexture") {
+            let scale = property(texture, "scale", 1.0, what)?;
+            let name = "clearcoatNormalTexture.scale";
+            material.clearcoat_normal_scale = numbers.within(name, scale, -MAX_SCALE..=MAX_SCALE)?;
+        }
     }
     if let Some(e) = extension(json, SHEEN) {
         let color = property(e, "sheenColorFactor", [0.0_f32; 3], what)?;

@@ -18,7 +18,7 @@ use crate::scene::{MAX_IOR, MAX_RADIANCE, Material};
 use crate::{Error, Result};
 
 /// The largest factor on a normal map's slopes.
-const MAX_SCALE: f32 = 1.0e6;
+pub(super) const MAX_SCALE: f32 = 1.0e6;
 
 /// An imported material: its index in the scene and the vertex attributes that it reads.
 #[derive(Clone, Copy)]

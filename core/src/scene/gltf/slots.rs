@@ -140,6 +140,7 @@ pub(super) fn read(
     for Slot { slot, texture, coordinates: own } in slots(json, what)? {
         let used = match slot {
             TextureSlot::Anisotropy => material.is_anisotropic(),
+            TextureSlot::ClearcoatNormal => material.clearcoat > 0.0,
             TextureSlot::Iridescence | TextureSlot::IridescenceThickness => material.is_iridescent(),
             TextureSlot::DiffuseTransmission | TextureSlot::DiffuseTransmissionColor => {
                 material.is_translucent()
@@ -189,7 +190,8 @@ pub(super) fn read(
             reads.second = Some(own.set);
         }
         coordinates.extend(relative.map(|relative| (slot, relative)));
-        let oriented = slot == TextureSlot::Normal || slot == TextureSlot::Anisotropy;
+        let oriented =
+            matches!(slot, TextureSlot::Normal | TextureSlot::Anisotropy | TextureSlot::ClearcoatNormal);
         if oriented && reads.tangents.is_none() {
             reads.tangents = Some(relative);
         }

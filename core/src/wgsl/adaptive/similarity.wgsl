@@ -84,9 +84,10 @@ fn similarity_shade(pixel: vec2u, a: Attributes) -> vec3f {
         return environment_radiance(frame_ray(pixel).direction);
     }
     let ray = frame_ray(pixel);
-    let m = material_at(a.object - 1u, a.texcoord, attributes_moments(a.footprint), a.color, a.maps);
+    var m = material_at(a.object - 1u, a.texcoord, attributes_moments(a.footprint), a.color, a.maps);
     let position = ray.origin + a.depth * ray.direction;
     let view = -normalize(ray.direction);
+    coat_orient(&m, a.normal, a.face, view, a.maps);
     let normal = material_normal(m, a.normal, a.face, view, a.maps);
     let covered = coverage_of(a.object - 1u, a.texcoord, attributes_moments(a.footprint), a.alpha);
     return similarity_secondary(a, m, normal, view, covered) + covered * material_local(m, position, normal, view, false, a.shadow);

@@ -10,6 +10,8 @@ fn similarity_secondary(a: Attributes, m: Material, normal: vec3f, view: vec3f, 
     if !a.mirrors_environment {
         return a.gcol;
     }
-    let weight = covered * material_mirror(m, clamp(dot(normal, view), 0.0, 1.0), false);
-    return weight * environment_missed(RAY_REFLECTION | environment_kind(m), reflect(-view, normal));
+    let cosine = clamp(dot(normal, view), 0.0, 1.0);
+    let weight = covered * material_mirror(m, cosine, false);
+    let reflected = reflect(-view, coat_reflecting(m, normal, cosine, false));
+    return weight * environment_missed(RAY_REFLECTION | environment_kind(m), reflected);
 }

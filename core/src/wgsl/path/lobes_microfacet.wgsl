@@ -60,7 +60,7 @@ fn lobes_add_layers(lobes: ptr<function, Lobes>, s: Surface, m: Material, view: 
     let coat = material_coat(m);
     if coat.x > 0.0 && coat.y >= LEAST_ROUGHNESS {
         var albedo: vec3f;
-        (*lobes).coat = microfacets_of(frame, vec2f(coat.y * coat.y), view, vec3f(0.04 * coat.x), vec3f(coat.x), 0.0, &albedo);
+        (*lobes).coat = microfacets_of(coat_frame(m, frame), vec2f(coat.y * coat.y), view, vec3f(0.04 * coat.x), vec3f(coat.x), 0.0, &albedo);
         (*lobes).albedo += albedo;
         under = 1.0 - albedo;
     } else {

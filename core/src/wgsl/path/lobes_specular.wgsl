@@ -11,8 +11,9 @@ fn lobes_emission(m: Material) -> vec3f {
 // Samples reflection or refraction, for a number between the diffuse lobe's chance and the sum of the first three.
 fn lobes_specular(s: Surface, m: Material, lobes: Lobes, ray: Ray, direction: vec3f, number: f32) -> BsdfSample {
     if !HAS_REFRACTION || lobes.chances.z == 0.0 || number < lobes.chances.x + lobes.chances.y {
-        let reflected = surface_spawn(s, normalize(reflect(direction, s.normal)), FAR, cone_bent(s, 1.0, 2.0));
-        return BsdfSample(reflected, lobes.mirror * (lobes.sum / lobes.chances.y), RAY_REFLECTION, 0.0);
+        let mirrored = coat_mirror(s, m, lobes, number);
+        let reflected = surface_spawn(s, normalize(reflect(direction, mirrored.normal)), FAR, cone_bent(s, 1.0, 2.0));
+        return BsdfSample(reflected, mirrored.weight, RAY_REFLECTION, 0.0);
     }
     let weight = lobes.refraction * (lobes.sum / lobes.chances.z);
     if material_is(m, OBJECT_THIN) {

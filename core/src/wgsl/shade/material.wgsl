@@ -119,14 +119,14 @@ fn material_local(m: Material, position: vec3f, normal: vec3f, view: vec3f, insi
     let lit = diffuse + material_lit_metal(m, cosine) * material_sheen_passes(m, cosine);
     return m.emission + environment_reflected(m, diffuse, normal, view) * material_occlusion(m)
         + lights_reflected(m, lit, position, normal, view, shadow)
-        + translucency_local(m, position, normal, view, inside, shadow);
+        + translucency_local(m, position, normal, view, inside, shadow) + coat_lit(m, position, view, shadow);
 }
 
 // The specular lobes for one light.
 fn material_lobe(m: Material, normal: vec3f, view: vec3f, light: vec3f) -> vec3f {
     let cosine = clamp(dot(normal, view), 0.0, 1.0);
     let sheen = material_coat_passes(m, cosine) * material_sheen_lobe(m, normal, view, light);
-    let coat = material_coat_lobe(m, normal, view, light) + sheen;
+    let coat = coat_shared_lobe(m, normal, view, light) + sheen;
     if m.roughness >= 1.0 || material_is(m, OBJECT_WEIGHTS) {
         return coat;
     }

@@ -20,6 +20,7 @@ struct Material {
     anisotropy: Anisotropy,
     iridescence: Iridescence,
     translucency: Translucency,
+    coat_normal: CoatNormal,
 }
 
 fn material_at(object: u32, texcoord: vec2f, footprint: vec3f, color: vec3f, maps: Maps) -> Material {
@@ -74,14 +75,17 @@ fn material_extend(m: ptr<function, Material>, record: u32, at: Lookup, maps: Ma
     }
     if HAS_NORMAL_MAPS && (header.x & RECORD_NORMAL_MAP) != 0u {
         let bumps = material_lookup(record, SLOT_NORMAL, at, maps);
-        let average = 2.0 * texture_data(bumps.place, bumps.texcoord, bumps.footprint).rgb - 1.0;
-        (*m).roughness = material_toksvig((*m).roughness, length(average));
-        let scale = bitcast<f32>(header.z);
-        (*m).bump = average * vec3f(scale, scale, 1.0);
+        if (bumps.place.z & TEXTURE_PRESENT) != 0u {
+            let average = 2.0 * texture_data(bumps.place, bumps.texcoord, bumps.footprint).rgb - 1.0;
+            (*m).roughness = material_toksvig((*m).roughness, length(average));
+            let scale = bitcast<f32>(header.z);
+            (*m).bump = average * vec3f(scale, scale, 1.0);
+        }
     }
     (*m).anisotropy = anisotropy_at(record, at, maps);
     (*m).iridescence = iridescence_at(record, at, maps);
     (*m).translucency = translucency_at(record, at, maps);
+    coat_normal_read(m, record, at, maps);
 }
 
 // Fraction of ambient light that reaches the point.

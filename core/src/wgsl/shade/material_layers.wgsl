@@ -96,7 +96,8 @@ fn material_coat(m: Material) -> vec2f {
 }
 
 fn material_coat_reflectance(m: Material, cosine: f32) -> f32 {
-    return m.coat.x * fresnel_reflectance(cosine, COAT_RATIO, fresnel_transmitted(cosine, COAT_RATIO));
+    let toward = coat_cosine(m, cosine);
+    return m.coat.x * fresnel_reflectance(toward, COAT_RATIO, fresnel_transmitted(toward, COAT_RATIO));
 }
 
 // Fraction of light that passes the clear coat.

@@ -62,15 +62,20 @@ const LEAST_MIRRORED: f32 = 0.01;
 // The shading normal of a normal map. Where the surface mirrors it is bent so that the mirrored ray leaves on the viewer's
 // side of the face.
 fn material_normal(m: Material, normal: vec3f, face: vec3f, view: vec3f, maps: Maps) -> vec3f {
+    return material_bent(m.bump, material_gloss(m) > 0.0, normal, face, view, maps);
+}
+
+// A normal bent by an averaged normal in the tangent frame, which is zero without a normal map.
+fn material_bent(bump: vec3f, mirrors: bool, normal: vec3f, face: vec3f, view: vec3f, maps: Maps) -> vec3f {
     let along = maps.tangent.xyz - dot(normal, maps.tangent.xyz) * normal;
     let length2 = dot(along, along);
-    if !HAS_NORMAL_MAPS || all(m.bump == vec3f(0.0)) || length2 < 1.0e-8 {
+    if !HAS_NORMAL_MAPS || all(bump == vec3f(0.0)) || length2 < 1.0e-8 {
         return normal;
     }
     let tangent = along * inverseSqrt(length2);
     let bitangent = maps.tangent.w * cross(normal, tangent);
-    let bent = normalize(m.bump.x * tangent + m.bump.y * bitangent + m.bump.z * normal);
-    if material_gloss(m) <= 0.0 {
+    let bent = normalize(bump.x * tangent + bump.y * bitangent + bump.z * normal);
+    if !mirrors {
         return bent;
     }
     let mirrored = 2.0 * dot(bent, view) * bent - view;

@@ -63,6 +63,6 @@ fn scatter(s: Surface, m: Material, state: PathState, direction: vec3f) -> vec3f
     if max(mirrored.x, max(mirrored.y, mirrored.z)) <= 0.0 {
         return sum;
     }
-    let reflected = surface_spawn(s, normalize(reflect(direction, s.normal)), FAR, cone_bent(s, 1.0, 2.0));
+    let reflected = surface_spawn(s, normalize(reflect(direction, coat_reflecting(m, s.normal, cosine, s.inside))), FAR, cone_bent(s, 1.0, 2.0));
     return sum + scatter_push(reflected, mirrored, level, RAY_REFLECTION | environment_kind(m));
 }

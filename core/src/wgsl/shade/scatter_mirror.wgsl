@@ -27,7 +27,7 @@ fn scatter(s: Surface, m: Material, state: PathState, direction: vec3f) -> vec3f
         return vec3f(0.0);
     }
     let kind = RAY_REFLECTION | environment_kind(m);
-    let reflected = normalize(reflect(direction, s.normal));
+    let reflected = normalize(reflect(direction, coat_reflecting(m, s.normal, cosine, s.inside)));
     if state.level >= frame.depth || largest < frame.min_weight {
         return weight * environment_cut_off(kind, reflected);
     }

@@ -47,6 +47,7 @@ fn shadow_add_dimmed(s: Surface, m: Material, view: vec3f, weight: vec3f, sum: p
             let alone = ~(1u << i);
             *sum += weight * share * lights_reflected(m, diffuse, s.position, s.normal, view, alone);
             *sum += weight * share * translucency_lit(behind, s.position, s.normal, alone);
+            *sum += weight * share * coat_lit(m, s.position, view, alone);
         }
     }
 }

@@ -20,7 +20,7 @@ fn stereo_reuse_mirror_none() -> StereoReuseMirror {
 
 fn stereo_reuse_only_mirrors(s: Surface, m: Material, lobes: Lobes) -> bool {
     let only = lobes.chances.y > 0.0 && lobes.chances.y == lobes.sum && all(lobes_emission(m) == vec3f(0.0));
-    return only && !sphere_is(s.primitive) && all(s.normal == s.face);
+    return only && !sphere_is(s.primitive) && all(s.normal == s.face) && coat_mirrored(m, lobes.cosine) == 0.0;
 }
 
 fn stereo_reuse_enters_mirror(reprojection: ptr<function, StereoReprojection>, s: Surface, m: Material, lobes: Lobes) -> bool {

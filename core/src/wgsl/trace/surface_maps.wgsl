@@ -41,7 +41,8 @@ fn surface_absorbed(s: Surface, ray: Ray) -> vec3f {
 // The material of a surface, whose normal becomes that of the normal map; `direction` is the unit direction of the
 // incident ray.
 fn surface_material(s: ptr<function, Surface>, direction: vec3f) -> Material {
-    let m = material_at((*s).object, (*s).texcoord, (*s).footprint, (*s).color, (*s).maps);
+    var m = material_at((*s).object, (*s).texcoord, (*s).footprint, (*s).color, (*s).maps);
+    coat_orient(&m, (*s).normal, (*s).face, -direction, (*s).maps);
     (*s).normal = material_normal(m, (*s).normal, (*s).face, -direction, (*s).maps);
     return m;
 }

@@ -1,13 +1,12 @@
 //! The extensions of Khronos' registry, drafts included, and a few of vendors that change nothing that is shown.
 
-use serde_json::{Map, Value};
+use serde_json::Value;
 
 use super::table::{
-    ACCESSORS, BUFFER_VIEWS, BUFFERS, IMAGE_BASED_LIGHTS, IMAGES, LIGHTS, MATERIALS, TEXTURE_INFO,
+    ACCESSORS, BUFFER_VIEWS, BUFFERS, IMAGE_BASED_LIGHTS, IMAGES, LIGHTS, MATERIALS, NORMAL_TEXTURE_INFO,
+    TEXTURE_INFO,
 };
-use super::{
-    Extension, Object, Site, ignored, ignored_extension, needed_extension, not_shown, object, shown,
-};
+use super::{Extension, Object, Site, ignored, ignored_extension, needed_extension, object, shown};
 use super::{not_shown_extension, present, shown_extension};
 
 pub(super) static EXTENSIONS: [Extension; 56] = [
@@ -97,10 +96,7 @@ static CLEARCOAT: Object = object(
     "KHR_materials_clearcoat",
     &[
         shown("clearcoatFactor"),
-        not_shown("clearcoatNormalTexture", |texture, site| {
-            !texture.is_null() && factor(site.owner, "clearcoatFactor", 0.0) != 0.0
-        })
-        .object(&TEXTURE_INFO),
+        shown("clearcoatNormalTexture").object(&NORMAL_TEXTURE_INFO),
         shown("clearcoatRoughnessFactor"),
         shown("clearcoatRoughnessTexture").object(&TEXTURE_INFO),
         shown("clearcoatTexture").object(&TEXTURE_INFO),
@@ -234,10 +230,6 @@ static VOLUME: Object = object(
 
 /// A number of an extension; `default` where there is none.
 fn number(extension: &Value, name: &str, default: f64) -> f64 {
-    extension.get(name).and_then(Value::as_f64).unwrap_or(default)
-}
-
-fn factor(extension: &Map<String, Value>, name: &str, default: f64) -> f64 {
     extension.get(name).and_then(Value::as_f64).unwrap_or(default)
 }
 

@@ -218,7 +218,7 @@ static PBR_METALLIC_ROUGHNESS: Object = object(
         shown("roughnessFactor"),
     ],
 );
-static NORMAL_TEXTURE_INFO: Object = object(
+pub(super) static NORMAL_TEXTURE_INFO: Object = object(
     "material.normalTextureInfo",
     &[shown("index").index(&TEXTURES), shown("scale"), shown("texCoord")],
 );

@@ -318,6 +318,21 @@ fn diffuse_transmission_is_read() {
 }
 
 #[test]
+fn the_normal_map_of_a_coat_is_read() {
+    let coat = |factor: f32| {
+        let texture = json!({ "index": 1, "scale": 0.5 });
+        let coat = json!({ "clearcoatFactor": factor, "clearcoatNormalTexture": texture });
+        textured(json!({ "extensions": { "KHR_materials_clearcoat": coat } })).scene()
+    };
+    let scene = coat(1.0);
+    let material = &scene.materials[0];
+    assert_eq!(material.maps.keys().copied().collect::<Vec<_>>(), [TextureSlot::ClearcoatNormal]);
+    assert_eq!((material.clearcoat_normal_scale, material.has_coat_normals()), (0.5, true));
+    assert_eq!((scene.tangents.len(), scene.not_shown.len(), scene.warnings.len()), (1, 0, 0));
+    assert!(coat(0.0).materials[0].maps.is_empty(), "no coat");
+}
+
+#[test]
 fn a_bad_transform_is_named() {
     let transform = json!({ "KHR_texture_transform": { "scale": "large" } });
     let mut file = textured(json!({ "normalTexture": { "index": 0, "extensions": transform } }));
