@@ -17,7 +17,7 @@ use crate::builder::{Builder, front_camera, glass, matte, mirror, unlit};
 pub use glass::{glasshouse, lenses, media};
 
 use glass::cuboid;
-pub use lobes::{brushed, cloth, films, lacquer, leaves, lobes};
+pub use lobes::{brushed, cloth, films, lacquer, leaves, lobes, prisms};
 
 const WRAPS: [Wrap; 3] = [Wrap::Repeat, Wrap::MirroredRepeat, Wrap::ClampToEdge];
 

@@ -3,7 +3,7 @@
 //! strength of occlusion; specular colour and strength, or specular reflectance and glossiness; absorption, flags;
 //! clearcoat, its roughness and the scale of its normals; sheen's colour and roughness; the slots; strength of anisotropy, cosine and sine of its
 //! rotation; strength of iridescence, index of the film, least and greatest thickness;
-//! colour and share of diffuse transmission.
+//! colour and share of diffuse transmission; dispersion.
 
 use glam::{Affine2, Vec4};
 
@@ -24,8 +24,10 @@ pub const RECORD_ANISOTROPY: u32 = RECORD_SLOTS + SLOT_PARTS * TextureSlot::ALL.
 pub const RECORD_IRIDESCENCE: u32 = RECORD_ANISOTROPY + 1;
 /// Place of the diffuse transmission.
 pub const RECORD_TRANSLUCENCY: u32 = RECORD_IRIDESCENCE + 1;
+/// Place of the dispersion.
+pub const RECORD_DISPERSION: u32 = RECORD_TRANSLUCENCY + 1;
 /// Size of a record.
-const RECORD_PARTS: u32 = RECORD_TRANSLUCENCY + 1;
+const RECORD_PARTS: u32 = RECORD_DISPERSION + 1;
 
 /// Flag in the place of the table of tangents: the material has a normal map, or its coat has.
 pub const RECORD_NORMAL_MAP: u32 = 1 << 31;
@@ -112,5 +114,6 @@ fn record(m: &Material, atlas: &Atlas, [tangents, second]: [u32; 2]) -> Vec<Word
     let [thin, thick] = m.iridescence_thickness;
     words.push(floats(Vec4::new(m.iridescence, m.iridescence_ior, thin, thick)));
     words.push(floats(m.diffuse_transmission_color.extend(m.diffuse_transmission)));
+    words.push(floats(Vec4::new(m.dispersion, 0.0, 0.0, 0.0)));
     words
 }

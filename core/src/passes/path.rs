@@ -75,6 +75,7 @@ impl FrameSpec {
             self.eyes(),
             wgsl!("wgsl/denoise/gbuffer.wgsl"),
             pick(gbuffer && !self.inspect, wgsl!("wgsl/denoise/gbuffer_record.wgsl"), wgsl!("wgsl/denoise/gbuffer_none.wgsl")),
+            pick(f.dispersion, wgsl!("wgsl/path/dispersion.wgsl"), wgsl!("wgsl/path/dispersion_none.wgsl")),
             wgsl!("wgsl/path/path.wgsl"),
         ]);
         sources.extend(self.path_samples());

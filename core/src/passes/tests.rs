@@ -44,6 +44,7 @@ fn features(bits: u32) -> Features {
         iridescence: bit(1) && bit(7),
         translucency: bit(1) && bit(2) && bit(5),
         coat_normals: bit(0) && bit(1) && bit(5),
+        dispersion: bit(1) && bit(6),
         slot_coordinates: bit(0) && bit(1) && bit(2),
         layers: bit(1) && bit(5),
         environment_map: bit(3),

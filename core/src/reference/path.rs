@@ -14,6 +14,7 @@ use super::{
     media::Media,
     stereo_reuse::{Mirror, Splat},
 };
+use crate::scene::DISPERSION_STEP;
 use crate::{DirectLight, Foveation, LightSelection, MAX_RAYS, Roulette};
 
 /// Bounce level from which on Russian roulette may end a path.
@@ -34,6 +35,8 @@ const POINT: u32 = 3;
 const ENVIRONMENT: u32 = 512;
 /// First dimension of the choices at partly covering surfaces, beyond those of all vertices.
 const LAYERS: u32 = 0x4000_0000;
+/// Dimension of the choice of the channel that a path refracts.
+const DISPERSION: u32 = 0x2000_0000;
 /// Distance between the dimensions of successive light samples.
 const LIGHT_SAMPLE: u32 = 1024;
 
@@ -72,6 +75,8 @@ struct Path<'a> {
     level: u32,
     /// Number of partly covering surfaces that the path has met, and whether it went straight on through one.
     layers: (u32, bool),
+    /// Whether the path carries one channel alone.
+    split: bool,
     /// Distance of the ray's origin from the last vertex; 0 unless the path went straight on.
     passed: f64,
     /// Density with which a lobe sampled the ray, per unit of solid angle.
@@ -104,6 +109,7 @@ impl ReferenceFrame<'_> {
             throughput: DVec3::ONE,
             level: 1,
             layers: (0, false),
+            split: false,
             passed: 0.0,
             density: None,
             mirror: None,
@@ -149,7 +155,9 @@ impl Path<'_> {
         }
         let m = reference.material(s.object, s.texcoord, s.footprint, s.color, &s.maps);
         let m = reference.relative(m, &boundary);
-        let (s, m) = reference.bumped(&s, m, self.ray.direction);
+        let (s, mut m) = reference.bumped(&s, m, self.ray.direction);
+        let dispersion = self.dispersion(&s);
+        m.ior = (m.ior + (f64::from(self.channel()) - 1.0) * dispersion * (m.ior - 1.0)).max(1.0);
         if boundary.through.is_none() {
             self.throughput *= reference.absorbed(&s, self.passed + intersection.t);
         }
@@ -188,6 +196,18 @@ impl Path<'_> {
             boundary.here
         };
         self.leave((&s, &m), &lobes, chosen, rounding)
+    }
+
+    /// Difference of the indices of successive channels at a surface, as a share of the index less 1.
+    fn dispersion(&self, s: &Surface) -> f64 {
+        let m = self.frame.reference.material_of(s.object);
+        if m.is_dispersive() { f64::from(DISPERSION_STEP) * f64::from(m.dispersion) } else { 0.0 }
+    }
+
+    /// The channel by whose index the path is refracted.
+    fn channel(&self) -> u32 {
+        let [number, _] = self.rng.pair(DISPERSION);
+        ((3.0 * number) as u32).min(2)
     }
 
     /// Continues the path straight through a surface that covers in part what is behind it, by chance.
@@ -332,6 +352,10 @@ impl Path<'_> {
         let reflected = self.frame.reference.bent(s, 1.0, 2.0);
         let continued = lobes.leave(chosen, (s, m), self.pair(DIRECTION), reflected)?;
         self.throughput *= continued.weight;
+        if chosen == Chosen::Refraction && !self.split && self.dispersion(s) > 0.0 {
+            self.split = true;
+            self.throughput *= 3.0 * DVec3::AXES[self.channel() as usize];
+        }
         if self.frame.settings.paths.roulette == Roulette::On && self.level >= ROULETTE_LEVEL {
             let survivors = self.throughput.max_element().min(1.0);
             let [_, survival] = self.pair(EMITTER);

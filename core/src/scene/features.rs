@@ -86,6 +86,8 @@ pub struct Features {
     pub iridescence: bool,
     /// Some material transmits light diffusely.
     pub translucency: bool,
+    /// Some solid refracts colours apart.
+    pub dispersion: bool,
     /// Some texture slot does not read the first set of texture coordinates as they are.
     pub slot_coordinates: bool,
     /// Some material has a specular colour, specular-glossiness factors, a clear coat, sheen or absorption.
@@ -132,6 +134,7 @@ impl Features {
             anisotropy: used().any(Material::is_anisotropic),
             iridescence: used().any(Material::is_iridescent),
             translucency: used().any(Material::is_translucent),
+            dispersion: used().any(Material::is_dispersive),
             slot_coordinates: used().any(|m| !m.coordinates.is_empty()),
             layers: used().any(Material::is_layered),
             sheen: used().any(Material::has_sheen),

@@ -10,6 +10,10 @@ use super::{SlotCoordinates, TextureSlot};
 /// Roughness below which paths take a surface as a mirror.
 pub const LEAST_ROUGHNESS: f32 = 0.04;
 
+/// Difference between the indices of refraction of successive channels, as a share of the dispersion times the index less
+/// 1: an Abbe number spans from red to blue (KHR_materials_dispersion).
+pub const DISPERSION_STEP: f32 = 0.025;
+
 /// How a surface reflects, transmits and emits light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
@@ -89,6 +93,8 @@ pub struct Material {
     pub diffuse_transmission: f32,
     /// Colour of the light that is transmitted diffusely, linear RGB.
     pub diffuse_transmission_color: Vec3,
+    /// Dispersion of a solid: 20 over its Abbe number; 0 without (KHR_materials_dispersion).
+    pub dispersion: f32,
     /// Absorption coefficient of what the surface bounds, linear RGB: transmittance over a distance d is exp(-d times
     /// this).
     pub absorption: Vec3,
@@ -158,6 +164,7 @@ impl Default for Material {
             iridescence_thickness: [100.0, 400.0],
             diffuse_transmission: 0.0,
             diffuse_transmission_color: Vec3::ONE,
+            dispersion: 0.0,
             absorption: Vec3::ZERO,
             priority: 0,
             weights: None,
@@ -224,6 +231,12 @@ impl Material {
         self.diffuse_transmission > 0.0
     }
 
+    /// Whether the material bounds a solid that refracts colours apart.
+    #[must_use]
+    pub fn is_dispersive(&self) -> bool {
+        self.dispersion > 0.0 && self.is_solid()
+    }
+
     /// Whether the material has more than its factors and the first three textures with common coordinates.
     #[must_use]
     pub fn is_extended(&self) -> bool {
@@ -233,6 +246,7 @@ impl Material {
             || self.is_anisotropic()
             || self.is_iridescent()
             || self.is_translucent()
+            || self.is_dispersive()
     }
 
     /// Whether the material has a specular colour, specular-glossiness factors, a clear coat, sheen or absorption.

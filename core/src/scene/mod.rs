@@ -37,7 +37,7 @@ pub use features::Features;
 #[cfg(feature = "gltf")]
 pub use gltf::ImportOptions;
 pub use lobe_albedos::{ALBEDO_SIDE, LEAST_SHEEN_ROUGHNESS, LobeAlbedos};
-pub use material::{LEAST_ROUGHNESS, Material, SpecularGlossiness, Weights};
+pub use material::{DISPERSION_STEP, LEAST_ROUGHNESS, Material, SpecularGlossiness, Weights};
 pub use not_shown::NotShown;
 pub use octahedral::{
     MAX_ERROR as OCTAHEDRAL_ERROR, decode as octahedral_decode, decode_exact as octahedral_decode_exact,
@@ -62,6 +62,8 @@ pub const MAX_RADIANCE: f32 = 1.0e30;
 
 /// The largest index of refraction, with a reflectance of 0.9996 at normal incidence.
 pub const MAX_IOR: f32 = 1.0e4;
+/// The largest dispersion: that of a red index of 1.
+pub const MAX_DISPERSION: f32 = 1.0 / DISPERSION_STEP;
 /// The largest thickness of a thin film in nanometres: far more than shows any colour.
 pub const MAX_THICKNESS: f32 = 1.0e6;
 

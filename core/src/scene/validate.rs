@@ -5,7 +5,8 @@ use std::ops::RangeInclusive;
 use glam::Vec3;
 
 use super::{
-    LightKind, MAX_COORDINATE, MAX_IOR, MAX_LIGHTS, MAX_RADIANCE, MAX_THICKNESS, MIN_RANGE, Material, Scene,
+    LightKind, MAX_COORDINATE, MAX_DISPERSION, MAX_IOR, MAX_LIGHTS, MAX_RADIANCE, MAX_THICKNESS, MIN_RANGE,
+    Material, Scene,
 };
 use crate::{Camera, Error, Result};
 
@@ -225,6 +226,12 @@ fn check_material(material: &Material, what: &str) -> Result<()> {
         return fail(
             format!("{what}, {name}"),
             format!("expected a number from 1 to {MAX_IOR}, found {found}"),
+        );
+    }
+    if !(0.0..=MAX_DISPERSION).contains(&material.dispersion) {
+        return fail(
+            format!("{what}, dispersion"),
+            format!("expected a number from 0 to {MAX_DISPERSION}, found {}", material.dispersion),
         );
     }
     if let Some(found) = material.iridescence_thickness.iter().find(|v| !(0.0..=MAX_THICKNESS).contains(*v)) {

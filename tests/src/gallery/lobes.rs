@@ -251,6 +251,37 @@ pub fn lacquer() -> Scene {
     b.seen_by(Camera::look_at(vec3(0.2, 1.1, 3.2), vec3(0.0, 0.7, 0.0), 0.7).expect("a valid camera"))
 }
 
+/// Prisms and balls of dispersive glass, clear and frosted, before bright stripes.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn prisms() -> Scene {
+    let mut b = Builder::new();
+    let flint = |dispersion: f32, ior: f32| Material { dispersion, ..glass(ior) };
+    for (i, look) in [
+        flint(4.0, 1.6),
+        flint(1.0, 2.4),
+        Material { roughness: 0.3, ..flint(3.0, 1.5) },
+        Material { clearcoat: 0.5, absorption: vec3(0.2, 0.6, 0.1), ..flint(8.0, 1.5) },
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let ball = b.object(look);
+        b.sphere(ball, vec3(-1.2 + 0.8 * i as f32, 0.4, 0.3 * (i % 2) as f32), 0.36);
+    }
+    for i in 0..6 {
+        let stripe = b.object(Material { emission: Vec3::splat(1.0 + 0.5 * i as f32), ..matte(Vec3::ZERO) });
+        b.quad(stripe, vec3(-1.7 + 0.6 * i as f32, 0.1, -1.0), 0.2 * Vec3::X, 1.2 * Vec3::Y);
+    }
+    let floor = b.object(matte(vec3(0.5, 0.45, 0.4)));
+    b.quad(floor, vec3(-3.0, 0.0, 2.0), 6.0 * Vec3::X, -5.0 * Vec3::Z);
+    b.point_light(vec3(0.8, 2.0, 1.6), vec3(5.0, 4.5, 4.0));
+    b.environment(vec3(0.2, 0.3, 0.4), vec3(0.2, 0.25, 0.3));
+    b.seen_by(Camera::look_at(vec3(0.2, 1.0, 3.2), vec3(0.0, 0.5, 0.0), 0.7).expect("a valid camera"))
+}
+
 /// Cloth with a sheen over metal and over dielectrics, under a coat, from a texture, and with a normal of its own.
 ///
 /// # Panics

@@ -72,6 +72,7 @@ fn a_sample_is_that_of_the_reference() {
         ("films", 1e-2, &ways[..2]),
         ("leaves", 1e-2, &ways[..3]),
         ("lacquer", 1e-2, &ways[..2]),
+        ("prisms", 1e-2, &ways[..2]),
     ] {
         let mut scene = match name {
             "lobes" => gallery::lobes(),
@@ -79,6 +80,7 @@ fn a_sample_is_that_of_the_reference() {
             "films" => gallery::films(),
             "leaves" => gallery::leaves(),
             "lacquer" => gallery::lacquer(),
+            "prisms" => gallery::prisms(),
             name => builtin(name).expect("built in"),
         };
         if name == "furnace" {

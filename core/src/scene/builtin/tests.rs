@@ -60,6 +60,7 @@ fn the_room_needs_nearly_everything() {
         anisotropy: false,
         iridescence: false,
         translucency: false,
+        dispersion: false,
         slot_coordinates: false,
         layers: false,
         microfacets: true,

@@ -1,5 +1,5 @@
 //! Reads the material extensions of specular colours, specular-glossiness factors, clear coats, sheen, anisotropy,
-//! iridescence, diffuse transmission and absorption.
+//! iridescence, diffuse transmission, dispersion and absorption.
 
 use glam::Vec3;
 use gltf::json;
@@ -8,7 +8,9 @@ use serde_json::Value;
 
 use super::materials::MAX_SCALE;
 use super::normalized::Numbers;
-use crate::scene::{MAX_IOR, MAX_RADIANCE, MAX_THICKNESS, Material, SpecularGlossiness, TextureSlot};
+use crate::scene::{
+    MAX_DISPERSION, MAX_IOR, MAX_RADIANCE, MAX_THICKNESS, Material, SpecularGlossiness, TextureSlot,
+};
 use crate::{Error, Result};
 
 const SPECULAR: &str = "KHR_materials_specular";
@@ -16,6 +18,7 @@ const GLOSSINESS: &str = "KHR_materials_pbrSpecularGlossiness";
 const CLEARCOAT: &str = "KHR_materials_clearcoat";
 const SHEEN: &str = "KHR_materials_sheen";
 const ANISOTROPY: &str = "KHR_materials_anisotropy";
+const DISPERSION: &str = "KHR_materials_dispersion";
 const IRIDESCENCE: &str = "KHR_materials_iridescence";
 const DIFFUSE_TRANSMISSION: &str = "KHR_materials_diffuse_transmission";
 
@@ -134,6 +137,10 @@ pub(super) fn read(json: &json::Material, material: &mut Material, numbers: &mut
         let color = property(e, "diffuseTransmissionColorFactor", [1.0_f32; 3], what)?;
         let name = "diffuseTransmissionColorFactor";
         material.diffuse_transmission_color = within(color, name, 1.0, numbers)?;
+    }
+    if let Some(e) = extension(json, DISPERSION) {
+        let dispersion = property(e, "dispersion", 0.0, what)?;
+        material.dispersion = numbers.within("dispersion", dispersion, 0.0..=MAX_DISPERSION)?;
     }
     material.absorption = absorption(json, numbers)?;
     Ok(())

@@ -62,7 +62,7 @@ fn path_step(path: ptr<function, Path>) -> bool {
     if !layers_passed() {
         stereo_reuse_record(path, hit.primitive);
     }
-    let m = media_material(surface_material(&s, direction), s);
+    let m = dispersion_material(path, media_material(surface_material(&s, direction), s), s);
     (*path).throughput *= media_absorbed(s, ray);
     if COUNTS && (*path).level == 1u {
         (*path).object = s.object + 1u;
@@ -119,6 +119,7 @@ fn path_scatter(
         return false;
     }
     (*path).throughput *= bsdf_sample.weight;
+    dispersion_refract(path, s, m, bsdf_sample);
     if ROULETTE && (*path).level >= PATH_ROULETTE_LEVEL {
         let survivors = min(max_component((*path).throughput), 1.0);
         if rng_pair((*path).pixel, dimension + PATH_EMITTER).y >= survivors {

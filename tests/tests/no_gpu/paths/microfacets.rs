@@ -157,6 +157,36 @@ fn diffuse_transmission_keeps_energy() {
     }
 }
 
+/// Every channel of a dispersive ball is that of a ball with the channel's index of refraction (KHR_materials_dispersion:
+/// n - h, n and n + h with h = 0.025 d (n - 1)), as reflection hardly depends on it.
+#[test]
+fn dispersion_refracts_every_channel_by_its_index() {
+    let ball = |ior: f32, dispersion: f32, cosine: f64| {
+        let mut b = Builder::new();
+        let object = b.object(Material { dispersion, ..glass(ior) });
+        b.sphere(object, vec3(0.0, 0.35, 0.0), 0.5);
+        for i in 0..9 {
+            let stripe = b.object(Material { emission: Vec3::splat(i as f32), ..matte(Vec3::ZERO) });
+            b.quad(stripe, vec3(-3.0, -1.8 + 0.4 * i as f32, -1.5), 6.0 * Vec3::X, 0.4 * Vec3::Y);
+        }
+        mean(&b.seen_by(slanted(cosine)), &settings(DirectLight::Bsdf, 4), 3000)
+    };
+    let (ior, dispersion) = (1.5, 6.0);
+    let mut apart = 0.0_f64;
+    for cosine in [1.0, 0.98, 0.95] {
+        let found = ball(ior, dispersion, cosine);
+        for channel in 0..3 {
+            let of_channel = ior + 0.025 * dispersion * (ior - 1.0) * (channel as f32 - 1.0);
+            let alone = ball(of_channel, 0.0, cosine);
+            let error = (found.error2() + alone.error2()).map(f64::sqrt)[channel];
+            let off = (found.value() - alone.value())[channel].abs();
+            assert!(off < 4.0 * error + 0.05, "{cosine} {channel}: {} {}", found.value(), alone.value());
+        }
+        apart = apart.max(found.value().max_element() - found.value().min_element());
+    }
+    assert!(apart > 0.5, "{apart}");
+}
+
 fn brushed(roughness: f32, anisotropy: f32, anisotropy_rotation: f32) -> Material {
     Material { anisotropy, anisotropy_rotation, ..metal(Vec3::ONE, roughness) }
 }

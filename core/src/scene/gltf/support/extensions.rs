@@ -49,7 +49,7 @@ pub(super) static EXTENSIONS: [Extension; 56] = [
     shown_extension("KHR_materials_anisotropy").object(&ANISOTROPY),
     shown_extension("KHR_materials_clearcoat").object(&CLEARCOAT),
     shown_extension("KHR_materials_diffuse_transmission").object(&DIFFUSE_TRANSMISSION),
-    not_shown_extension("KHR_materials_dispersion", |e, _| number(e, "dispersion", 0.0) != 0.0),
+    shown_extension("KHR_materials_dispersion").object(&DISPERSION),
     shown_extension("KHR_materials_emissive_strength").object(&EMISSIVE_STRENGTH),
     shown_extension("KHR_materials_ior").object(&IOR),
     shown_extension("KHR_materials_iridescence").object(&IRIDESCENCE),
@@ -111,6 +111,7 @@ static DIFFUSE_TRANSMISSION: Object = object(
         shown("diffuseTransmissionTexture").object(&TEXTURE_INFO),
     ],
 );
+static DISPERSION: Object = object("KHR_materials_dispersion", &[shown("dispersion")]);
 static DRACO: Object =
     object("KHR_draco_mesh_compression", &[shown("attributes"), shown("bufferView").index(&BUFFER_VIEWS)]);
 static EMISSIVE_STRENGTH: Object = object("KHR_materials_emissive_strength", &[shown("emissiveStrength")]);
@@ -227,11 +228,6 @@ static VOLUME: Object = object(
         ignored("thicknessTexture"),
     ],
 );
-
-/// A number of an extension; `default` where there is none.
-fn number(extension: &Value, name: &str, default: f64) -> f64 {
-    extension.get(name).and_then(Value::as_f64).unwrap_or(default)
-}
 
 /// Whether the list of numbers is there with another number than `default`.
 fn differs(extension: &Value, name: &str, default: f64) -> bool {

@@ -333,6 +333,23 @@ fn the_normal_map_of_a_coat_is_read() {
 }
 
 #[test]
+fn dispersion_is_that_of_solids() {
+    let glass = |thickness: u32, dispersion: Value| {
+        with_material(json!({ "extensions": {
+            "KHR_materials_transmission": { "transmissionFactor": 1 },
+            "KHR_materials_volume": { "thicknessFactor": thickness },
+            "KHR_materials_dispersion": { "dispersion": dispersion },
+        } }))
+    };
+    let material = &glass(1, json!(0.5)).scene().materials[0];
+    assert!(material.dispersion == 0.5 && material.is_dispersive() && material.is_extended());
+    assert!(!glass(0, json!(0.5)).scene().materials[0].is_dispersive(), "a pane");
+    glass(1, json!("much")).fails(&["material 0", "dispersion"]);
+    let scene = glass(1, json!(1e9)).scene();
+    assert!(scene.warnings[0].contains("its dispersion of 1000000000"), "{:?}", scene.warnings);
+}
+
+#[test]
 fn a_bad_transform_is_named() {
     let transform = json!({ "KHR_texture_transform": { "scale": "large" } });
     let mut file = textured(json!({ "normalTexture": { "index": 0, "extensions": transform } }));
