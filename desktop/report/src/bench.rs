@@ -167,6 +167,7 @@ impl Bench<'_> {
                 let peak = job.counts_work.then(|| probe::peak_gflops(self.gpu)).transpose()?;
                 Ok(Frame { peak_gflops: peak.flatten(), ..frame })
             },
+            || self.gpu.trim(),
         )?;
         Ok(Measured { job, identities, converged: converged_identity, records })
     }

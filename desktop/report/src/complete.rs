@@ -3,9 +3,13 @@
 use crate::record::{Frame, Record};
 use crate::store::Store;
 
+/// The most settings that are open at a time: each holds its targets and its kernels in memory.
+const OPEN: usize = 4;
+
 /// Completes the record of each setting and times frames until it has `frames` of them. `open` warms up the
-/// setting of an index, `look` makes its record, `time` times a frame. The settings take turns frame by
-/// frame, so that changes in the device's load affect all of them alike.
+/// setting of an index, `look` makes its record, `time` times a frame, `closed` is called when a group of settings is
+/// closed. Up to [`OPEN`] settings take turns frame by frame, and groups are taken from all over the list, so that
+/// changes in the device's load affect all of them, and all families of settings, alike.
 pub fn complete<S>(
     store: &Store,
     recalled: Vec<Option<Record>>,
@@ -13,37 +17,43 @@ pub fn complete<S>(
     open: impl Fn(usize) -> anyhow::Result<S>,
     look: impl Fn(usize, &mut S) -> anyhow::Result<Record>,
     time: impl Fn(usize, &mut S) -> anyhow::Result<Frame>,
+    closed: impl Fn(),
 ) -> anyhow::Result<Vec<Record>> {
-    let mut records = Vec::with_capacity(recalled.len());
-    let mut unfinished = Vec::new();
-    for (index, recalled) in recalled.into_iter().enumerate() {
-        let record = match recalled {
-            Some(record) if record.frames.len() >= frames => record,
-            recalled => {
-                let mut setting = open(index)?;
-                let record = match recalled {
-                    Some(record) => record,
-                    None => look(index, &mut setting)?,
-                };
-                store.keep(&record)?;
-                unfinished.push((index, setting));
-                record
-            }
-        };
-        records.push(record);
-    }
-    while !unfinished.is_empty() {
-        for (index, setting) in &mut unfinished {
-            let record: &mut Record = &mut records[*index];
-            record.frames.push(time(*index, setting)?);
-            store.keep(record)?;
+    let mut records = recalled;
+    let is_lacking =
+        |record: &Option<Record>| record.as_ref().is_none_or(|record| record.frames.len() < frames);
+    let lacking: Vec<usize> = (0..records.len()).filter(|index| is_lacking(&records[*index])).collect();
+    let groups = lacking.len().div_ceil(OPEN);
+    for first in 0..groups {
+        let mut unfinished = Vec::new();
+        for index in lacking.iter().copied().skip(first).step_by(groups) {
+            let mut setting = open(index)?;
+            let record = match records[index].take() {
+                Some(record) => record,
+                None => look(index, &mut setting)?,
+            };
+            store.keep(&record)?;
+            unfinished.push((index, setting, record));
         }
-        unfinished.retain(|(index, _)| records[*index].frames.len() < frames);
+        while !unfinished.is_empty() {
+            for (index, setting, record) in &mut unfinished {
+                if record.frames.len() < frames {
+                    record.frames.push(time(*index, setting)?);
+                    store.keep(record)?;
+                }
+            }
+            for (index, _, record) in
+                unfinished.extract_if(.., |(_, _, record)| record.frames.len() >= frames)
+            {
+                records[index] = Some(record);
+            }
+        }
+        closed();
     }
     // Reads the records back, as a float may differ in its last bit after storing: an interrupted report
     // equals an uninterrupted one.
     let as_kept = |record: Record| store.record(&record.identity).unwrap_or(record);
-    Ok(records.into_iter().map(as_kept).collect())
+    Ok(records.into_iter().flatten().map(as_kept).collect())
 }
 
 #[cfg(test)]
@@ -78,6 +88,7 @@ mod tests {
                 say("time", i);
                 Ok(example(NAMES[i], 1.0, None).frames.remove(0))
             },
+            || (),
         );
         (log.into_inner(), records.ok())
     }
@@ -97,6 +108,32 @@ mod tests {
         assert_eq!(records, same);
         let (more, _) = done(&store, 3, usize::MAX);
         assert_eq!(more, ["open a", "open b", "time a", "time b"].map(str::to_owned));
+    }
+
+    /// Every setting is completed once, in its place, however many there are, and few are open at a time.
+    #[test]
+    fn few_settings_are_open_at_a_time_and_groups_are_spread() {
+        let folder = tempfile::tempdir().unwrap();
+        let store = Store::open(folder.path()).unwrap();
+        let opened = RefCell::new(vec![Vec::new()]);
+        let count = 2 * OPEN + 3;
+        let records = complete(
+            &store,
+            vec![None; count],
+            2,
+            |i| {
+                opened.borrow_mut().last_mut().unwrap().push(i);
+                Ok(())
+            },
+            |i, ()| Ok(Record { frames: vec![], ..example(&i.to_string(), 1.0, None) }),
+            |i, ()| Ok(example(&i.to_string(), 1.0, None).frames.remove(0)),
+            || opened.borrow_mut().push(Vec::new()),
+        );
+        let identities: Vec<_> = records.unwrap().into_iter().map(|record| record.identity).collect();
+        assert_eq!(identities, (0..count).map(|i| i.to_string()).collect::<Vec<_>>());
+        let groups = opened.into_inner();
+        assert_eq!(groups[0], [0, 3, 6, 9]);
+        assert!(groups.len() == 4 && groups.iter().all(|group| group.len() <= OPEN), "{groups:?}");
     }
 
     #[test]
