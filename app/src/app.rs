@@ -13,11 +13,11 @@ use std::{path::PathBuf, sync::Arc, time::Duration};
 use glimpse::Gpu;
 
 pub(crate) use self::device::MAX_LOSSES;
-pub use self::update::{Request, Update};
+pub use self::update::{Capture, Request, Update};
 use self::{clock::Clock, delivery::Delivery, device::DeviceState, pacing::Pacing, scene_list::SceneList};
 use crate::{
     CameraControl, Change, Choices, Files, FrameRate, Gestures, HudState, Job, Overlay, Painting, Quality,
-    Wake, Worker, script::Capture, view::View,
+    Wake, Worker, view::View,
 };
 
 /// The application: a shell calls [`App::update`] with input and time, and draws what that returns.

@@ -28,7 +28,7 @@ mod view;
 mod worker;
 mod worker_events;
 
-pub use app::{App, Request, Update};
+pub use app::{App, Capture, Request, Update};
 pub use camera_control::CameraControl;
 pub use change::Change;
 pub use choices::{Choices, FrameRate, Navigation, Overlay, SCALES, TEXT_SCALES, Vsync};

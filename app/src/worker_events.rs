@@ -41,8 +41,8 @@ impl App {
                 }
             }
             WorkerEvent::Captured(picture) => {
-                if let Some(file) = self.delivery.capture_arrived() {
-                    self.requests.push(Request::Save(file, picture));
+                if let Some(capture) = self.delivery.capture_arrived() {
+                    self.requests.push(Request::Captured(capture, picture));
                 }
             }
             WorkerEvent::Picked(point) => {

@@ -9,8 +9,8 @@ use std::{
 use egui::{Rect, pos2, vec2};
 use glimpse::{DisplayImage, Gpu};
 use glimpse_app::{
-    App, Painting, Request, Update, Wake,
-    script::{Ask, Capture, Player, ShellEvent},
+    App, Capture, Painting, Request, Update, Wake,
+    script::{Ask, Player, ShellEvent},
 };
 
 use crate::{Result, Screen, Setup, Surface, surface::Acquired, touch::Finger};
@@ -203,8 +203,8 @@ impl Session {
     fn handle_request(&mut self, request: Request, leftover: &mut Leftover) -> Result<()> {
         match request {
             Request::OpenDialog => leftover.dialog = true,
-            Request::Save(Capture::Save(file), picture) => self.save(file, &picture)?,
-            Request::Save(Capture::Compare(file, bounds), picture) => {
+            Request::Captured(Capture::Save(file), picture) => self.save(file, &picture)?,
+            Request::Captured(Capture::Compare(file, bounds), picture) => {
                 self.comparing = false;
                 let place = self.player.as_ref().map(Player::place).unwrap_or_default();
                 (self.setup.compare)(&file, &bounds, &picture)

@@ -1,7 +1,7 @@
 //! Tracks frames from request to screen.
 
-use super::device::DeviceState;
-use crate::{Job, RenderedFrame, script::Capture};
+use super::{device::DeviceState, update::Capture};
+use crate::{Job, RenderedFrame};
 
 /// The unanswered requests to the worker, and the frame on display.
 #[derive(Default)]

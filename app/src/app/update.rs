@@ -1,18 +1,27 @@
 //! The result of an update, for the shell.
 
-use std::time::Duration;
+use std::{path::PathBuf, time::Duration};
 
 use glimpse::DisplayImage;
 
-use crate::{Painting, script::Capture};
+use crate::Painting;
+
+/// What a picture of the frame is for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Capture {
+    /// It is saved under that name, or under one chosen by the shell.
+    Save(Option<PathBuf>),
+    /// It is compared with that file, within bounds as they are typed.
+    Compare(PathBuf, String),
+}
 
 /// A request to the shell.
 #[derive(Debug)]
 pub enum Request {
     /// Show a file dialog and call [`App::open`](crate::App::open) with the chosen file.
     OpenDialog,
-    /// Save a picture, or compare it with a saved one.
-    Save(Capture, DisplayImage),
+    /// Use a picture of the frame.
+    Captured(Capture, DisplayImage),
     /// Store the names of recently opened files, the newest first.
     Remember(Vec<String>),
     /// Switch between full screen and window.

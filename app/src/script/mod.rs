@@ -69,15 +69,6 @@ pub enum Step {
     Quit,
 }
 
-/// What a picture of the frame is for.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Capture {
-    /// It is saved under that name, or under one chosen by the shell.
-    Save(Option<PathBuf>),
-    /// It is compared with that file, within bounds as they are typed.
-    Compare(PathBuf, String),
-}
-
 /// Movement of a finger.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Finger {
