@@ -131,6 +131,9 @@ pub enum Command {
         after_help = "Examples:\n  glimpse stress --list\n  glimpse stress grazing slivers --rays 100000"
     )]
     Stress(StressOptions),
+    /// Compile the kernels of scenes, so that later runs find them in the driver's cache
+    #[command(after_help = "Examples:\n  glimpse warm\n  glimpse warm scene.glb --methods adaptive,path")]
+    Warm(WarmOptions),
     /// Print a script that completes commands and options in a shell
     #[command(after_help = "Examples:\n  \
         glimpse completions bash > ~/.local/share/bash-completion/completions/glimpse\n  \
@@ -408,6 +411,23 @@ pub struct BenchOptions {
     /// Print JSON
     #[arg(long, help_heading = OUTPUT)]
     pub json: bool,
+}
+
+/// `glimpse warm`
+#[derive(Debug, Args)]
+pub struct WarmOptions {
+    /// .glb or .gltf files, or builtin:NAME
+    #[arg(help_heading = SCENE, display_order = 0, value_name = "SCENE", default_value = "builtin:room")]
+    pub scenes: Vec<PathBuf>,
+    /// The methods whose kernels are compiled
+    #[arg(long, help_heading = Group::Frame.title(), value_name = "NAME", value_parser = method_parser(),
+        value_delimiter = ',', default_value = "adaptive,full", ignore_case = true)]
+    pub methods: Vec<Method>,
+    /// Frame size in pixels: kernels of small frames of thin things differ
+    #[arg(long, help_heading = Group::Frame.title(), value_name = "WxH", default_value = FRAME_SIZE)]
+    pub size: Size,
+    #[command(flatten)]
+    pub frame: FrameOptions,
 }
 
 fn finite(text: &str) -> Result<f64, String> {

@@ -24,6 +24,7 @@ mod statistics;
 mod stress;
 mod summary;
 mod view;
+mod warm;
 
 use std::cell::RefCell;
 use std::io::Write;
@@ -70,6 +71,7 @@ fn run(arguments: Arguments, verbosity: Verbosity) -> anyhow::Result<()> {
         Some(Command::Bench(options)) => bench::run(&options, adapter, verbosity),
         Some(Command::Report(options)) => report::run(&options, adapter, verbosity),
         Some(Command::Stress(options)) => stress::run(&options, adapter, verbosity),
+        Some(Command::Warm(options)) => warm::run(&options, adapter, verbosity),
         Some(Command::Completions(options)) => shell::completions(options.shell),
         Some(Command::Man(options)) => shell::manual_page(options.command.as_deref()),
         // The parser replaces them.

@@ -47,6 +47,7 @@ fn failures_are_one_line_and_a_code() {
         ),
         ("bench builtin:room --cpu-threads 2", 2, "--cpu-threads 2: expected path or vr among --methods"),
         ("bench builtin:room gone.glb", 1, "cannot read gone.glb"),
+        ("warm builtin:room gone.glb", 1, "cannot read gone.glb"),
         ("report builtin:minray gone.glb -o out", 1, "cannot read gone.glb"),
         ("report builtin:minray -o empty.png", 1, "empty.png: expected a folder, found a file"),
         ("report builtin:minray -o out --camera 7", 2, "--camera 7"),
@@ -99,6 +100,15 @@ fn stress_judges_cases_and_notices_what_is_left_out() {
 }
 
 /// The number of samples does not depend on the number of timed frames.
+#[test]
+fn warming_says_how_many_kernels_there_were() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = glimpse(folder.path(), "warm builtin:furnace --methods full --size 16x16");
+    assert!(output.status.success(), "{output:?}");
+    // Of the preview, of frames and of counters.
+    assert_eq!(String::from_utf8_lossy(&output.stdout), "builtin:furnace: 3 kernels of full\n");
+}
+
 #[test]
 fn a_picture_of_paths_has_the_samples_that_were_asked_for() {
     let folder = tempfile::tempdir().unwrap();

@@ -66,7 +66,11 @@ impl Compilation {
             dispatch_nothing(second, &Kernel::of_linked(second, label, &linked)?, &resources)?;
         }
         self.gpu.kernels.keep(&sources, Kernel::of_linked(&self.gpu, label, &linked)?);
-        log::debug!("kernel {label} was compiled ahead, {} of {}", self.total - self.waiting.len(), self.total);
+        log::debug!(
+            "kernel {label} was compiled ahead, {} of {}",
+            self.total - self.waiting.len(),
+            self.total
+        );
         Ok(())
     }
 }
