@@ -173,7 +173,17 @@ impl Lobes {
             let share = -cosine / PI;
             return (share * self.behind, share * self.largest[6] / self.sum());
         }
-        if cosine <= 0.0 || s.face.dot(direction) <= 0.0 {
+        if s.face.dot(direction) <= 0.0 {
+            return (DVec3::ZERO, 0.0);
+        }
+        self.response_above(s, direction)
+    }
+
+    /// Like [`Lobes::response`] for light on the viewer's side of the shading normal, whatever the side of the face: of
+    /// punctual lights, which reach the curved surface above it.
+    pub fn response_above(&self, s: &Surface, direction: DVec3) -> (DVec3, f64) {
+        let cosine = s.normal.dot(direction);
+        if cosine <= 0.0 {
             return (DVec3::ZERO, 0.0);
         }
         let mut value = self.diffuse / PI * cosine;

@@ -296,7 +296,9 @@ impl Path<'_> {
             .map(|i| {
                 let arrival = reference.arrival(i, s.position);
                 let share = reference.light_share(s, i, rounding);
-                share * arrival.irradiance * lobes.response(s, arrival.direction).0
+                let above = s.normal.dot(arrival.direction) > 0.0;
+                let respond = if above { Lobes::response_above } else { Lobes::response };
+                share * arrival.irradiance * respond(lobes, s, arrival.direction).0
             })
             .sum()
     }

@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 
 use glam::{DVec3, Vec3, vec3};
 use glimpse::{
-    Camera, Scene,
+    Camera, Method, Scene, Settings,
+    reference::{Reference, ReferenceFrame, Rounding},
     scene::{Light, LightKind, octahedral_encode},
 };
 use glimpse_tests::{
@@ -93,6 +94,38 @@ fn a_coarse_ball_is_lit_up_to_its_horizon() {
         dark += u32::from(cosine < 0.0);
     }
     assert!(horizon > 100 && dark > 300, "{horizon} pixels at the horizon, {dark} behind it");
+}
+
+/// Paths see the lights by the same shadow rays, in the shaders and in the reference.
+#[test]
+fn paths_light_a_coarse_ball_up_to_its_horizon() {
+    let towards_light = vec3(1.0, 0.2, 0.1).normalize();
+    let camera = front_camera();
+    let mut scene = lit_from(towards_light, camera);
+    coarse_ball(&mut scene);
+    let normals: Vec<_> = scene.positions.iter().map(|corners| corners.map(|p| p / 0.75)).collect();
+    let settings = Settings { method: Method::Path, depth: 2, ..Settings::default() };
+    let reference = Reference::new(&scene);
+    let frame = ReferenceFrame { reference: &reference, camera, size: SIZE, settings };
+    // Paths start anywhere in a pixel: its neighbours are on the band as well.
+    let near = |x: u32, y: u32| {
+        let (origin, direction) = pixel_ray(&camera, SIZE, x, y);
+        let cosine = normal_at(&scene, &normals, origin, direction)?.dot(towards_light.as_dvec3());
+        (cosine > 0.1 && cosine < 0.25).then_some(cosine)
+    };
+    let image = TestScene::new(scene.clone()).frame(SIZE, &settings);
+    let mut band = 0;
+    for (x, y, pixel) in image.enumerate_pixels() {
+        let inside = (1..SIZE[0] - 1).contains(&x) && (1..SIZE[1] - 1).contains(&y);
+        let around = || [(x, y), (x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)];
+        if !inside || around().into_iter().any(|(x, y)| near(x, y).is_none()) {
+            continue;
+        }
+        let exact = frame.path([x, y], 0, &mut Rounding::none()).radiance.x;
+        assert!(pixel.0[0] > 0.05 && exact > 0.05, "({x}, {y}): {}, in the reference {exact}", pixel.0[0]);
+        band += 1;
+    }
+    assert!(band > 50, "{band} pixels on the band");
 }
 
 /// Sets a square of half size 1 at z = 0 that the camera sees, with normals that lean towards +x by this slope.
