@@ -10,7 +10,7 @@ use glimpse::{Compilation, Error, Result};
 
 use crate::{
     mailbox::Mailbox,
-    worker::{EventSender, WorkerEvent, caught},
+    worker::{BUG, EventSender, WorkerEvent, caught},
 };
 
 /// Kernels to compile, in order.
@@ -117,6 +117,16 @@ impl Shared {
     }
 }
 
+/// Takes the next kernel and compiles it, by its two steps side by side.
 fn compile_next(kernels: &mut Compilation) -> Result<()> {
-    caught(|| kernels.compile_next()).unwrap_or_else(|bug| Err(Error::Device(bug.to_owned())))
+    let Some(kernel) = kernels.take_next() else { return Ok(()) };
+    let [apart, created] = thread::scope(|scope| {
+        let apart = scope.spawn(|| caught(|| kernel.dispatch_apart()));
+        let created = caught(|| kernel.create());
+        [apart.join().unwrap_or(Err(BUG)), created]
+    });
+    let known = |result: std::result::Result<_, &str>| {
+        result.unwrap_or_else(|bug| Err(Error::Device(bug.to_owned())))
+    };
+    known(apart).and(known(created))
 }

@@ -192,7 +192,10 @@ fn work(gpu: &Gpu, mailbox: &Mailbox, compiler: &Compiler, event_sender: &EventS
     }
 }
 
+/// What a panic is told as.
+pub(crate) const BUG: &str = "this is a bug, please report it";
+
 /// Runs `work` and turns a panic into an error, so that the app does not wait for an answer forever.
 pub(crate) fn caught<T>(work: impl FnOnce() -> T) -> Result<T, &'static str> {
-    catch_unwind(AssertUnwindSafe(work)).map_err(|_| "this is a bug, please report it")
+    catch_unwind(AssertUnwindSafe(work)).map_err(|_| BUG)
 }

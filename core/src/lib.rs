@@ -119,7 +119,7 @@ pub use glam;
 pub use wgpu;
 
 pub use device::gpu_scene::GpuScene;
-pub use device::{Compilation, Gpu, instance};
+pub use device::{Compilation, Gpu, Uncompiled, instance};
 pub use error::{Error, Result};
 pub use frame::counters::{Check, Cost, Counts, FailedChecks, Origin, Rays, Samples};
 pub use frame::plan::SAMPLES_PER_SUBMISSION;

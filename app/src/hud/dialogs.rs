@@ -28,7 +28,7 @@ pub fn problem(ctx: &Context, hud_state: &HudState, text_scale: f32, user_reques
 }
 
 /// Time between two pictures of a task's progress.
-const TICK: Duration = Duration::from_millis(150);
+const TICK: Duration = Duration::from_millis(200);
 
 /// Shows notices and progress at the lower edge; neither takes input.
 pub fn messages(ctx: &Context, hud_state: &HudState, text_scale: f32) {

@@ -50,27 +50,53 @@ impl Compilation {
         self.waiting.len()
     }
 
+    /// Takes the next kernel off the list that the device does not have by now.
+    pub fn take_next(&mut self) -> Option<Uncompiled> {
+        let (label, sources) =
+            std::iter::from_fn(|| self.waiting.pop()).find(|(_, sources)| !self.gpu.kernels.has(sources))?;
+        Some(Uncompiled { gpu: self.gpu.clone(), label, sources })
+    }
+
     /// Compiles the next kernel; does nothing if none waits.
     ///
     /// # Errors
     /// [`crate::Error::Shader`] if the driver cannot compile it, or the device failed.
     pub fn compile_next(&mut self) -> Result<()> {
-        let Some((label, sources)) = self.waiting.pop() else { return Ok(()) };
-        if self.gpu.kernels.has(&sources) {
-            return Ok(());
+        let Some(kernel) = self.take_next() else { return Ok(()) };
+        kernel.dispatch_apart()?;
+        kernel.create()
+    }
+}
+
+/// A kernel that a device has not compiled. Its two steps may run side by side; a frame needs both.
+pub struct Uncompiled {
+    gpu: Gpu,
+    label: &'static str,
+    sources: Vec<Source>,
+}
+
+impl Uncompiled {
+    /// Has a second device compile the kernel for the driver's cache, where creating a pipeline does not.
+    ///
+    /// # Errors
+    /// [`crate::Error::Shader`] if the driver cannot compile it, or the device failed.
+    pub fn dispatch_apart(&self) -> Result<()> {
+        let Some(second) = self.gpu.second() else { return Ok(()) };
+        let linked = link(&self.sources)?;
+        match placeholders(second, &linked)? {
+            Some(resources) => {
+                dispatch_nothing(second, &Kernel::of_linked(second, self.label, &linked)?, &resources)
+            }
+            None => Ok(()),
         }
-        let linked = link(&sources)?;
-        if let Some(second) = self.gpu.second()
-            && let Some(resources) = placeholders(second, &linked)?
-        {
-            dispatch_nothing(second, &Kernel::of_linked(second, label, &linked)?, &resources)?;
-        }
-        self.gpu.kernels.keep(&sources, Kernel::of_linked(&self.gpu, label, &linked)?);
-        log::debug!(
-            "kernel {label} was compiled ahead, {} of {}",
-            self.total - self.waiting.len(),
-            self.total
-        );
+    }
+
+    /// Creates the kernel's pipeline.
+    ///
+    /// # Errors
+    /// [`crate::Error::Shader`] if the driver cannot compile it, or the device failed.
+    pub fn create(&self) -> Result<()> {
+        self.gpu.kernels.keep(&self.sources, Kernel::new(&self.gpu, self.label, &self.sources)?);
         Ok(())
     }
 }

@@ -28,7 +28,7 @@ use std::{
 use health::Health;
 use kernel::KernelCache;
 
-pub use ahead::Compilation;
+pub use ahead::{Compilation, Uncompiled};
 pub use kernel::{Bound, Kernel, Kernels};
 pub(crate) use scene_storage::{STORAGE_TEXTURE_WIDTH, SceneStorage};
 pub use timer::Timer;
