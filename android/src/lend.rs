@@ -20,6 +20,7 @@ pub fn setup(android: &AndroidApp, names: &Names, intent: &Intent, view: [u32; 2
         files: files::reader(android, names),
         scene,
         recent: files::assets(android),
+        cached_kernels: Vec::new(),
         choices: glimpse_app::Choices::default(),
         adapter: None,
         limits: None,
@@ -41,5 +42,7 @@ pub fn setup(android: &AndroidApp, names: &Names, intent: &Intent, view: [u32; 2
         }),
         // Permissions for other apps' files end with this process, and the package's scenes are always listed.
         remember: Box::new(|_| ()),
+        // GPUs compile kernels without holding up their queue.
+        keep_kernels: Box::new(|_| ()),
     }
 }

@@ -223,6 +223,12 @@ impl App {
         self.hud_state.problem.as_deref()
     }
 
+    /// Fingerprints of the kernels in the driver's cache, for [`Gpu::add_cached_kernels`] in a later run.
+    #[must_use]
+    pub fn cached_kernels(&self) -> Vec<u64> {
+        self.device.cached_kernels()
+    }
+
     /// Reduces the use of memory: ends the split view and lowers the governor's resolution.
     pub fn trim(&mut self) {
         self.choices.split = None;

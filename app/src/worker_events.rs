@@ -35,6 +35,7 @@ impl App {
             WorkerEvent::Frame(frame) => self.framed(frame),
             WorkerEvent::Cancelled(number) => self.delivery.given_up(number),
             WorkerEvent::Counted(number, counted) => {
+                self.requests.push(Request::KeepKernels);
                 if self.delivery.counts_arrived(number) {
                     self.hud_state.counts = Some(counted.counts);
                     self.hud_state.psnr_db = counted.psnr_db;
@@ -97,6 +98,7 @@ impl App {
     fn framed(&mut self, frame: Box<RenderedFrame>) {
         self.device.frame_arrived();
         if !frame.is_stand_in {
+            self.requests.extend(frame.compiled.then_some(Request::KeepKernels));
             self.delivery.frame_arrived(frame.number, &frame.job, frame.settled);
             if let Some(ms) = self.pacing.frame_arrived(&self.choices, &frame.job, frame.ms, frame.compiled) {
                 self.hud_state.push_frame(ms as f32);

@@ -86,6 +86,7 @@ fn setup(
         files: reader,
         scene: App::file_name(scene),
         recent: if scripted { Vec::new() } else { recent() },
+        cached_kernels: if scripted { Vec::new() } else { cached_kernels() },
         choices,
         adapter: adapter.map(str::to_owned),
         limits: phone.as_ref().map(Phone::limits),
@@ -100,6 +101,11 @@ fn setup(
         print: Box::new(|line| output::print(&format!("{line}\n")).map_err(|error| format!("{error:#}"))),
         remember: Box::new(move |files| {
             if !scripted && let Err(error) = remember(files) {
+                log::warn!("{error:#}");
+            }
+        }),
+        keep_kernels: Box::new(move |fingerprints| {
+            if !scripted && let Err(error) = keep_kernels(fingerprints) {
                 log::warn!("{error:#}");
             }
         }),
@@ -223,6 +229,28 @@ fn recent_file() -> Option<PathBuf> {
 fn recent() -> Vec<String> {
     let text = recent_file().and_then(|path| std::fs::read_to_string(path).ok()).unwrap_or_default();
     text.lines().filter(|name| App::file_path(name).exists()).map(str::to_owned).collect()
+}
+
+/// File with the fingerprints of kernels in the driver's cache, one per line: in the folder of that cache if it was
+/// chosen.
+fn kernels_file() -> Option<PathBuf> {
+    let chosen = std::env::var_os("MESA_SHADER_CACHE_DIR").filter(|folder| !folder.is_empty());
+    let folder = chosen.map(PathBuf::from).or_else(dirs::cache_dir)?;
+    Some(folder.join("glimpse").join("kernels"))
+}
+
+fn cached_kernels() -> Vec<u64> {
+    let text = kernels_file().and_then(|path| std::fs::read_to_string(path).ok()).unwrap_or_default();
+    text.lines().filter_map(|line| u64::from_str_radix(line, 16).ok()).collect()
+}
+
+fn keep_kernels(fingerprints: &[u64]) -> anyhow::Result<()> {
+    let Some(path) = kernels_file() else { return Ok(()) };
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+    }
+    let lines: String = fingerprints.iter().map(|fingerprint| format!("{fingerprint:016x}\n")).collect();
+    files::write(&path, lines.as_bytes())
 }
 
 fn remember(names: &[String]) -> anyhow::Result<()> {

@@ -34,6 +34,9 @@ pub type Compare = Box<dyn FnMut(&Path, &str, &DisplayImage) -> Result<()>>;
 /// Prints a line to the standard output.
 pub type Print = Box<dyn FnMut(&str) -> Result<()>>;
 
+/// Stores fingerprints of the kernels in the driver's cache.
+pub type KeepKernels = Box<dyn FnMut(&[u64])>;
+
 /// Stores the names of recently opened files.
 pub type Remember = Box<dyn FnMut(&[String])>;
 
@@ -45,6 +48,8 @@ pub struct Setup {
     pub scene: String,
     /// Names of files that were opened before.
     pub recent: Vec<String>,
+    /// Fingerprints of the kernels that earlier runs left in the driver's cache.
+    pub cached_kernels: Vec<u64>,
     /// The initial choices.
     pub choices: Choices,
     /// Part of the name of the graphics adapter to use.
@@ -67,6 +72,8 @@ pub struct Setup {
     pub print: Print,
     /// Stores recently opened files.
     pub remember: Remember,
+    /// Stores what later runs get as [`Setup::cached_kernels`].
+    pub keep_kernels: KeepKernels,
 }
 
 /// A screen that is emulated.

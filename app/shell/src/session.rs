@@ -94,6 +94,7 @@ impl Session {
 
     /// Takes a device and the format of targets, as [`App::attach`].
     pub fn attach(&mut self, gpu: &Arc<Gpu>, format: wgpu::TextureFormat) {
+        gpu.add_cached_kernels(self.setup.cached_kernels.iter().copied());
         self.app.attach(gpu.clone(), format);
     }
 
@@ -210,6 +211,7 @@ impl Session {
                 (self.setup.compare)(&file, &bounds, &picture)
                     .map_err(|reason| format!("{place}: {reason}"))?;
             }
+            Request::KeepKernels => (self.setup.keep_kernels)(&self.app.cached_kernels()),
             Request::Remember(files) => (self.setup.remember)(&files),
             Request::FullScreen => leftover.full_screen = true,
             Request::NewDevice => leftover.new_device = true,

@@ -105,6 +105,11 @@ impl DeviceState {
         if self.has_scene() { self.worker() } else { None }
     }
 
+    /// Fingerprints of the kernels in the driver's cache, as far as is known.
+    pub fn cached_kernels(&self) -> Vec<u64> {
+        self.attached.as_ref().map(|attached| attached.gpu.cached_kernels()).unwrap_or_default()
+    }
+
     /// Drops what the device keeps for later.
     pub fn trim(&self) {
         self.attached.iter().for_each(|attached| attached.gpu.trim());

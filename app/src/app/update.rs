@@ -24,6 +24,8 @@ pub enum Request {
     Captured(Capture, DisplayImage),
     /// Store the names of recently opened files, the newest first.
     Remember(Vec<String>),
+    /// Store [`App::cached_kernels`](crate::App::cached_kernels) for later runs.
+    KeepKernels,
     /// Switch between full screen and window.
     FullScreen,
     /// Create a new device, as the last one was lost, and pass it to [`App::attach`](crate::App::attach).

@@ -3,7 +3,13 @@
 //! Drivers of GPUs compile a kernel when its pipeline is created, on the thread that creates it. Software drivers do so
 //! when it is first dispatched, on the thread of the queue, which then executes nothing else: a window on that queue
 //! stands still. There a second device of the same adapter compiles each kernel first, by a dispatch of no workgroups,
-//! and the first device finds the result in the driver's cache.
+//! and the first device finds the result in the driver's cache. What an earlier run has compiled is left to the first.
+
+use std::{
+    collections::BTreeSet,
+    hash::{DefaultHasher, Hash, Hasher},
+    sync::{MutexGuard, PoisonError},
+};
 
 use wgpu::naga::{AddressSpace, ImageClass, ImageDimension, ScalarKind, StorageFormat, TypeInner};
 
@@ -81,14 +87,25 @@ impl Uncompiled {
     /// # Errors
     /// [`crate::Error::Shader`] if the driver cannot compile it, or the device failed.
     pub fn dispatch_apart(&self) -> Result<()> {
+        let fingerprint = self.fingerprint();
+        if self.gpu.in_cache().contains(&fingerprint) {
+            return Ok(());
+        }
         let Some(second) = self.gpu.second() else { return Ok(()) };
         let linked = link(&self.sources)?;
-        match placeholders(second, &linked)? {
-            Some(resources) => {
-                dispatch_nothing(second, &Kernel::of_linked(second, self.label, &linked)?, &resources)
-            }
-            None => Ok(()),
+        if let Some(resources) = placeholders(second, &linked)? {
+            dispatch_nothing(second, &Kernel::of_linked(second, self.label, &linked)?, &resources)?;
+            self.gpu.in_cache().insert(fingerprint);
         }
+        Ok(())
+    }
+
+    /// A number that differs where sources, adapter or driver do.
+    fn fingerprint(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        let wgpu::AdapterInfo { name, driver, driver_info, .. } = &self.gpu.facts().info;
+        (name, driver, driver_info, &self.sources).hash(&mut hasher);
+        hasher.finish()
     }
 
     /// Creates the kernel's pipeline.
@@ -102,6 +119,22 @@ impl Uncompiled {
 }
 
 impl Gpu {
+    /// Tells which kernels earlier runs left in the driver's cache ([`Gpu::cached_kernels`]): they are not compiled by a
+    /// second device again. A wrong entry only holds up the queue while the kernel is compiled.
+    pub fn add_cached_kernels(&self, fingerprints: impl IntoIterator<Item = u64>) {
+        self.in_cache().extend(fingerprints);
+    }
+
+    /// Fingerprints of the kernels that the driver's cache holds as far as is known, in ascending order.
+    #[must_use]
+    pub fn cached_kernels(&self) -> Vec<u64> {
+        self.in_cache().iter().copied().collect()
+    }
+
+    fn in_cache(&self) -> MutexGuard<'_, BTreeSet<u64>> {
+        self.in_cache.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// The device that compiles kernels; `None` where creating a pipeline does, or where the driver gives no second one.
     fn second(&self) -> Option<&Self> {
         let limits = self.device.limits();

@@ -21,6 +21,7 @@ mod timer;
 mod wait;
 
 use std::{
+    collections::BTreeSet,
     sync::{Arc, Mutex, OnceLock},
     time::Duration,
 };
@@ -88,6 +89,8 @@ pub struct Gpu {
     compiled: Option<wgpu::PipelineCache>,
     /// Kernels that renderers of this device have compiled.
     kernels: Arc<KernelCache>,
+    /// Fingerprints of kernels that the driver's cache holds.
+    in_cache: Arc<Mutex<BTreeSet<u64>>>,
     /// The device that compiles kernels ahead of frames, made when first needed.
     second: Arc<OnceLock<Option<Box<Gpu>>>>,
     /// The kind of device that kernels and scene data are made for.
@@ -212,6 +215,7 @@ impl Gpu {
             compiled: None,
             kernels: Arc::default(),
             second: Arc::default(),
+            in_cache: Arc::default(),
         })
     }
 

@@ -59,6 +59,25 @@ fn compiling_ahead_changes_no_frame() {
     }
 }
 
+/// What a run left in the driver's cache is known by the same numbers in the next.
+#[test]
+fn kernels_have_the_same_fingerprints_on_another_device() {
+    let fingerprints = |known: &[u64]| {
+        let gpu = Gpu::headless(None).expect("a device");
+        gpu.add_cached_kernels(known.iter().copied());
+        let scene = GpuScene::upload(&gpu, builtin("wires").expect("the wires")).expect("the scene fits");
+        let settings = Settings { method: Method::Full, ..Settings::default() };
+        compile(
+            Renderer::compilation(&gpu, &scene, SIZE, &settings, Purpose::Frame).expect("valid settings"),
+        );
+        gpu.cached_kernels()
+    };
+    let first = fingerprints(&[]);
+    let on_cpu = gpu().facts().info.device_type == wgpu::DeviceType::Cpu;
+    assert_eq!(first.len(), usize::from(on_cpu), "only software drivers need this");
+    assert_eq!(fingerprints(&first), first);
+}
+
 /// A preview shows base colours, brighter where surfaces face the eye, without the scene's light.
 #[test]
 fn a_preview_shows_base_colours_lit_from_the_eye() {
