@@ -149,10 +149,12 @@ impl Features {
     }
 
     /// All features switched on for a scene that needs these. The textures of an environment map, the table of lobes'
-    /// albedos and lists of media exist only where they are needed.
+    /// albedos and lists of media exist only where they are needed, and the light of coats with normals of their own is
+    /// added up in another order, which rounds otherwise.
     #[must_use]
     pub(crate) fn all_beside(needed: &Self) -> Self {
         Self {
+            coat_normals: needed.coat_normals,
             environment_map: needed.environment_map,
             microfacets: needed.microfacets,
             nested_media: needed.nested_media,
