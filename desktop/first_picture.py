@@ -58,7 +58,7 @@ def watch(file, start, seconds):
             if last is not None and shown != last[0]:
                 if middle != last[1] and len({middle[i:i + 3] for i in range(0, len(middle), 4 * 37)}) > 300:
                     pictures.append(now)
-                elif last[0] is not None and len(pictures) < 2:
+                elif len(pictures) < 2:
                     longest = max(longest, now - since)
                 since = now
             last = (shown, middle)

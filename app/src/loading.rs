@@ -7,9 +7,9 @@ use crate::{Files, WorkerEvent, worker::EventSender};
 
 /// A scene that was read, and the camera that shows it first.
 pub struct Opened {
-    /// The scene.
+    /// The imported or built-in scene, in main memory.
     pub scene: Scene,
-    /// Its first camera.
+    /// The camera that the view starts from.
     pub camera: StartCamera,
 }
 

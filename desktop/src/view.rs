@@ -246,20 +246,22 @@ fn cached_kernels() -> Vec<u64> {
 
 fn keep_kernels(fingerprints: &[u64]) -> anyhow::Result<()> {
     let Some(path) = kernels_file() else { return Ok(()) };
+    let lines: String = fingerprints.iter().map(|fingerprint| format!("{fingerprint:016x}\n")).collect();
+    write_in_folder(&path, &lines)
+}
+
+/// Writes a file of the program's own, and makes its folder where there is none.
+fn write_in_folder(path: &Path, text: &str) -> anyhow::Result<()> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
     }
-    let lines: String = fingerprints.iter().map(|fingerprint| format!("{fingerprint:016x}\n")).collect();
-    files::write(&path, lines.as_bytes())
+    files::write(path, text.as_bytes())
 }
 
 fn remember(names: &[String]) -> anyhow::Result<()> {
     let Some(path) = recent_file() else { return Ok(()) };
-    if let Some(folder) = path.parent() {
-        std::fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
-    }
     let absolute =
         |name: &String| std::path::absolute(App::file_path(name)).map(|path| App::file_name(&path));
     let names = names.iter().map(absolute).collect::<std::io::Result<Vec<_>>>()?;
-    files::write(&path, names.join("\n").as_bytes())
+    write_in_folder(&path, &names.join("\n"))
 }

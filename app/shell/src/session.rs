@@ -211,7 +211,13 @@ impl Session {
                 (self.setup.compare)(&file, &bounds, &picture)
                     .map_err(|reason| format!("{place}: {reason}"))?;
             }
-            Request::KeepKernels => (self.setup.keep_kernels)(&self.app.cached_kernels()),
+            Request::KeepKernels => {
+                let kernels = self.app.cached_kernels();
+                if kernels != self.setup.cached_kernels {
+                    (self.setup.keep_kernels)(&kernels);
+                    self.setup.cached_kernels = kernels;
+                }
+            }
             Request::Remember(files) => (self.setup.remember)(&files),
             Request::FullScreen => leftover.full_screen = true,
             Request::NewDevice => leftover.new_device = true,

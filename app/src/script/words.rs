@@ -5,13 +5,13 @@ use crate::Change;
 
 /// A word that begins a line.
 pub struct Word {
-    /// The word.
+    /// The first word of the line, which selects the step.
     pub name: &'static str,
     /// The form of what follows it; empty for nothing.
     pub form: &'static str,
     /// Description of the step.
     pub summary: &'static str,
-    /// Parses what follows.
+    /// Parses the rest of the line into the step.
     pub parse: fn(&str) -> Result<Step, String>,
 }
 
@@ -37,7 +37,7 @@ macro_rules! bare {
     };
 }
 
-/// All words.
+/// The words that may begin a line, in the order of the help.
 #[rustfmt::skip]
 pub const WORDS: &[Word] = &[
     word("open", "SCENE", "opens a scene", |rest| Ok(Step::Open(parse::text(rest, "a scene")?))),
