@@ -28,6 +28,14 @@ pub fn encode_display(linear: &LinearImage) -> DisplayImage {
     })
 }
 
+/// The linear values of all 256 sRGB bytes (IEC 61966-2-1).
+pub(crate) fn srgb_to_linear() -> [f32; 256] {
+    std::array::from_fn(|byte| {
+        let c = byte as f32 / 255.0;
+        if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -3,6 +3,7 @@
 
 use glam::{Vec4, Vec4Swizzles as _};
 
+use crate::image::srgb_to_linear;
 use crate::scene::{Image8, Scene, TextureSlot};
 
 /// The encoding of an image's bytes, which determines how texels are averaged.
@@ -74,14 +75,6 @@ fn encoded(c: f32) -> f32 {
     if c <= 0.003_130_8 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 }
 }
 
-/// The linear values of all 256 sRGB bytes.
-fn linear_table() -> [f32; 256] {
-    std::array::from_fn(|byte| {
-        let c = byte as f32 / 255.0;
-        if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
-    })
-}
-
 /// Width and height of a level in texels; level 0 is the image.
 pub fn level_size(size: [u32; 2], level: u32) -> [u32; 2] {
     size.map(|side| (side >> level).max(1))
@@ -94,7 +87,7 @@ pub fn last_level([width, height]: [u32; 2]) -> u32 {
 
 /// The mip levels of an image, from level 1 on.
 pub fn levels(image: &Image8, content: Content) -> Vec<Image8> {
-    let linear = linear_table();
+    let linear = srgb_to_linear();
     let size = [image.width, image.height];
     let texels = |i: usize| {
         let [r, g, b, a] = [0, 1, 2, 3].map(|channel| image.rgba[4 * i + channel]);
@@ -186,7 +179,7 @@ mod tests {
     /// The mean of each decoded channel, computed in f64.
     fn mean(image: &Image8) -> [f64; 4] {
         let count = image.rgba.len() as f64 / 4.0;
-        let linear = linear_table();
+        let linear = srgb_to_linear();
         std::array::from_fn(|channel| {
             let values = image.rgba.iter().skip(channel).step_by(4).map(|b| match channel {
                 3 => f64::from(*b) / 255.0,

@@ -71,7 +71,7 @@ impl EnvironmentMap {
     }
 
     /// Averages a function of the unit direction over `places` x `places` points of each texel.
-    fn of(side: u32, places: u32, radiance: impl Fn(DVec3) -> DVec3) -> Self {
+    pub(crate) fn of(side: u32, places: u32, radiance: impl Fn(DVec3) -> DVec3) -> Self {
         let step = 1.0 / f64::from(places);
         let texels = (0..side * side).map(|i| {
             let corner = DVec2::new(f64::from(i % side), f64::from(i / side));

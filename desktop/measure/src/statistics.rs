@@ -118,7 +118,8 @@ mod tests {
         let all = SceneStatistics::of("a", &Scene::default(), Specialize::All);
         // The data of some exist only where a scene needs them.
         let all_features = Features::all().list();
-        let of_need: Vec<_> = all_features.iter().filter(|(_, linked)| !linked).map(|(name, _)| *name).collect();
+        let of_need: Vec<_> =
+            all_features.iter().filter(|(_, linked)| !linked).map(|(name, _)| *name).collect();
         assert!(of_need.contains(&"environment_map"));
         assert_eq!((all.features.len(), all.left_out), (Features::COUNT - of_need.len(), of_need));
     }

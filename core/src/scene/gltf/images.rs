@@ -119,7 +119,7 @@ impl Textures {
     }
 
     /// The scene's image for an image of the file; `None`, with a warning, if its file is missing.
-    fn image(
+    pub fn image(
         &mut self,
         source: &Source<'_>,
         external: &mut External<'_>,

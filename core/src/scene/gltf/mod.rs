@@ -14,6 +14,7 @@
 //!
 //! ```text
 //! 8 MiB + 1024 x bytes of JSON + 8 x bytes of all else + 256 x (triangles + objects) + 16 x texels
+//!     + 32 x texels of the faces of an image-based light
 //!     + 1024 x triangles of the largest object whose tangents are computed
 //!     + 4 x bytes that compressed buffer views and meshes decode to
 //! ```
@@ -36,6 +37,7 @@ mod coverage;
 mod deformation;
 mod document;
 mod draco;
+mod image_light;
 mod images;
 mod instances;
 mod jpeg;
@@ -125,7 +127,10 @@ fn import(bytes: &[u8], resolve: &mut Resolve<'_>, options: &ImportOptions<'_>) 
     if scene.cameras.is_empty() {
         scene.cameras.push(("framing".to_owned(), Camera::framing(low, high)));
     }
-    if scene.lights.is_empty() && !shown.is_some_and(|index| states_surroundings(&source, index)) {
+    let image_light = shown.map(|index| image_light::map(&source, &mut external, index, &mut scene.warnings));
+    if let Some(map) = image_light.transpose()?.flatten() {
+        scene.surround(map);
+    } else if scene.lights.is_empty() && !shown.is_some_and(|index| states_surroundings(&source, index)) {
         scene.surround(EnvironmentMap::studio());
         scene.is_lit_by_studio = true;
     }

@@ -15,7 +15,7 @@ pub(super) static EXTENSIONS: [Extension; 56] = [
     ignored_extension("AGI_stk_metadata"),
     ignored_extension("EXT_instance_features"),
     not_shown_extension("EXT_lights_ies", present),
-    not_shown_extension("EXT_lights_image_based", present).object(&IMAGE_BASED_LIGHT_OF_SCENE),
+    shown_extension("EXT_lights_image_based").object(&IMAGE_BASED_LIGHT_OF_SCENE),
     ignored_extension("EXT_mesh_features"),
     shown_extension("EXT_mesh_gpu_instancing").object(&INSTANCING),
     ignored_extension("EXT_mesh_manifold"),

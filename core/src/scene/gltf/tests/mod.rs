@@ -5,6 +5,7 @@ mod compressed;
 mod extremes;
 mod features;
 mod hostile;
+mod image_light;
 mod materials;
 mod pictures;
 mod poses;
