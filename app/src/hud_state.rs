@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use glimpse::{Counts, Memory, PassTime};
+use glimpse::{Counts, Memory, Method, PassTime};
 
 /// Number of frame times that are kept.
 pub const HISTORY: usize = 240;
@@ -22,6 +22,8 @@ pub struct HudState {
     pub warnings: Vec<String>,
     /// One line for each feature of the file that is not shown.
     pub not_shown: Vec<String>,
+    /// The same of what the pictures of a method alone do not show.
+    pub not_shown_by: Vec<(Method, Vec<String>)>,
     /// Features that the scene needs.
     pub features: Vec<&'static str>,
     /// Features that are left out of its kernels.

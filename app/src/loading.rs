@@ -1,7 +1,8 @@
 //! Reads a scene and uploads it to the device.
 
 use glam::{DVec3, Vec3};
-use glimpse::{Camera, Gpu, GpuScene, Scene};
+use glimpse::scene::NotShown;
+use glimpse::{Camera, Gpu, GpuScene, Method, Scene};
 
 use crate::{Files, WorkerEvent, worker::EventSender};
 
@@ -53,6 +54,8 @@ pub struct SceneFacts {
     pub warnings: Vec<String>,
     /// One line for each feature of the file that is not shown.
     pub not_shown: Vec<String>,
+    /// The same of what the pictures of a method alone do not show.
+    pub not_shown_by: Vec<(Method, Vec<String>)>,
     /// All optional features, each with whether the scene needs it.
     pub features: Vec<(&'static str, bool)>,
 }
@@ -79,6 +82,7 @@ pub(crate) fn load(
 ) -> Result<Loaded, String> {
     event_sender.send(WorkerEvent::Loading(format!("reading {name}"), [1, 2]));
     let Opened { mut scene, camera } = files(name)?;
+    let lines = |not_shown: &[NotShown]| not_shown.iter().map(ToString::to_string).collect();
     let features = glimpse::Features::of(&scene).list().to_vec();
     let facts = SceneFacts {
         name: name.to_owned(),
@@ -88,7 +92,8 @@ pub(crate) fn load(
         origin: scene.origin,
         bounds: scene.bounds().unwrap_or_default(),
         warnings: told(&mut scene),
-        not_shown: scene.not_shown.iter().map(ToString::to_string).collect(),
+        not_shown: lines(&scene.not_shown),
+        not_shown_by: Method::ALL.map(|method| (method, lines(&scene.not_shown_by(method)))).to_vec(),
         features,
     };
     event_sender.send(WorkerEvent::Loading(format!("building {name}"), [2, 2]));

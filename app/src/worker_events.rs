@@ -69,6 +69,7 @@ impl App {
         hud_state.cameras = facts.cameras.iter().map(|(name, _)| name.clone()).collect();
         hud_state.warnings.clone_from(&facts.warnings);
         hud_state.not_shown.clone_from(&facts.not_shown);
+        hud_state.not_shown_by.clone_from(&facts.not_shown_by);
         let named = |needed: bool| {
             let names = facts.features.iter().filter(move |(_, has)| *has == needed);
             names.map(|(name, _)| *name).collect()

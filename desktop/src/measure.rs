@@ -74,7 +74,12 @@ impl<'g> Workbench<'g> {
         let methods = methods.with_context(|| name.to_owned())?;
         let specialize = requests.first().map_or(Specialize::Auto, |request| request.settings.specialize);
         let statistics = SceneStatistics::of(name, &scene, specialize);
-        let (mut warnings, not_shown) = (scene.warnings.clone(), scene.not_shown.clone());
+        let (mut warnings, mut not_shown) = (scene.warnings.clone(), scene.not_shown.clone());
+        for request in requests {
+            let of_method = scene.not_shown_by(request.settings.method);
+            not_shown
+                .extend(of_method.into_iter().filter(|one| !not_shown.contains(one)).collect::<Vec<_>>());
+        }
         warnings.extend(scene.is_lit_by_studio.then(|| Scene::STUDIO_LIT.to_owned()));
         let exposure = |request: &FrameRequest| request.settings.exposure.unwrap_or(scene.auto_exposure());
         let cpu_threads: Vec<_> = requests.iter().map(|request| request.settings.paths.cpu_threads).collect();

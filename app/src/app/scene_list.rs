@@ -90,6 +90,7 @@ mod tests {
             bounds: (Vec3::ZERO, Vec3::ONE),
             warnings: Vec::new(),
             not_shown: Vec::new(),
+            not_shown_by: Vec::new(),
             features: Vec::new(),
         }
     }

@@ -1,6 +1,7 @@
 //! Measurements of the last frame, as rows with bars.
 
 use egui::{Color32, ProgressBar, RichText, Ui};
+use glimpse::Method;
 
 use super::{amounts, style};
 use crate::HudState;
@@ -60,7 +61,7 @@ pub fn device(ui: &mut Ui, hud_state: &HudState) {
 }
 
 /// Shows the scene's contents and the features left out of its kernels.
-pub fn scene(ui: &mut Ui, hud_state: &HudState) {
+pub fn scene(ui: &mut Ui, hud_state: &HudState, method: Method) {
     style::reading(ui, "primitives", &amounts::count(hud_state.primitives));
     for (caption, names) in [("needs", &hud_state.features), ("left out of the kernels", &hud_state.left_out)]
     {
@@ -72,7 +73,9 @@ pub fn scene(ui: &mut Ui, hud_state: &HudState) {
     for warning in &hud_state.warnings {
         warn(ui, warning);
     }
-    for not_shown in &hud_state.not_shown {
+    let of_method =
+        hud_state.not_shown_by.iter().filter(|(by, _)| *by == method).flat_map(|(_, lines)| lines);
+    for not_shown in hud_state.not_shown.iter().chain(of_method) {
         warn(ui, &format!("not shown: {not_shown}"));
     }
 }

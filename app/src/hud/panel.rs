@@ -52,7 +52,7 @@ fn place(content: Rect, text_scale: f32) -> Rect {
 }
 
 fn sections(ui: &mut Ui, hud: &mut Hud<'_>, user_requests: &mut Vec<UserRequest>) {
-    let hud_state = hud.hud_state;
+    let (hud_state, method) = (hud.hud_state, hud.choices.settings.method);
     frame_time(ui, hud);
     commands(ui, hud, user_requests);
     section(ui, "Scenes", true, |ui| places::scenes(ui, hud, user_requests));
@@ -71,7 +71,7 @@ fn sections(ui: &mut Ui, hud: &mut Hud<'_>, user_requests: &mut Vec<UserRequest>
     section(ui, "Passes", true, |ui| measurements::passes(ui, hud_state));
     section(ui, "Rays", true, |ui| measurements::rays(ui, hud_state));
     section(ui, "Failed checks", false, |ui| measurements::failed_checks(ui, hud_state));
-    section(ui, "This scene", true, |ui| measurements::scene(ui, hud_state));
+    section(ui, "This scene", true, |ui| measurements::scene(ui, hud_state, method));
     section(ui, "Memory and adapter", true, |ui| measurements::device(ui, hud_state));
 }
 
