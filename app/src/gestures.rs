@@ -10,14 +10,14 @@
 //! | double tap, double click | focus |
 //! | arrow keys; with shift | turn; pan |
 //! | page up, page down, `+`, `-` | dolly; speed while flying |
-//! | `W` `A` `S` `D` `Q` `E` while flying; with shift | fly; fast |
+//! | the places of `W` `A` `S` `D` `Q` `E` on a US keyboard while flying; with shift | fly; fast |
 
 #[cfg(test)]
 mod tests;
 
-use std::time::Duration;
+use std::{collections::HashSet, time::Duration};
 
-use egui::{InputState, Key, PointerButton, Pos2, Rect, Response};
+use egui::{Event, InputState, Key, PointerButton, Pos2, Rect, Response};
 use glam::{Vec2, Vec3};
 
 use crate::Navigation;
@@ -74,17 +74,19 @@ const WHEEL: f32 = 1.0 / 200.0;
 const STROLL: f32 = 0.25;
 
 /// Recognises motions in the input of a view.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Gestures {
     /// Whether two fingers have been down since the first touched: a single remaining finger then does not
     /// rotate.
     pinched: bool,
+    /// Keys that are held, by their places.
+    held: HashSet<Key>,
 }
 
 impl Gestures {
     /// Motions of this frame. `response` belongs to the whole view and must sense clicks and drags; positions
     /// are measured in `picture`; `time` is the time since the last call. Keys are ignored while a widget has
-    /// the focus.
+    /// the focus or a dialog is open.
     pub fn read(
         &mut self,
         response: &Response,
@@ -94,7 +96,9 @@ impl Gestures {
     ) -> Vec<Motion> {
         let view = View { center: picture.center(), height: picture.height() };
         let over = response.contains_pointer() || response.dragged();
-        let keys = response.ctx.memory(|memory| memory.focused()).is_none_or(|id| id == response.id);
+        let keys = response.ctx.memory(|memory| {
+            memory.top_modal_layer().is_none() && memory.focused().is_none_or(|id| id == response.id)
+        });
         let buttons = [PointerButton::Primary, PointerButton::Secondary, PointerButton::Middle];
         let dragged = buttons.map(|button| response.dragged_by(button));
         let double_click = response.double_clicked().then(|| response.interact_pointer_pos()).flatten();
@@ -110,11 +114,30 @@ impl Gestures {
                 }
                 motions.extend(wheel(input, &view, navigation));
             }
+            self.hold(&input.events);
             if keys {
-                motions.extend(keyboard(input, navigation, time.as_secs_f32()));
+                motions.extend(keyboard(input, &self.held, navigation, time.as_secs_f32()));
             }
         });
         motions
+    }
+
+    /// Follows which keys are held.
+    fn hold(&mut self, events: &[Event]) {
+        for event in events {
+            match event {
+                Event::Key { key, physical_key, pressed, .. } => {
+                    let place = physical_key.unwrap_or(*key);
+                    if *pressed {
+                        self.held.insert(place)
+                    } else {
+                        self.held.remove(&place)
+                    };
+                }
+                Event::WindowFocused(false) => self.held.clear(),
+                _ => {}
+            }
+        }
     }
 }
 
@@ -168,7 +191,7 @@ fn wheel(input: &InputState, view: &View, navigation: Navigation) -> Vec<Motion>
     some([scrolled, Motion::Dolly { by: input.zoom_delta().ln(), at }])
 }
 
-fn keyboard(input: &InputState, navigation: Navigation, seconds: f32) -> Vec<Motion> {
+fn keyboard(input: &InputState, held: &HashSet<Key>, navigation: Navigation, seconds: f32) -> Vec<Motion> {
     if input.modifiers.ctrl || input.modifiers.command || input.modifiers.alt {
         return Vec::new();
     }
@@ -187,7 +210,11 @@ fn keyboard(input: &InputState, navigation: Navigation, seconds: f32) -> Vec<Mot
     if navigation == Navigation::Orbit {
         return some([dragged, Motion::Dolly { by: nearer, at: None }]);
     }
-    let along = Vec3::new(axis(&[Key::D], &[Key::A]), axis(&[Key::E], &[Key::Q]), axis(&[Key::W], &[Key::S]));
+    let along = |more, less| {
+        let down = |key| f32::from(u8::from(held.contains(&key)));
+        down(more) - down(less)
+    };
+    let along = Vec3::new(along(Key::D, Key::A), along(Key::E, Key::Q), along(Key::W, Key::S));
     let along = along.normalize_or_zero() * if shift { 1.0 } else { STROLL };
     some([dragged, Motion::FlySpeed { by: nearer }, Motion::Fly { along }])
 }

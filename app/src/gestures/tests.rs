@@ -1,8 +1,8 @@
 //! Sends synthetic input through a real egui context without a window.
 
 use egui::{
-    Context, Event, Modifiers, MouseWheelSource, MouseWheelUnit, RawInput, Rect, Sense, TouchDeviceId,
-    TouchId, TouchPhase, pos2, vec2,
+    Context, Modifiers, MouseWheelSource, MouseWheelUnit, RawInput, Rect, Sense, TouchDeviceId, TouchId,
+    TouchPhase, pos2, vec2,
 };
 
 use super::*;
@@ -315,6 +315,33 @@ fn everything_is_in_reach_of_the_keyboard() {
         assert_eq!(hand.frame([]), [expected], "{key:?} is still down");
         assert_eq!(hand.frame([hand.key(key, false)]), [], "{key:?} is up");
     }
+}
+
+#[test]
+fn letters_fly_by_their_places() {
+    let forward = [Motion::Fly { along: Vec3::Z * STROLL }];
+    let mut hand = Hand::new(600.0, 1.0, Navigation::Fly);
+    // On a French keyboard, Z is where a US keyboard has W, and W where it has Z.
+    let z = |pressed| Event::Key {
+        key: Key::Z,
+        physical_key: Some(Key::W),
+        pressed,
+        repeat: false,
+        modifiers: Modifiers::NONE,
+    };
+    let w = Event::Key {
+        key: Key::W,
+        physical_key: Some(Key::Z),
+        pressed: true,
+        repeat: false,
+        modifiers: Modifiers::NONE,
+    };
+    assert_eq!(hand.frame([w]), []);
+    assert_eq!(hand.frame([z(true)]), forward);
+    assert_eq!(hand.frame([]), forward, "held");
+    assert_eq!(hand.frame([z(false)]), []);
+    hand.frame([z(true)]);
+    assert_eq!(hand.frame([Event::WindowFocused(false)]), [], "the release goes to another window");
 }
 
 #[test]

@@ -12,8 +12,8 @@ const GESTURES: [(&str, &str); 8] = [
     ("two fingers, right button", "pan"),
     ("pinch, wheel", "nearer and farther"),
     ("double tap, double click", "orbit around the point that was hit"),
-    ("W A S D, arrows", "fly: forward, left, back, right"),
-    ("Q E", "fly: down, up"),
+    ("W A S D", "fly: forward, left, back, right"),
+    ("Q E", "fly: down, up (all six by their places on a US keyboard)"),
     ("Tab, Shift+Tab", "next and previous control of the overlay"),
     ("Left, Right on the divider", "move the split"),
 ];

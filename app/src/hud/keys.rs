@@ -5,8 +5,8 @@ use egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
 use super::actions::Action;
 use crate::Navigation;
 
-/// Keys that move the camera in [`Navigation::Fly`], unless a modifier is held or the overlay has the
-/// keyboard focus.
+/// Keys that move the camera in [`Navigation::Fly`], unless a modifier is held or the overlay has the keyboard focus: by
+/// their places on a keyboard of the US, whatever letters they have.
 pub const FLY_KEYS: [Key; 10] = [
     Key::W,
     Key::A,
@@ -113,17 +113,17 @@ pub fn pressed(ctx: &Context, navigation: Navigation) -> Vec<(Action, usize)> {
 }
 
 fn asked(event: &Event, navigation: Navigation) -> Option<(Action, usize)> {
-    let keys = match event {
+    let (keys, place) = match event {
         // The shells' input layer reports the copy shortcut as this event.
-        Event::Copy => with_command(Key::C),
-        Event::Key { key, pressed: true, repeat: false, modifiers, .. } if !modifiers.alt => {
+        Event::Copy => (with_command(Key::C), Key::C),
+        Event::Key { key, physical_key, pressed: true, repeat: false, modifiers } if !modifiers.alt => {
             // Shift is ignored, as some of the keys need it to be typed.
             let modifiers = if modifiers.command { Modifiers::COMMAND } else { Modifiers::NONE };
-            KeyboardShortcut::new(modifiers, *key)
+            (KeyboardShortcut::new(modifiers, *key), physical_key.unwrap_or(*key))
         }
         _ => return None,
     };
-    if flies(keys, navigation) {
+    if flies(keys, navigation) || flies(KeyboardShortcut { logical_key: place, ..keys }, navigation) {
         return None;
     }
     SHORTCUTS.iter().find_map(|shortcut| {
@@ -171,6 +171,20 @@ mod tests {
         }
         let save = press(Key::S, Modifiers::COMMAND);
         assert_eq!(asked(&save, Navigation::Fly), Some((Action::Screenshot, 2)));
+    }
+
+    #[test]
+    fn what_flies_is_known_by_its_place() {
+        let at = |key, place| Event::Key {
+            key,
+            physical_key: Some(place),
+            pressed: true,
+            repeat: false,
+            modifiers: Modifiers::NONE,
+        };
+        assert_eq!(asked(&at(Key::X, Key::E), Navigation::Fly), None);
+        assert_eq!(asked(&at(Key::X, Key::E), Navigation::Orbit), Some((Action::Split, 0)));
+        assert_eq!(asked(&at(Key::X, Key::X), Navigation::Fly), Some((Action::Split, 0)));
     }
 
     #[test]
