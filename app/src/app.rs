@@ -12,9 +12,9 @@ use std::{path::PathBuf, sync::Arc, time::Duration};
 
 use glimpse::Gpu;
 
-pub(crate) use self::device::MAX_LOSSES;
 pub use self::update::{Capture, Request, Update};
 use self::{clock::Clock, delivery::Delivery, device::DeviceState, pacing::Pacing, scene_list::SceneList};
+pub(crate) use self::{device::MAX_LOSSES, scene_list::short_name};
 use crate::{
     CameraControl, Change, Choices, Files, FrameRate, Gestures, HudState, Job, Overlay, Painting, Quality,
     Wake, Worker, view::View,
@@ -215,6 +215,12 @@ impl App {
     #[must_use]
     pub fn scene_wanted(&self) -> &str {
         self.scenes.wanted()
+    }
+
+    /// Title for the window: `helmet.glb - Glimpse`.
+    #[must_use]
+    pub fn title(&self) -> String {
+        self.scenes.title()
     }
 
     /// The error message on display.

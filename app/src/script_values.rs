@@ -22,6 +22,7 @@ const fn value(name: &'static str, summary: &'static str, get: fn(&App) -> Optio
 /// All values but those of options.
 pub(crate) const VALUES: &[ScriptValue] = &[
     value("scene", "name of the scene", |app| text(&app.hud_state.scene)),
+    value("title", "title of the window", |app| Some(Value::Text(app.title()))),
     value("command", "command that renders the frame", |app| app.command().map(Value::Text)),
     value("problem", "error message on display, or empty", |app| {
         text(app.hud_state.problem.as_deref().unwrap_or_default())

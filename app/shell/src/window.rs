@@ -51,6 +51,7 @@ pub fn run(event_loop: EventLoop<Wakeup>, setup: Setup, open_dialog: OpenDialog)
         gpu: None,
         surface: None,
         size: [1, 1],
+        title: String::new(),
         input: None,
         paused: false,
         failed: None,
@@ -69,6 +70,8 @@ struct Shell {
     surface: Option<Surface>,
     /// Size of the surface in pixels, or of the last one.
     size: [u32; 2],
+    /// Title of the window.
+    title: String,
     input: Option<egui_winit::State>,
     /// A script has paused the app, which has no surface then.
     paused: bool,
@@ -198,6 +201,11 @@ impl Shell {
         }
         let raw = input.take_egui_input(&window);
         let (mut update, leftover) = self.session.frame(raw, self.size, window.scale_factor() as f32)?;
+        let title = self.session.app.title();
+        if title != self.title {
+            window.set_title(&title);
+            self.title = title;
+        }
         let surface = self.surface.as_mut().filter(|_| !self.paused);
         let shown = self.session.show(&mut update.painting, surface)?;
         if let Some(input) = &mut self.input {

@@ -69,9 +69,21 @@ impl SceneList {
         Some(first)
     }
 
+    /// Title of the window: the scene on display, without its folder, and the program.
+    pub fn title(&self) -> String {
+        let name = self.shown.as_ref().map(|scene| short_name(&scene.name).replace(char::is_control, " "));
+        name.map_or("Glimpse".to_owned(), |name| format!("{name} - Glimpse"))
+    }
+
     fn offer(&mut self) {
         self.offered = crate::scenes().chain(self.recent.iter().cloned()).collect();
     }
+}
+
+/// Name of a scene for display: that of its file without the folder, or of a built-in scene.
+pub(crate) fn short_name(scene: &str) -> &str {
+    let file = scene.rsplit(['/', '\\']).next().unwrap_or(scene);
+    scene.strip_prefix("builtin:").unwrap_or(file)
 }
 
 #[cfg(test)]
@@ -93,6 +105,23 @@ mod tests {
             not_shown_by: Vec::new(),
             features: Vec::new(),
         }
+    }
+
+    #[test]
+    fn scenes_are_called_by_their_last_name() {
+        assert_eq!(short_name("builtin:room"), "room");
+        assert_eq!(short_name("/home/a/kitchen.glb"), "kitchen.glb");
+        assert_eq!(short_name(r"C:\scenes\kitchen.glb"), "kitchen.glb");
+    }
+
+    #[test]
+    fn the_title_names_the_scene_on_display() {
+        let mut list = SceneList::new("/home/a/kitchen.glb", Vec::new());
+        assert_eq!(list.title(), "Glimpse");
+        list.opened(facts("/home/a/kit\nchen.glb"));
+        assert_eq!(list.title(), "kit chen.glb - Glimpse");
+        list.want("builtin:room");
+        assert_eq!(list.title(), "kit chen.glb - Glimpse", "until the other one is loaded");
     }
 
     #[test]

@@ -3,13 +3,14 @@
 use egui::{Align, Button, Layout, RichText, Ui, vec2};
 
 use super::{Hud, UserRequest, keys};
+use crate::app::short_name;
 
 /// Shows the list of scenes.
 pub fn scenes(ui: &mut Ui, hud: &Hud<'_>, user_requests: &mut Vec<UserRequest>) {
     for (index, scene) in hud.scenes.iter().enumerate() {
         let chosen = *scene == hud.hud_state.scene;
         let hint = RichText::new(keys::scene_hint(ui.ctx(), index)).small().weak();
-        let button = Button::selectable(chosen, name(scene)).right_text(hint).truncate();
+        let button = Button::selectable(chosen, short_name(scene)).right_text(hint).truncate();
         if wide(ui, button).accessible_name(format!("scene: {scene}")).on_hover_text(scene).clicked() {
             user_requests.push(UserRequest::Open(scene.clone()));
         }
@@ -41,22 +42,4 @@ fn wide(ui: &mut Ui, button: Button<'_>) -> egui::Response {
         ui.add(button.min_size(vec2(width, height)))
     })
     .inner
-}
-
-/// Short name of a scene in the list.
-fn name(scene: &str) -> &str {
-    let file = scene.rsplit(['/', '\\']).next().unwrap_or(scene);
-    scene.strip_prefix("builtin:").unwrap_or(file)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn scenes_are_called_by_their_last_name() {
-        assert_eq!(name("builtin:room"), "room");
-        assert_eq!(name("/home/a/kitchen.glb"), "kitchen.glb");
-        assert_eq!(name(r"C:\scenes\kitchen.glb"), "kitchen.glb");
-    }
 }

@@ -48,6 +48,11 @@ impl ScriptHarness {
         Self { folder: tempfile::tempdir().unwrap(), display: None }
     }
 
+    /// Value of the `DISPLAY` variable.
+    pub fn display(&self) -> &str {
+        self.display.as_ref().map(Display::name).expect("a harness with a window")
+    }
+
     pub fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join(name)
     }

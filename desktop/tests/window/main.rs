@@ -12,3 +12,4 @@ mod input;
 mod life_cycle;
 mod phones;
 mod scripts;
+mod title;
