@@ -6,7 +6,7 @@ use egui::{Context, Rect, Sense, Ui};
 use glimpse::{Foveation, Method};
 
 use crate::{
-    App, CameraControl, Hud, Motion, RenderedFrame, Request, UserRequest, input_queue::InputQueue,
+    App, CameraControl, Hud, Motion, RenderedFrame, Request, UserRequest, hud, input_queue::InputQueue,
     lenses::Bent,
 };
 
@@ -33,7 +33,7 @@ impl App {
     /// since the last update.
     pub(crate) fn show(&mut self, ui: &mut Ui, passed: Duration) -> Vec<UserRequest> {
         let context = ui.ctx().clone();
-        let view = context.viewport_rect();
+        let view = hud::picture_room(&context, &self.choices);
         let response = ui.interact(view, egui::Id::unique("picture"), Sense::CLICK | Sense::DRAG);
         let pixels = context.pixels_per_point();
         let window = [view.width(), view.height()].map(|side| ((side * pixels).round() as u32).max(1));
@@ -99,12 +99,15 @@ impl App {
             ui.painter().add(bent.mesh(shown.picture, shown.frame.job.size));
             return;
         }
-        let whole = Rect::from_min_max(egui::Pos2::ZERO, egui::pos2(1.0, 1.0));
-        ui.painter().image(shown.picture, picture, whole, egui::Color32::WHITE);
+        let (at, part) = match shown.frame.job.settings.method {
+            Method::Vr => (picture, WHOLE),
+            _ => overlap(shown.frame.job.size, picture),
+        };
+        ui.painter().image(shown.picture, at, part, egui::Color32::WHITE);
         if let (Some(full), Some(split)) = (shown.full, self.choices.split) {
             let mut right = picture;
             right.min.x = picture.left() + split * picture.width();
-            ui.painter().with_clip_rect(right).image(full, picture, whole, egui::Color32::WHITE);
+            ui.painter().with_clip_rect(right).image(full, at, part, egui::Color32::WHITE);
         }
     }
 
@@ -159,6 +162,27 @@ impl App {
     }
 }
 
+/// Texture coordinates of a whole texture.
+const WHOLE: Rect = Rect { min: egui::Pos2::ZERO, max: egui::pos2(1.0, 1.0) };
+
+/// Where a frame of that size is drawn in the rectangle of the picture, and which part of it, in texture coordinates. Until
+/// the frame of a new shape arrives, the last one keeps its height and its centre: the pictures of a camera at one height
+/// differ in width alone.
+fn overlap(frame: [u32; 2], picture: Rect) -> (Rect, Rect) {
+    let [width, height] = frame.map(|side| side as f32);
+    let ratio = picture.aspect_ratio() * height / width;
+    // The governor rounds the sides of frames to whole pixels.
+    let is_rounded = (ratio - 1.0).abs() <= 1.0 / width + 1.0 / height;
+    if is_rounded || !ratio.is_finite() {
+        (picture, WHOLE)
+    } else if ratio < 1.0 {
+        (picture, Rect::from_center_size(WHOLE.center(), egui::vec2(ratio, 1.0)))
+    } else {
+        let drawn = egui::vec2(picture.width() / ratio, picture.height());
+        (Rect::from_center_size(picture.center(), drawn), WHOLE)
+    }
+}
+
 /// The rectangle in which a frame of that size is shown: centred in the view, as large as fits, on whole pixels. A
 /// rectangle that would miss the view by at most a pixel on each axis fills it.
 fn fitted(frame: [u32; 2], view: Rect, pixels_per_point: f32) -> Rect {
@@ -188,6 +212,16 @@ mod tests {
         let upright = Rect::from_min_size(pos2(0.0, 0.0), vec2(540.0, 1200.0));
         let picture = fitted([2560, 1440], upright, 1.0);
         assert_eq!(picture, Rect::from_min_size(pos2(0.0, 448.0), vec2(540.0, 304.0)));
+    }
+
+    #[test]
+    fn a_frame_of_the_shape_before_keeps_its_height_and_its_centre() {
+        let picture = Rect::from_min_size(pos2(0.0, 0.0), vec2(640.0, 720.0));
+        let middle = Rect::from_min_max(pos2(0.25, 0.0), pos2(0.75, 1.0));
+        assert_eq!(overlap([1280, 720], picture), (picture, middle), "it was wider");
+        let drawn = Rect::from_min_size(pos2(160.0, 0.0), vec2(320.0, 720.0));
+        assert_eq!(overlap([320, 720], picture), (drawn, WHOLE), "it was narrower");
+        assert_eq!(overlap([91, 102], picture), (picture, WHOLE), "scaled down and rounded");
     }
 
     #[test]

@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use egui::{Align2, Area, Context, Id, Label, LayerId, Modal, Order, ProgressBar, RichText, ScrollArea, Ui};
 
-use super::{UserRequest, style};
-use crate::{Busy, HudState};
+use super::{UserRequest, picture_room, style};
+use crate::{Busy, Choices, HudState};
 
 /// Shows the error message, above everything else until it is closed.
 pub fn problem(ctx: &Context, hud_state: &HudState, text_scale: f32, user_requests: &mut Vec<UserRequest>) {
@@ -30,8 +30,8 @@ pub fn problem(ctx: &Context, hud_state: &HudState, text_scale: f32, user_reques
 /// Time between two pictures of a task's progress.
 const TICK: Duration = Duration::from_millis(200);
 
-/// Shows notices and progress at the lower edge; neither takes input.
-pub fn messages(ctx: &Context, hud_state: &HudState, text_scale: f32) {
+/// Shows notices and progress at the lower edge of the picture; neither takes input.
+pub fn messages(ctx: &Context, hud_state: &HudState, choices: &Choices) {
     let nothing_yet = hud_state.size == [0, 0];
     if nothing_yet {
         splash(ctx);
@@ -42,8 +42,9 @@ pub fn messages(ctx: &Context, hud_state: &HudState, text_scale: f32) {
     }
     let lift = if nothing_yet { 64.0 } else { -16.0 };
     let area = Area::new(Id::unique("messages")).order(Order::Foreground).interactable(false);
-    area.anchor(anchor, [0.0, lift]).show(ctx, |ui| {
-        ui.set_max_width((320.0 * text_scale).min(ctx.content_rect().width() - 32.0).max(0.0));
+    let room = picture_room(ctx, choices).intersect(ctx.content_rect());
+    area.constrain_to(room).anchor(anchor, [0.0, lift]).show(ctx, |ui| {
+        ui.set_max_width((320.0 * choices.text_scale).min(room.width() - 32.0).max(0.0));
         if let Some(text) = &hud_state.notice {
             style::card().show(ui, |ui| ui.add(Label::new(text).wrap()));
         }

@@ -67,6 +67,19 @@ pub struct Hud<'a> {
 /// Least side of a window in points for which the overlay is drawn.
 const LEAST_SIDE: f32 = style::TOUCH_TARGET;
 
+/// The part of the window that shows the picture: all of it, or what is left of the panel where that has its place beside
+/// the picture.
+#[must_use]
+pub fn picture_room(ctx: &Context, choices: &Choices) -> Rect {
+    let is_beside = choices.overlay == Overlay::Full && is_large_enough(ctx);
+    let beside = is_beside.then(|| panel::room_beside(ctx, choices.text_scale)).flatten();
+    beside.unwrap_or_else(|| ctx.viewport_rect())
+}
+
+fn is_large_enough(ctx: &Context) -> bool {
+    ctx.content_rect().size().min_elem() >= LEAST_SIDE
+}
+
 impl Hud<'_> {
     /// Handles the keys of this pass, shows the overlay, and returns the user's requests.
     ///
@@ -77,7 +90,7 @@ impl Hud<'_> {
         let mut user_requests: Vec<_> =
             pressed.filter_map(|(action, place)| actions::act(&mut self, action, place)).collect();
         style::apply(ctx, self.choices.text_scale, self.touch);
-        if ctx.content_rect().size().min_elem() >= LEAST_SIDE {
+        if is_large_enough(ctx) {
             self.draw(ctx, &mut user_requests);
         }
         user_requests
@@ -92,7 +105,7 @@ impl Hud<'_> {
             Overlay::Hidden if self.touch => status::faint_menu(ctx, self.choices),
             Overlay::Hidden => {}
         }
-        dialogs::messages(ctx, self.hud_state, self.choices.text_scale);
+        dialogs::messages(ctx, self.hud_state, self.choices);
         help::show(ctx, self.choices);
         dialogs::problem(ctx, self.hud_state, self.choices.text_scale, user_requests);
     }

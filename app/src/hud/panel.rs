@@ -39,11 +39,30 @@ pub fn show(ctx: &Context, hud: &mut Hud<'_>, user_requests: &mut Vec<UserReques
     });
 }
 
+/// The part of the window that is left of the panel; `None` where the panel covers the picture.
+pub fn room_beside(ctx: &Context, text_scale: f32) -> Option<Rect> {
+    let mut room = ctx.viewport_rect();
+    let content = inner(ctx.content_rect());
+    if !is_beside(content, text_scale) {
+        return None;
+    }
+    room.max.x = place(ctx.content_rect(), text_scale).left() - MARGIN;
+    Some(room)
+}
+
+fn inner(content: Rect) -> Rect {
+    content.shrink(MARGIN.min(0.5 * content.size().min_elem()))
+}
+
+fn is_beside(inner: Rect, text_scale: f32) -> bool {
+    inner.width() > 2.0 * WIDTH * text_scale
+}
+
 /// Rectangle of the panel: at the right if there is room beside it, otherwise the lower half.
 fn place(content: Rect, text_scale: f32) -> Rect {
-    let content = content.shrink(MARGIN.min(0.5 * content.size().min_elem()));
+    let content = inner(content);
     let width = WIDTH * text_scale;
-    if content.width() > 2.0 * width {
+    if is_beside(content, text_scale) {
         return Rect::from_min_max(pos2(content.right() - width, content.top()), content.max);
     }
     let height = if content.width() > content.height() { content.height() } else { 0.5 * content.height() };
@@ -55,6 +74,7 @@ fn sections(ui: &mut Ui, hud: &mut Hud<'_>, user_requests: &mut Vec<UserRequest>
     let (hud_state, method) = (hud.hud_state, hud.choices.settings.method);
     frame_time(ui, hud);
     commands(ui, hud, user_requests);
+    settings::show_method(ui, hud.choices);
     section(ui, "Scenes", true, |ui| places::scenes(ui, hud, user_requests));
     section(ui, "Cameras", true, |ui| {
         options::NAVIGATION.buttons(ui, hud.choices, None);
@@ -63,7 +83,8 @@ fn sections(ui: &mut Ui, hud: &mut Hud<'_>, user_requests: &mut Vec<UserRequest>
     for group in Group::ALL {
         let open = matches!(group, Group::Frame | Group::Adaptive);
         section(ui, group.title(), open, |ui| {
-            group.options().for_each(|option| settings::show(ui, option, hud.choices));
+            let others = group.options().filter(|option| !settings::is_method(option));
+            others.for_each(|option| settings::show(ui, option, hud.choices));
         });
     }
     section(ui, "What is shown", true, |ui| shown(ui, hud));
@@ -100,6 +121,7 @@ fn commands(ui: &mut Ui, hud: &mut Hud<'_>, user_requests: &mut Vec<UserRequest>
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
         let commands = [
+            ("Open", Action::Open),
             ("Screenshot", Action::Screenshot),
             ("Copy command", Action::CopyCommand),
             ("Full screen", Action::FullScreen),

@@ -30,6 +30,19 @@ pub fn show(ui: &mut Ui, option: &'static OptionSpec, choices: &mut Choices) {
     }
 }
 
+/// Shows the control of the method, which stands apart from the other options of its group.
+pub fn show_method(ui: &mut Ui, choices: &mut Choices) {
+    glimpse::options::OPTIONS
+        .iter()
+        .filter(|option| is_method(option))
+        .for_each(|option| show(ui, option, choices));
+}
+
+/// Whether the option is the method.
+pub fn is_method(option: &OptionSpec) -> bool {
+    action(option) == Some(Action::Method)
+}
+
 /// Action that selects the option's next value, if a key has it.
 fn action(option: &OptionSpec) -> Option<Action> {
     match option.name {

@@ -8,7 +8,7 @@ use egui::{Rect, Response, Sense, Vec2};
 use egui_kittest::Harness;
 use glimpse::{Counts, Memory, PassTime, Rays, Samples, Tracing};
 
-use super::{Hud, UserRequest};
+use super::{Hud, UserRequest, picture_room};
 use crate::{Busy, Choices, HudState, Overlay};
 
 /// Input of the overlay, and the requests that it returned.
@@ -44,11 +44,12 @@ fn frame(ui: &mut egui::Ui, fixture: &mut HudFixture) {
     let picture: Response =
         ui.interact(Rect::EVERYTHING, ui.scope_id().with("picture"), Sense::click_and_drag());
     fixture.picture += u32::from(picture.clicked() || picture.dragged());
+    let picture = picture_room(ui.ctx(), &fixture.choices);
     let hud = Hud {
         choices: &mut fixture.choices,
         hud_state: &fixture.hud_state,
         scenes: &fixture.scenes,
-        picture: ui.ctx().viewport_rect(),
+        picture,
         touch: fixture.touch,
     };
     fixture.user_requests.extend(hud.show(ui.ctx()));

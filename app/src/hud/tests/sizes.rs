@@ -120,6 +120,33 @@ fn the_overlay_keeps_clear_of_the_edges_that_the_device_covers() {
 }
 
 #[test]
+fn the_method_is_seen_without_scrolling() {
+    for size in [[1280.0, 720.0], [800.0, 600.0], [1920.0, 1080.0]] {
+        let harness = shown(fixture(Overlay::Full), size);
+        for choice in glimpse::Method::CHOICES {
+            let rect = harness.get_by_label(&format!("method: {}", choice.name)).rect();
+            assert!(rect.bottom() <= size[1] - 16.0, "{size:?}, {}: {rect:?}", choice.name);
+        }
+    }
+}
+
+#[test]
+fn the_picture_has_the_room_that_the_panel_leaves() {
+    for size in [[1280.0, 720.0], [800.0, 600.0], [3840.0, 2160.0]] {
+        let harness = shown(fixture(Overlay::Full), size);
+        let room = picture_room(&harness.ctx, &harness.state().choices);
+        // The heading is inside of the panel's border and margin.
+        let panel = harness.get_by_label("Glimpse").rect().left() - 13.0;
+        assert_eq!(room, Rect::from_min_max(pos2(0.0, 0.0), pos2(panel - 8.0, size[1])), "{size:?}");
+    }
+    for (overlay, size) in [(Overlay::Brief, [1280.0, 720.0]), (Overlay::Full, [412.0, 915.0])] {
+        let harness = shown(fixture(overlay), size);
+        let room = picture_room(&harness.ctx, &harness.state().choices);
+        assert_eq!(room, Rect::from_min_size(pos2(0.0, 0.0), size.into()), "{overlay:?}");
+    }
+}
+
+#[test]
 fn the_line_drops_what_does_not_fit() {
     let wide = shown(fixture(Overlay::Brief), [1000.0, 600.0]);
     wide.get_by_label_contains("960x540 (50 %)  adaptive");
