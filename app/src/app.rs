@@ -8,7 +8,11 @@ mod pacing;
 mod scene_list;
 mod update;
 
-use std::{path::PathBuf, sync::Arc, time::Duration};
+use std::{
+    path::{Path, PathBuf},
+    sync::Arc,
+    time::Duration,
+};
 
 use glimpse::Gpu;
 
@@ -94,7 +98,7 @@ impl App {
     /// Opens a scene. The current one stays on screen until the new one is loaded.
     pub fn open(&mut self, name: &str) {
         self.scenes.want(name);
-        self.hud_state.problem = None;
+        (self.hud_state.problem, self.hud_state.folder) = (None, None);
         self.load(name);
     }
 
@@ -103,6 +107,24 @@ impl App {
         worker.open(name);
         self.delivery.load_requested();
         self.clock.loading_began();
+    }
+
+    /// Opens the list of files, for systems without a file dialog: in the folder of the scene on display, or in the working
+    /// folder where that is no file.
+    pub fn browse(&mut self) {
+        let file =
+            self.scenes.shown().map(|scene| Self::file_path(&scene.name)).filter(|path| path.is_file());
+        // The folder of a name without a folder is the empty path.
+        let folder = file.as_deref().and_then(Path::parent).filter(|folder| !folder.as_os_str().is_empty());
+        self.list(folder.unwrap_or(Path::new(".")));
+    }
+
+    /// Reads a folder for the list of files.
+    pub(crate) fn list(&mut self, folder: &Path) {
+        if let Some(worker) = self.device.worker() {
+            let number = worker.list(folder);
+            self.delivery.listing_requested(number);
+        }
     }
 
     /// Advances the app to the time `now`: handles messages of the worker and input, moves the camera,
@@ -193,10 +215,11 @@ impl App {
         self.pacing.set_thermal(factor);
     }
 
-    /// Closes the error message and the help, or reduces the full overlay to the brief one; returns false if
-    /// none was open.
+    /// Closes the error message, the list of files and the help, or reduces the full overlay to the brief one; returns
+    /// false if none was open.
     pub fn back(&mut self) -> bool {
-        let closed = self.hud_state.problem.take().is_some() || self.choices.help;
+        let closed = self.hud_state.problem.take().is_some() | self.hud_state.folder.take().is_some();
+        let closed = closed || self.choices.help;
         self.choices.help = false;
         if !closed && self.choices.overlay == Overlay::Full {
             self.choices.overlay = Overlay::Brief;

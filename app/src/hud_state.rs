@@ -4,6 +4,8 @@ use std::collections::VecDeque;
 
 use glimpse::{Counts, Memory, Method, PassTime};
 
+use crate::Folder;
+
 /// Number of frame times that are kept.
 pub const HISTORY: usize = 240;
 
@@ -51,6 +53,8 @@ pub struct HudState {
     pub governor: String,
     /// The long task in progress.
     pub busy: Option<Busy>,
+    /// The folder in the list of files, while that is open.
+    pub folder: Option<Folder>,
     /// The error message, until the user closes it.
     pub problem: Option<String>,
     /// A confirmation, shown for a few seconds.

@@ -30,6 +30,9 @@ pub(crate) const VALUES: &[ScriptValue] = &[
     value("notice", "confirmation on display, or empty", |app| {
         text(app.hud_state.notice.as_deref().unwrap_or_default())
     }),
+    value("folder", "folder in the list of files, or empty", |app| {
+        text(&app.hud_state.folder.as_ref().map(|folder| App::file_name(&folder.path)).unwrap_or_default())
+    }),
     value("legend", "what the colours of the picture mean", |app| text(&app.hud_state.legend)),
     value("show", "what the picture shows", |app| text(&app.choices.show.name())),
     value("split", "place of the split, a share of the width", |app| {

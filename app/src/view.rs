@@ -140,6 +140,11 @@ impl App {
         match request {
             UserRequest::Open(name) => self.open(&name),
             UserRequest::OpenDialog => self.requests.push(Request::OpenDialog),
+            UserRequest::Browse(folder) => self.list(&folder),
+            UserRequest::CloseFolder => {
+                self.hud_state.folder = None;
+                self.delivery.listing_ended();
+            }
             UserRequest::Screenshot => self.screenshot(None),
             UserRequest::CopyCommand => {
                 if let Some(command) = self.command() {

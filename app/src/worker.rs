@@ -3,6 +3,7 @@
 
 use std::{
     panic::{AssertUnwindSafe, catch_unwind},
+    path::Path,
     sync::{
         Arc,
         mpsc::{Receiver, Sender, channel},
@@ -14,6 +15,7 @@ use glam::Vec3;
 use glimpse::{Camera, DisplayImage, Gpu};
 
 use crate::{
+    Folder,
     compiler::Compiler,
     loading::{Loaded, Opened, SceneFacts, load},
     mailbox::Mailbox,
@@ -47,6 +49,8 @@ pub enum WorkerEvent {
     Captured(DisplayImage),
     /// The surface point that [`Worker::pick`] requested, in world space; `None` if the ray hits nothing.
     Picked(Option<Vec3>),
+    /// The folder of that number, as [`Worker::list`] requested it.
+    Listed(u64, Folder),
     /// A request failed, with the reason. Later requests may succeed.
     Failed(String),
     /// The device was lost or the thread panicked, with the reason: device, painter and worker must be
@@ -63,6 +67,7 @@ pub struct Worker {
     event_sender: EventSender,
     thread: Option<thread::JoinHandle<()>>,
     jobs: u64,
+    listings: u64,
 }
 
 impl Worker {
@@ -81,7 +86,7 @@ impl Worker {
                 .name("glimpse-frames".to_owned())
                 .spawn(move || work(&gpu, &mailbox, &compiler, &event_sender))?
         };
-        Ok(Self { gpu, files, mailbox, events, event_sender, thread: Some(thread), jobs: 0 })
+        Ok(Self { gpu, files, mailbox, events, event_sender, thread: Some(thread), jobs: 0, listings: 0 })
     }
 
     /// Starts loading a scene on a separate thread. Frames of the current scene are rendered meanwhile.
@@ -130,6 +135,19 @@ impl Worker {
     pub fn pick(&self, camera: Camera, at: [f32; 2]) {
         self.mailbox.slots().pick = Some((camera, at));
         self.mailbox.posted.notify_one();
+    }
+
+    /// Reads a folder on a separate thread, as folders of a network can take long; returns the number of the request.
+    pub fn list(&mut self, folder: &Path) -> u64 {
+        self.listings += 1;
+        let (number, event_sender, path) = (self.listings, self.event_sender.clone(), folder.to_owned());
+        let read = move || event_sender.send(WorkerEvent::Listed(number, Folder::read(&path)));
+        if let Err(error) = thread::Builder::new().name("glimpse-list".to_owned()).spawn(read) {
+            let problem = Some(format!("cannot read {}: {error}", folder.display()));
+            let folder = Folder { path: folder.to_owned(), entries: Vec::new(), problem };
+            self.event_sender.send(WorkerEvent::Listed(number, folder));
+        }
+        number
     }
 
     /// Sets whether the view is hidden: while it is, frames at rest are cancelled.

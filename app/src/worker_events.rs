@@ -52,6 +52,11 @@ impl App {
                     control.focus(point);
                 }
             }
+            WorkerEvent::Listed(number, folder) => {
+                if self.delivery.listing_arrived(number) {
+                    self.hud_state.folder = Some(folder);
+                }
+            }
             WorkerEvent::Failed(line) => {
                 self.delivery.request_failed();
                 self.hud_state.busy = None;

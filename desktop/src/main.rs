@@ -10,6 +10,7 @@ mod definition;
 mod devices;
 mod diff;
 mod errors;
+mod file_dialog;
 mod focus;
 mod info;
 mod loading;

@@ -10,7 +10,7 @@ use glimpse::metrics::Bounds;
 use glimpse::{DisplayImage, Scene, to_png};
 use glimpse_app::script::Script;
 use glimpse_app::{App, Choices, Files, Opened, Phone, StartCamera};
-use glimpse_shell::{Chosen, Screen, Setup, Wakeup, free_name};
+use glimpse_shell::{Screen, Setup, Wakeup, free_name};
 use winit::error::EventLoopError;
 use winit::event_loop::EventLoop;
 
@@ -18,7 +18,7 @@ use crate::args::{BoundsOptions, FrameOptions, SceneOptions, Size, ViewOptions};
 use crate::compare::{self, Comparison};
 use crate::errors::{self, Usage};
 use crate::output::{self, Verbosity};
-use crate::{files, render, scene_file};
+use crate::{file_dialog, files, render, scene_file};
 
 const DEFAULT_SCENE: &str = "builtin:room";
 
@@ -37,9 +37,8 @@ pub fn run(options: &ViewOptions, adapter: Option<&str>, verbosity: Verbosity) -
         return glimpse_shell::run_offscreen(setup).map_err(|line| anyhow!(line));
     }
     match EventLoop::<Wakeup>::with_user_event().build() {
-        Ok(event_loop) => {
-            glimpse_shell::run_window(event_loop, setup, Box::new(open_dialog)).map_err(|line| anyhow!(line))
-        }
+        Ok(event_loop) => glimpse_shell::run_window(event_loop, setup, Box::new(file_dialog::open))
+            .map_err(|line| anyhow!(line)),
         Err(error @ (EventLoopError::Os(_) | EventLoopError::NotSupported(_)))
             if options.script.is_none() =>
         {
@@ -209,16 +208,6 @@ fn save(file: Option<PathBuf>, picture: &DisplayImage, inputs: &[PathBuf]) -> an
     files::check(&[&path], &inputs.iter().map(PathBuf::as_path).collect::<Vec<_>>())?;
     files::write(&path, &to_png(picture)?)?;
     Ok(format!("Saved {}", path.display()))
-}
-
-/// Opens a file dialog on a separate thread; cancelling it has no effect.
-fn open_dialog(chosen: Chosen) {
-    std::thread::spawn(move || {
-        let dialog = rfd::FileDialog::new().add_filter("glTF scenes", &["glb", "gltf"]);
-        if let Some(path) = dialog.pick_file() {
-            chosen(path);
-        }
-    });
 }
 
 /// File with the names of recently opened scenes, one per line.

@@ -17,7 +17,7 @@ pub use offscreen::run as run_offscreen;
 pub use session::{Leftover, RETRY, Session, Shown};
 pub use surface::Surface;
 #[cfg(not(target_os = "android"))]
-pub use window::{Chosen, OpenDialog, Wakeup, run as run_window};
+pub use window::{DialogEnd, DialogEnded, OpenDialog, Wakeup, run as run_window};
 
 /// Saves a picture under a name, or under one that it chooses; returns the confirmation to show.
 pub type Save = Box<dyn FnMut(Option<PathBuf>, &DisplayImage) -> Result<String>>;

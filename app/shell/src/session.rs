@@ -203,6 +203,8 @@ impl Session {
 
     fn handle_request(&mut self, request: Request, leftover: &mut Leftover) -> Result<()> {
         match request {
+            // A script has no user who could answer a dialog.
+            Request::OpenDialog if self.player.is_some() => self.app.browse(),
             Request::OpenDialog => leftover.dialog = true,
             Request::Captured(Capture::Save(file), picture) => self.save(file, &picture)?,
             Request::Captured(Capture::Compare(file, bounds), picture) => {

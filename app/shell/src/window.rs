@@ -18,19 +18,30 @@ use crate::{
     surface::Surface,
 };
 
-/// Called with the chosen file, on any thread.
-pub type Chosen = Box<dyn FnOnce(PathBuf) + Send>;
+/// How a file dialog ended.
+#[derive(Debug)]
+pub enum DialogEnd {
+    /// With a file.
+    File(PathBuf),
+    /// Without one.
+    Cancelled,
+    /// The system has no file dialog.
+    Missing,
+}
+
+/// Called when a file dialog has ended, on any thread.
+pub type DialogEnded = Box<dyn FnOnce(DialogEnd) + Send>;
 
 /// Shows a file dialog without blocking.
-pub type OpenDialog = Box<dyn FnMut(Chosen)>;
+pub type OpenDialog = Box<dyn FnMut(DialogEnded)>;
 
 /// Events from outside the event loop.
 #[derive(Debug)]
 pub enum Wakeup {
     /// The worker has sent a message.
     WorkerEvent,
-    /// A file was chosen in the dialog.
-    Chosen(PathBuf),
+    /// The file dialog has ended.
+    Dialog(DialogEnd),
 }
 
 /// Runs the window until it is closed or the script ends.
@@ -89,8 +100,10 @@ impl ApplicationHandler<Wakeup> for Shell {
     }
 
     fn user_event(&mut self, _: &ActiveEventLoop, wakeup: Wakeup) {
-        if let Wakeup::Chosen(file) = wakeup {
-            self.session.app.open(&App::file_name(&file));
+        match wakeup {
+            Wakeup::Dialog(DialogEnd::File(file)) => self.session.app.open(&App::file_name(&file)),
+            Wakeup::Dialog(DialogEnd::Missing) => self.session.app.browse(),
+            Wakeup::Dialog(DialogEnd::Cancelled) | Wakeup::WorkerEvent => {}
         }
         self.redraw();
     }
@@ -258,7 +271,7 @@ impl Shell {
         if leftover.dialog {
             let proxy = self.proxy.clone();
             // The event loop has ended where sending fails.
-            (self.open_dialog)(Box::new(move |file| drop(proxy.send_event(Wakeup::Chosen(file)))));
+            (self.open_dialog)(Box::new(move |end| drop(proxy.send_event(Wakeup::Dialog(end)))));
         }
         if leftover.new_device {
             self.gpu = None;

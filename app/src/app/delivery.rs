@@ -18,6 +18,8 @@ pub(crate) struct Delivery {
     capture: Option<Capture>,
     /// Whether a requested surface point has not arrived.
     picking: bool,
+    /// Number of the folder requested last, until it arrives.
+    listing: Option<u64>,
     shown: Option<Shown>,
 }
 
@@ -98,6 +100,21 @@ impl Delivery {
         self.picking = false;
     }
 
+    /// Records a request for a folder, which replaces the previous one.
+    pub fn listing_requested(&mut self, number: u64) {
+        self.listing = Some(number);
+    }
+
+    /// Records that a folder arrived; returns whether it is the one requested last.
+    pub fn listing_arrived(&mut self, number: u64) -> bool {
+        self.listing.take_if(|requested| *requested == number).is_some()
+    }
+
+    /// Records that no folder is wanted any more.
+    pub fn listing_ended(&mut self) {
+        self.listing = None;
+    }
+
     /// Records that the worker failed at a request: none of the pending requests will be answered.
     pub fn request_failed(&mut self) {
         self.failed = self.requested.take().map(|(_, job)| job);
@@ -106,8 +123,13 @@ impl Delivery {
 
     /// Whether any request is unanswered.
     pub fn is_waiting(&self) -> bool {
-        let Self { loading, requested, counting, capture, picking, failed: _, shown: _ } = self;
-        *loading || requested.is_some() || counting.is_some() || capture.is_some() || *picking
+        let Self { loading, requested, counting, capture, picking, listing, failed: _, shown: _ } = self;
+        *loading
+            || requested.is_some()
+            || counting.is_some()
+            || capture.is_some()
+            || *picking
+            || listing.is_some()
     }
 
     /// Whether a requested frame has not arrived.
@@ -234,6 +256,17 @@ mod tests {
         assert!(delivery.is_waiting());
         delivery.scene_opened();
         assert!(!delivery.is_waiting() && delivery.needs(&job(1, None)));
+    }
+
+    #[test]
+    fn the_folder_requested_last_is_listed() {
+        let mut delivery = Delivery::default();
+        (1..=2).for_each(|number| delivery.listing_requested(number));
+        assert!(!delivery.listing_arrived(1) && delivery.is_waiting());
+        assert!(delivery.listing_arrived(2) && !delivery.is_waiting());
+        delivery.listing_requested(3);
+        delivery.listing_ended();
+        assert!(!delivery.listing_arrived(3) && !delivery.is_waiting());
     }
 
     #[test]

@@ -18,7 +18,8 @@ pub enum Capture {
 /// A request to the shell.
 #[derive(Debug)]
 pub enum Request {
-    /// Show a file dialog and call [`App::open`](crate::App::open) with the chosen file.
+    /// Show the system's file dialog and call [`App::open`](crate::App::open) with the chosen file, or
+    /// [`App::browse`](crate::App::browse) where the system has none.
     OpenDialog,
     /// Use a picture of the frame.
     Captured(Capture, DisplayImage),

@@ -39,8 +39,8 @@ const TEXT_STEP: f32 = 1.125;
 /// the action.
 pub fn act(hud: &mut Hud<'_>, action: Action, place: usize) -> Option<UserRequest> {
     let (hud_state, choices) = (hud.hud_state, &mut *hud.choices);
-    // An error message or the help page must be closed first.
-    let waiting = hud_state.problem.is_some() || choices.help;
+    // An error message, the list of files or the help page must be closed first.
+    let waiting = hud_state.problem.is_some() || hud_state.folder.is_some() || choices.help;
     if waiting && !matches!(action, Action::Close | Action::Help | Action::Quit) {
         return None;
     }
@@ -54,6 +54,7 @@ pub fn act(hud: &mut Hud<'_>, action: Action, place: usize) -> Option<UserReques
         Action::FullScreen => return Some(UserRequest::FullScreen),
         Action::Quit => return Some(UserRequest::Quit),
         Action::Close if hud_state.problem.is_some() => return Some(UserRequest::CloseProblem),
+        Action::Close if hud_state.folder.is_some() => return Some(UserRequest::CloseFolder),
         Action::Close => choices.help = false,
         Action::Help => choices.help = !choices.help,
         Action::Overlay => choices.overlay = choices.overlay.next(),

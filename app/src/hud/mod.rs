@@ -6,6 +6,7 @@
 mod actions;
 mod amounts;
 mod dialogs;
+mod files;
 mod graph;
 mod help;
 mod keys;
@@ -21,6 +22,8 @@ mod style;
 #[cfg(test)]
 mod tests;
 
+use std::path::PathBuf;
+
 use egui::{Context, Rect};
 
 use crate::{Choices, HudState, Overlay};
@@ -34,6 +37,10 @@ pub enum UserRequest {
     Open(String),
     /// Show the file dialog.
     OpenDialog,
+    /// Show a folder in the list of files.
+    Browse(PathBuf),
+    /// Close the list of files.
+    CloseFolder,
     /// Save the frame.
     Screenshot,
     /// Copy the `glimpse render` command of this frame to the clipboard.
@@ -107,6 +114,7 @@ impl Hud<'_> {
         }
         dialogs::messages(ctx, self.hud_state, self.choices);
         help::show(ctx, self.choices);
+        files::show(ctx, self.hud_state, self.choices.text_scale, user_requests);
         dialogs::problem(ctx, self.hud_state, self.choices.text_scale, user_requests);
     }
 }

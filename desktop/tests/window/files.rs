@@ -116,3 +116,49 @@ fn a_frame_that_is_not_there_is_not_saved() {
     );
     assert!(!harness.path("none.png").exists());
 }
+
+#[test]
+fn a_scene_is_chosen_in_the_list_of_files_where_there_is_no_dialog() {
+    let harness = ScriptHarness::with_window();
+    let [models, empty] = ["models", "models/empty"].map(|name| harness.path(name));
+    fs::create_dir_all(&empty).unwrap();
+    fs::write(models.join("good.glb"), glb()).unwrap();
+    harness.plays(
+        "builtin:cornell --size 320x240",
+        "settle
+         key ctrl+o
+         settle
+         expect folder != 
+         key enter
+         settle
+         expect folder contains models
+         key enter
+         settle
+         expect folder contains empty
+         key backspace
+         settle
+         key down
+         wait 0.1
+         expect moved = 0
+         key escape
+         settle
+         expect folder =
+         key ctrl+o
+         settle
+         key enter
+         settle
+         key down
+         key enter
+         settle
+         expect scene contains models/good.glb
+         expect folder =
+         expect primitives = 1
+         key ctrl+o
+         settle
+         expect folder contains models
+         key end
+         key enter
+         settle
+         expect problem =",
+    );
+}

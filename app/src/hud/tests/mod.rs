@@ -1,6 +1,7 @@
 //! Tests of the overlay above a picture, with simulated input and without drawing.
 
 mod choices;
+mod files;
 mod input;
 mod sizes;
 
