@@ -3,6 +3,7 @@
 
 use glam::Vec3;
 
+use super::normalized::flushed3;
 use crate::scene::{Material, Object, Scene, Sphere, octahedral_encode};
 
 /// Radius in units of the scene's longest side: about a pixel of a picture of 300 pixels.
@@ -31,7 +32,7 @@ pub(super) fn add(all: Vec<Thin>, materials: &mut Vec<Material>, scene: &mut Sce
     let ends = all.iter().flat_map(|thin| thin.points.iter().chain(thin.lines.as_flattened()));
     let (low, high) = ends.fold((low, high), |(low, high), p| (low.min(*p), high.max(*p)));
     let side = (high - low).max_element();
-    let radius = RADIUS * if side > 0.0 { side } else { 1.0 };
+    let radius = (RADIUS * if side > 0.0 { side } else { 1.0 }).max(f32::MIN_POSITIVE);
     let mut unlit = std::collections::HashMap::new();
     for thin in all {
         let object = scene.objects.len() as u32;
@@ -55,15 +56,16 @@ pub(super) fn add(all: Vec<Thin>, materials: &mut Vec<Material>, scene: &mut Sce
 
 /// Adds the sides of a tube; none for a line without length.
 fn tube([start, end]: [Vec3; 2], radius: f32, object: u32, scene: &mut Scene) {
-    let Some(along) = (end - start).try_normalize() else { return };
-    let (u, v) = along.any_orthonormal_pair();
+    let Some(along) = (end.as_dvec3() - start.as_dvec3()).try_normalize() else { return };
+    let (u, v) = along.as_vec3().any_orthonormal_pair();
     let normal = |side: usize| {
         let (sin, cos) = libm::sincosf(std::f32::consts::TAU * (side % SIDES) as f32 / SIDES as f32);
         u * cos + v * sin
     };
     for side in 0..SIDES {
         let (n, m) = (normal(side), normal(side + 1));
-        let [a, b, c, d] = [start + n * radius, start + m * radius, end + n * radius, end + m * radius];
+        let corners = [start + n * radius, start + m * radius, end + n * radius, end + m * radius];
+        let [a, b, c, d] = corners.map(flushed3);
         let (n, m) = (octahedral_encode(n), octahedral_encode(m));
         for (corners, normals) in [([a, b, c], [n, m, n]), ([c, b, d], [n, m, m])] {
             scene.positions.push(corners);

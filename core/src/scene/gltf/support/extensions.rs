@@ -61,7 +61,10 @@ pub(super) static EXTENSIONS: [Extension; 56] = [
     shown_extension("KHR_materials_unlit"),
     shown_extension("KHR_materials_variants").object(&VARIANTS),
     shown_extension("KHR_materials_volume").object(&VOLUME),
-    not_shown_extension("KHR_materials_volume_scatter", |e, _| differs(e, "multiscatterColor", 0.0)),
+    // The draft renamed the colour.
+    not_shown_extension("KHR_materials_volume_scatter", |e, _| {
+        ["multiscatterColor", "multiscatterColorFactor"].into_iter().any(|color| differs(e, color, 0.0))
+    }),
     shown_extension("KHR_mesh_quantization"),
     shown_extension("KHR_meshopt_compression").object(&MESHOPT),
     ignored_extension("KHR_node_hoverability"),

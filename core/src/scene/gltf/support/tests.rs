@@ -137,6 +137,13 @@ fn what_is_not_shown_is_told_with_its_place() {
             Support::Needed => {}
         }
     }
+    let scatters = |color: &str| {
+        let content = json!({ color: [0.5, 0.7, 0.9] });
+        features(|json| json["materials"][0]["extensions"]["KHR_materials_volume_scatter"] = content)
+    };
+    for color in ["multiscatterColor", "multiscatterColorFactor"] {
+        assert_eq!(scatters(color), ["KHR_materials_volume_scatter"], "{color}");
+    }
     let unknown = told(|json| json["materials"][0]["extensions"]["ACME_glow"] = json!({}));
     assert_eq!((unknown.len(), unknown[0].to_string()), (1, "ACME_glow, once: material 0 `A`".to_owned()));
     assert_eq!(

@@ -31,6 +31,20 @@ fn subnormal_coordinates_are_zero() {
 }
 
 #[test]
+fn tubes_of_tiny_lines_have_no_subnormal_coordinates() {
+    // The last is of a direction whose orthonormal pair has a component of 1e-21, times a radius of 3e-20.
+    for end in [[1.0e-30, 0.0, 0.0], [1.0e-37, 1.0e-37, 0.0], [1.0e-17, 1.2e-38, 0.0]] {
+        let mut file = with_positions(&[0.0, 0.0, 0.0, end[0], end[1], end[2], 0.0, 0.0, 0.0]);
+        file.primitive()["mode"] = json!(1);
+        let scene = file.scene();
+        assert_eq!(scene.positions.len(), 12, "{end:?}");
+        let coordinates = scene.positions.iter().flatten().flat_map(|corner| corner.to_array());
+        coordinates.for_each(|coordinate| assert!(!coordinate.is_subnormal(), "{end:?}: {coordinate:e}"));
+        assert!(scene.spheres.iter().all(|sphere| sphere.radius.is_normal()));
+    }
+}
+
+#[test]
 fn a_scene_of_nothing_but_triangles_without_area_is_an_error() {
     let no_area = &["file", "the scene holds no triangles that have an area"];
     with_positions(&[0.0; 9]).fails(no_area);
