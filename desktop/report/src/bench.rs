@@ -3,11 +3,11 @@
 use std::cell::OnceCell;
 
 use anyhow::Context;
-use glimpse::{Demands, DisplayImage, Gpu, Missing, Renderer, metrics, probe};
+use glimpse::{Demands, DisplayImage, Gpu, Missing, PixelRecord, Renderer, metrics, probe};
 use glimpse_measure::progress::Progress;
 use glimpse_measure::statistics::timed;
 
-use crate::complete::complete;
+use crate::complete::{Measure, complete};
 use crate::job::Job;
 use crate::record::{Frame, Record};
 use crate::rung::Rung;
@@ -23,7 +23,7 @@ const LOOK: u64 = 2;
 pub struct Bench<'b> {
     /// Device that renders.
     pub gpu: &'b Gpu,
-    /// Adapter name with backend and driver.
+    /// Adapter name with backend and driver, and the model of the processor.
     pub adapter: String,
     /// Fingerprint of the program's executable.
     pub program: String,
@@ -99,10 +99,6 @@ impl Bench<'_> {
             }
             progress.steps(rung.samples());
         }
-        let against = |index: usize| match &converged_identity {
-            Some(identity) => Some(identity),
-            None => (index > 0).then(|| &identities[0]),
-        };
         let camera = job.view(scene, 0);
         // Objects that full ray tracing shows, for which the pixels of every other setting are searched.
         let objects = if lacks_objects {
@@ -113,62 +109,18 @@ impl Bench<'_> {
         } else {
             OnceCell::new()
         };
-        let records = complete(
-            self.store,
-            recalled,
-            self.frames,
-            |index| {
-                let rung = &job.rungs[index];
-                progress.doing(&format!("{}: {}", scene.name, rung.name));
-                let renderer = self.warm(subject, scene, &job, rung)?;
-                progress.steps(rung.samples());
-                Ok((renderer, 0))
-            },
-            |index, (renderer, _)| {
-                let rung = &job.rungs[index];
-                let picture = shown(renderer.display_image()?, job.shown);
-                let error_of = |identity: &String| {
-                    anyhow::Ok(metrics::compare(&picture, &self.reference(identity, &job)?)?)
-                };
-                let error = against(index).map(error_of).transpose()?;
-                let first = (index > 0 && job.is_against_first_too()).then(|| &identities[0]);
-                let error_of_first = first.map(error_of).transpose()?;
-                if rung.keeps_picture {
-                    self.store.keep_picture(&identities[index], &picture)?;
-                }
-                let inspection = renderer.inspect(&camera)?;
-                progress.steps(LOOK * rung.samples());
-                let identity = identities[index].clone();
-                let record = Record::new(identity, job.shown, &inspection, &subject.reflects, error);
-                let missing = objects.get().and_then(|full| Missing::of(full, &inspection.pixels));
-                let lights = scene.statistics.lights;
-                let work = job.counts_work.then(|| {
-                    let demands = Demands::of(&subject.scene, renderer.settings())?;
-                    anyhow::Ok(Work::of(&inspection, &demands, lights))
-                });
-                let work = work.transpose()?;
-                if job.counts_missing {
-                    objects.get_or_init(|| inspection.pixels);
-                }
-                Ok(Record { error_of_first, missing, work, ..record })
-            },
-            |index, (renderer, timed_frames)| {
-                *timed_frames += 1;
-                let view = job.view(scene, *timed_frames);
-                let (frame, ms) = timed(|| renderer.render(&view))?;
-                progress.steps(job.rungs[index].samples());
-                // Without timestamp queries the renderer reports no times, and the CPU clock is used.
-                let frame = if frame.passes.is_empty() {
-                    Frame { ms, passes: vec![], peak_gflops: None }
-                } else {
-                    frame.into()
-                };
-                let frame = frame.times(job.rungs[index].timed_frames() as f64);
-                let peak = job.counts_work.then(|| probe::peak_gflops(self.gpu)).transpose()?;
-                Ok(Frame { peak_gflops: peak.flatten(), ..frame })
-            },
-            || self.gpu.trim(),
-        )?;
+        let converged = converged_identity.as_ref();
+        let settings = OfJob {
+            bench: self,
+            progress,
+            subject,
+            scene,
+            job: &job,
+            identities: &identities,
+            converged,
+            objects,
+        };
+        let records = complete(self.store, recalled, self.frames, job.control, &settings)?;
         Ok(Measured { job, identities, converged: converged_identity, records })
     }
 
@@ -188,6 +140,90 @@ impl Bench<'_> {
             renderer.render(&job.view(scene, frame)).with_context(name)?;
         }
         Ok(renderer)
+    }
+}
+
+/// Measures the settings of a job.
+struct OfJob<'j> {
+    bench: &'j Bench<'j>,
+    progress: &'j Progress,
+    subject: &'j Subject,
+    scene: &'j Prepared,
+    job: &'j Job,
+    identities: &'j [String],
+    /// Identity of the converged frame.
+    converged: Option<&'j String>,
+    /// Pixels of full ray tracing, once they are inspected.
+    objects: OnceCell<Vec<PixelRecord>>,
+}
+
+impl OfJob<'_> {
+    /// Identity of the picture that the error of a setting is measured against.
+    fn against(&self, index: usize) -> Option<&String> {
+        self.converged.or_else(|| (index > 0).then(|| &self.identities[0]))
+    }
+}
+
+impl Measure for OfJob<'_> {
+    /// The renderer and the number of frames that were timed.
+    type Open = (Renderer, i32);
+
+    fn open(&self, index: usize) -> anyhow::Result<Self::Open> {
+        let rung = &self.job.rungs[index];
+        self.progress.doing(&format!("{}: {}", self.scene.name, rung.name));
+        let renderer = self.bench.warm(self.subject, self.scene, self.job, rung)?;
+        self.progress.steps(rung.samples());
+        Ok((renderer, 0))
+    }
+
+    fn look(&self, index: usize, (renderer, _): &mut Self::Open) -> anyhow::Result<Record> {
+        let (job, rung) = (self.job, &self.job.rungs[index]);
+        let picture = shown(renderer.display_image()?, job.shown);
+        let error_of = |identity: &String| {
+            anyhow::Ok(metrics::compare(&picture, &self.bench.reference(identity, job)?)?)
+        };
+        let error = self.against(index).map(error_of).transpose()?;
+        let first = (index > 0 && job.is_against_first_too()).then(|| &self.identities[0]);
+        let error_of_first = first.map(error_of).transpose()?;
+        if rung.keeps_picture {
+            self.bench.store.keep_picture(&self.identities[index], &picture)?;
+        }
+        let inspection = renderer.inspect(&job.view(self.scene, 0))?;
+        self.progress.steps(LOOK * rung.samples());
+        let identity = self.identities[index].clone();
+        let record = Record::new(identity, job.shown, &inspection, &self.subject.reflects, error);
+        let missing = self.objects.get().and_then(|full| Missing::of(full, &inspection.pixels));
+        let lights = self.scene.statistics.lights;
+        let work = job.counts_work.then(|| {
+            let demands = Demands::of(&self.subject.scene, renderer.settings())?;
+            anyhow::Ok(Work::of(&inspection, &demands, lights))
+        });
+        let work = work.transpose()?;
+        if job.counts_missing {
+            self.objects.get_or_init(|| inspection.pixels);
+        }
+        Ok(Record { error_of_first, missing, work, ..record })
+    }
+
+    fn time(&self, index: usize, (renderer, timed_frames): &mut Self::Open) -> anyhow::Result<Frame> {
+        *timed_frames += 1;
+        let rung = &self.job.rungs[index];
+        let view = self.job.view(self.scene, *timed_frames);
+        let (frame, ms) = timed(|| renderer.render(&view))?;
+        self.progress.steps(rung.samples());
+        // Without timestamp queries the renderer reports no times, and the CPU clock is used.
+        let frame = if frame.passes.is_empty() {
+            Frame { ms, control_ms: None, passes: vec![], peak_gflops: None }
+        } else {
+            frame.into()
+        };
+        let frame = frame.times(rung.timed_frames() as f64);
+        let peak = self.job.counts_work.then(|| probe::peak_gflops(self.bench.gpu)).transpose()?;
+        Ok(Frame { peak_gflops: peak.flatten(), ..frame })
+    }
+
+    fn closed(&self) {
+        self.bench.gpu.trim();
     }
 }
 

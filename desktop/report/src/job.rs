@@ -22,6 +22,9 @@ pub struct Job {
     pub shown: [u32; 2],
     /// Settings to measure.
     pub rungs: Vec<Rung>,
+    /// Index of the setting that is timed in every round, to tell changes of the device's speed from those between
+    /// settings; `None` if all settings of the job take turns anyway.
+    pub control: Option<usize>,
     /// Reference that the pictures are compared with.
     pub reference: Reference,
     /// Name of the reference in the identities. It also tells apart jobs whose settings must be measured
@@ -57,6 +60,7 @@ impl Job {
             turn_per_frame: 0.0,
             shown,
             rungs,
+            control: None,
             reference: Reference::First,
             against: "full",
             counts_missing: false,

@@ -7,14 +7,17 @@ use crate::plot::{Mark, draw};
 use crate::rung::{Family, Rung};
 use crate::scene::SceneReport;
 
-const REDUCED: Family = Family::baseline("full, reduced resolution", "#999999");
-const GRIDS: Family = Family::contender("adaptive, sampling grids", "#cc79a7");
+const REDUCED: Family = Family::baseline("R", "full, reduced resolution", "#999999");
+const GRIDS: Family = Family::contender("G", "adaptive, sampling grids", "#cc79a7");
 
 /// Scale factors of width and height: about 1/8, 1/4 and 1/2 of the pixels.
 const REDUCED_SIDES: [f64; 3] = [0.35, 0.5, 0.71];
 
 /// Factors on the tolerances of Kim 2016.
 const FACTORS: [f32; 5] = [4.0, 2.0, 1.0, 0.5, 0.25];
+
+/// Name of the setting that is timed in every round: full ray tracing with one sample per pixel.
+const CONTROL: &str = "fixed 1";
 
 /// Presets of supersampling thresholds, from few extra samples to many.
 const PRESETS: [Preset; 3] = [Preset::Edges, Preset::Balanced, Preset::Textures];
@@ -52,11 +55,13 @@ pub fn extra_samples(adaptive: &Settings) -> Vec<(String, Family, Settings)> {
 /// The ladder of a frame of `size` pixels, compared with the converged frame. `base` gives recursion and
 /// features.
 pub fn job(base: &Settings, size: [u32; 2]) -> Job {
+    let rungs = rungs(base, size);
     Job {
         tables: Vec::new(),
+        control: rungs.iter().position(|rung| rung.name == CONTROL),
         reference: Reference::Converged { settings: converged(base), beside_first: false },
         against: "converged",
-        ..Job::new("", size, rungs(base, size))
+        ..Job::new("", size, rungs)
     }
 }
 
@@ -100,7 +105,7 @@ pub fn rungs(base: &Settings, size: [u32; 2]) -> Vec<Rung> {
         rungs.push(rung(format!("quincunx {quincunx_threshold}"), Family::QUINCUNX, settings));
     }
     for rung in &mut rungs {
-        rung.keeps_picture = ["full 0.5x", "fixed 1", "adaptive", "block 4"].contains(&rung.name.as_str());
+        rung.keeps_picture = ["full 0.5x", CONTROL, "adaptive", "block 4"].contains(&rung.name.as_str());
     }
     rungs
 }
@@ -170,6 +175,8 @@ mod tests {
                 assert!((a.settings, a.rendered) != (b.settings, b.rendered), "{} and {}", a.name, b.name);
             }
         }
+        let control = job(&Settings::default(), [960, 540]).control.unwrap();
+        assert_eq!(rungs[control].settings, Settings { method: Method::Full, ..Settings::default() });
         let reduced: Vec<_> = rungs.iter().map(|r| r.rendered).filter(|r| *r != [960, 540]).collect();
         assert_eq!(reduced, [[336, 189], [480, 270], [682, 383]]);
         assert_eq!(rungs.iter().filter(|r| r.keeps_picture).count(), 4);

@@ -5,17 +5,23 @@
 //!
 //! A module uses only modules of its own and earlier layers:
 //!
-//! - settings and plots: `rung`, `pareto`, `plot`, `upscale`, `identity`;
-//! - jobs and results: `work`, `record`, `store`, `subject`, `job`;
+//! - settings and plots: `rung`, `pareto`, `plot`, `upscale`, `identity`, `interval`;
+//! - jobs and results: `work`, `record`, `store`, `subject`, `job`, `key`;
 //! - measuring: `complete`, `bench`, `rows`, `scene`, `ladder`;
+//! - comparisons of times: `equal_error`, `headline`, `noise`;
 //! - tables: `table` is the interface, `tables` has a file for each of them;
 //! - output: `page`, `run`.
 
 mod bench;
 mod complete;
+mod equal_error;
+mod headline;
 mod identity;
+mod interval;
 mod job;
+mod key;
 mod ladder;
+mod noise;
 mod page;
 mod pareto;
 mod plot;
@@ -41,9 +47,31 @@ mod tests {
     use std::path::Path;
 
     /// All modules in order: each uses only those before it.
-    const ORDER: [&str; 19] = [
-        "identity", "pareto", "rung", "upscale", "work", "record", "store", "subject", "plot", "job",
-        "complete", "bench", "rows", "scene", "ladder", "table", "tables", "page", "run",
+    const ORDER: [&str; 24] = [
+        "identity",
+        "interval",
+        "pareto",
+        "rung",
+        "upscale",
+        "work",
+        "record",
+        "store",
+        "subject",
+        "plot",
+        "job",
+        "key",
+        "complete",
+        "bench",
+        "equal_error",
+        "headline",
+        "noise",
+        "rows",
+        "scene",
+        "ladder",
+        "table",
+        "tables",
+        "page",
+        "run",
     ];
 
     /// Source of a module and of the files in its folder, without tests.

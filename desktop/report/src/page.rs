@@ -1,6 +1,10 @@
 //! report.html: one self-contained page.
 
 mod pictures;
+mod settings;
+mod summary;
+
+pub use summary::sentence;
 
 use glimpse_measure::output::{counted, listed};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -18,8 +22,12 @@ const STYLE: &str = include_str!("page/style.css");
 pub struct Header {
     /// Adapter name with backend and driver.
     pub adapter: String,
+    /// Model of the processor and its threads.
+    pub cpu: String,
     /// Clock that measured the times.
     pub clock: &'static str,
+    /// Number of timed frames of each setting.
+    pub frames: usize,
     /// Version of the program.
     pub version: String,
     /// Git commit of the program.
@@ -37,50 +45,20 @@ pub fn html(header: &Header, store: &Store, scenes: &[SceneReport]) -> anyhow::R
             head {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
                 title { "Glimpse: error against run time" }
                 style { (PreEscaped(STYLE)) }
             }
             body {
                 h1 { "Error against run time" }
-                (facts(header))
-                (explanation())
-                nav { ul {
-                    @for scene in scenes {
-                        li { a href={ "#" (scene.stem) } { (scene.prepared.name) } ": " (rows::verdict(&scene.rows)) }
-                    }
-                } }
+                (summary::section(header, scenes))
+                (settings::section(scenes))
                 @for section in sections { (section) }
                 @for section in TABLES.iter().filter_map(|table| table.content(scenes).section()) { (section) }
             }
         }
     };
     Ok(page.into_string())
-}
-
-fn facts(header: &Header) -> Markup {
-    html! {
-        dl {
-            dt { "Adapter" } dd { (header.adapter) }
-            dt { "Times" } dd { (header.clock) ", medians of warm frames, settings interleaved frame by frame" }
-            dt { "Glimpse" } dd { (header.version) ", commit " (header.commit) }
-            dt { "Command" } dd { code { (header.command) } }
-        }
-    }
-}
-
-fn explanation() -> Markup {
-    html! {
-        p {
-            "Errors are those of display-encoded 8-bit pictures against a frame of 256 samples a pixel. Frames of reduced \
-             resolution are upscaled bilinearly on the CPU, which is not in their time: that favours them. Fixed N traces N \
-             samples a pixel. The adaptive method has 2x2 blocks, Kim 2016's tolerances and postcorrection where a setting \
-             does not say otherwise; \"off\" leaves postcorrection out, tolerance x2 passes pairs of pixels that differ by \
-             twice as much. Supersample adds four samples to each quarter of a pixel where neighbours differ (Jin 2009), by \
-             preset: edges, balanced or textures; combined does so after the adaptive method. Quincunx X puts samples between \
-             those that differ by more than X. Efficiency is 1 / (MSE x seconds), MSE of values in [0, 1]. A ● marks the Pareto \
-             front of all settings: none is both faster (or traces fewer rays) and better."
-        }
-    }
 }
 
 fn section(store: &Store, scene: &SceneReport) -> anyhow::Result<Markup> {
@@ -95,6 +73,7 @@ fn section(store: &Store, scene: &SceneReport) -> anyhow::Result<Markup> {
                 (counted(holds.objects, "object")) ", " (counted(holds.lights, "light")) ", "
                 (counted(holds.textures, "texture")) "; left out: " (listed(&holds.left_out)) ". "
                 @if let Some(row) = ladder.first() { (row.width) "x" (row.height) " pixels." }
+                " Content " code { (scene.prepared.content) } " (128-bit FNV-1a of the files)."
             }
             p { strong { (rows::verdict(&scene.rows)) "." } }
             div class="plots" {
@@ -116,24 +95,46 @@ fn section(store: &Store, scene: &SceneReport) -> anyhow::Result<Markup> {
     })
 }
 
+/// Headings of the ladder's table.
+const HEAD: [&str; 17] = [
+    "setting",
+    "median ms",
+    "p95 ms",
+    "time / control",
+    "95 % interval",
+    "front of time",
+    "rays / pixel",
+    "front of rays",
+    "RT ratio",
+    "PSNR dB",
+    "RMSE levels",
+    "SSIM",
+    "FLIP mean",
+    "FLIP p99",
+    "worst tile RMSE levels",
+    "efficiency 1/s",
+    "frames",
+];
+
 fn ladder_table(rows: &[&Row]) -> Markup {
     let number =
         |value: Option<f64>, digits: usize| value.map_or_else(String::new, |v| format!("{v:.digits$}"));
     let mark = |front: bool| if front { "●" } else { "" };
+    let interval = |row: &Row| match (row.time_ratio_low, row.time_ratio_high) {
+        (Some(low), Some(high)) => format!("{low:.3} to {high:.3}"),
+        _ => String::new(),
+    };
     html! {
         div class="wide" { table {
-            thead { tr {
-                @for head in [
-                    "setting", "median ms", "p95 ms", "front", "rays a pixel", "front", "RT ratio", "PSNR dB", "RMSE", "SSIM",
-                    "FLIP mean", "FLIP p99", "worst tile", "efficiency", "frames",
-                ] { th { (head) } }
-            } }
+            thead { tr { @for head in HEAD { th { (head) } } } }
             tbody {
                 @for row in rows {
                     tr class=[row.baseline.then_some("baseline")] {
-                        th { (row.setting) }
+                        th title=(row.setting) { (row.code) }
                         td { (format!("{:.2}", row.median_ms)) }
                         td { (format!("{:.2}", row.p95_ms)) }
+                        td { (number(row.time_ratio, 3)) }
+                        td { (interval(row)) }
                         td class="mark" { (mark(row.front_time)) }
                         td { (format!("{:.2}", row.rays_per_pixel)) }
                         td class="mark" { (mark(row.front_rays)) }
@@ -185,8 +186,7 @@ mod tests {
         }
         let mut prepared = Prepared::new("builtin:minray", None).unwrap();
         prepared.name = "<b>&scene".to_owned();
-        let rows = rows::of(&prepared.name, &measured);
-        SceneReport { prepared, stem: "scene".to_owned(), measured, rows }
+        SceneReport::new(prepared, "scene".to_owned(), measured)
     }
 
     #[test]
@@ -196,6 +196,8 @@ mod tests {
         let scene = report(&store);
         let header = Header {
             adapter: "Card (vulkan, D 1)".into(),
+            cpu: "Processor, 2 threads".into(),
+            frames: 1,
             clock: "GPU timestamps",
             version: "0".into(),
             commit: "abc".into(),
@@ -205,11 +207,16 @@ mod tests {
         let page = html(&header, &store, &scenes).unwrap();
         for row in scenes[0].rows.iter().filter(|row| row.part == "ladder") {
             assert!(
-                page.contains(&format!("<th>{}</th><td>{:.2}</td>", row.setting, row.median_ms)),
+                page.contains(&format!(
+                    "<th title=\"{}\">{}</th><td>{:.2}</td>",
+                    row.setting, row.code, row.median_ms
+                )),
                 "{}",
                 row.setting
             );
         }
+        assert!(page.contains(&sentence(&scenes)));
+        assert_eq!(page.matches("id=\"setting-A1\"").count(), 1, "the key names each setting once");
         for table in TABLES {
             match table.content(&scenes) {
                 Content::Nothing => panic!("{} was measured", table.name()),
@@ -229,7 +236,14 @@ mod tests {
             [5, 2],
             "no paper has figures of missing objects"
         );
-        for text in ["Card (vulkan, D 1)", "commit abc", "glimpse report &lt;b&gt;", "&lt;b&gt;&amp;scene"] {
+        for text in [
+            "Card (vulkan, D 1)",
+            "Processor, 2 threads",
+            "2026-01-31",
+            "commit abc",
+            "glimpse report &lt;b&gt;",
+            "&lt;b&gt;&amp;scene",
+        ] {
             assert!(page.contains(text), "{text}");
         }
         assert_eq!(page.matches("<svg").count(), 4);
@@ -237,6 +251,22 @@ mod tests {
         let without_namespace = page.replace("xmlns=\"http://www.w3.org/2000/svg\"", "");
         for outside in ["http:", "https:", "src=\"/", "url(", "@import", "<script", "<link", "<b>"] {
             assert!(!without_namespace.contains(outside), "{outside}");
+        }
+    }
+
+    #[test]
+    fn no_two_columns_of_a_table_are_called_the_same() {
+        let folder = tempfile::tempdir().unwrap();
+        let scenes = [report(&Store::open(folder.path()).unwrap())];
+        let of_tables = TABLES.iter().filter_map(|table| match table.content(&scenes) {
+            Content::Rows(rows) => Some(rows.head),
+            _ => None,
+        });
+        for head in of_tables.chain([HEAD.to_vec(), summary::HEAD.to_vec(), settings::HEAD.to_vec()]) {
+            let mut names = head.clone();
+            names.sort_unstable();
+            names.dedup();
+            assert_eq!(names.len(), head.len(), "{head:?}");
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use glimpse::metrics::ErrorReport;
 use glimpse::{FrameTime, Inspection, Missing};
+use glimpse_measure::machine;
 use glimpse_measure::statistics::Spread;
 use serde::{Deserialize, Serialize};
 
@@ -29,6 +30,8 @@ pub struct Record {
     pub missing: Option<Missing>,
     /// Operations and bytes of the frame; `None` unless the job counts them.
     pub work: Option<Work>,
+    /// Day of the measurement in UTC, as `2026-01-31`.
+    pub day: String,
     /// Timed frames.
     pub frames: Vec<Frame>,
 }
@@ -38,6 +41,8 @@ pub struct Record {
 pub struct Frame {
     /// Milliseconds of the whole frame.
     pub ms: f64,
+    /// Milliseconds of the job's control frame that was timed right before; `None` in jobs without a control.
+    pub control_ms: Option<f64>,
     /// Milliseconds of each pass, in order.
     pub passes: Vec<(String, f64)>,
     /// Peak of the device measured right after the frame, in billions of operations per second; `None`
@@ -56,7 +61,7 @@ impl Frame {
 impl From<FrameTime> for Frame {
     fn from(time: FrameTime) -> Self {
         let passes = time.passes.into_iter().map(|p| (p.name.to_owned(), p.ms)).collect();
-        Self { ms: time.ms, passes, peak_gflops: None }
+        Self { ms: time.ms, control_ms: None, passes, peak_gflops: None }
     }
 }
 
@@ -81,6 +86,7 @@ impl Record {
             error_of_first: None,
             missing: None,
             work: None,
+            day: machine::today(),
             frames: Vec::new(),
         }
     }
@@ -88,6 +94,11 @@ impl Record {
     /// Median and 95th percentile of the frame times in milliseconds.
     pub fn time(&self) -> Spread {
         Spread::of(self.frames.iter().map(|f| f.ms))
+    }
+
+    /// Logarithm of each frame's time: of its ratio to the control frame of the same round, where the job has a control.
+    pub fn log_times(&self) -> Vec<f64> {
+        self.frames.iter().map(|frame| (frame.ms / frame.control_ms.unwrap_or(1.0)).ln()).collect()
     }
 
     /// Median milliseconds of each pass, in the order of the first frame.
@@ -143,8 +154,10 @@ pub mod tests {
             error_of_first: None,
             missing: None,
             work: None,
+            day: "2026-01-31".to_owned(),
             frames: vec![Frame {
                 ms,
+                control_ms: None,
                 passes: vec![("base".into(), 0.75 * ms), ("trace_a1".into(), 0.25 * ms)],
                 peak_gflops: None,
             }],

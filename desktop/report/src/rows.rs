@@ -5,6 +5,7 @@ use glimpse::Method;
 use serde::{Deserialize, Serialize};
 
 use crate::bench::Measured;
+use crate::interval::Estimate;
 use crate::pareto::{self, Point};
 use crate::subject::Variant;
 
@@ -77,12 +78,29 @@ pub struct Row {
     pub front_time: bool,
     /// Whether the row is on the ladder's Pareto front of PSNR against rays per pixel.
     pub front_rays: bool,
+    /// Short name of the setting on the page.
+    pub code: String,
+    /// Geometric mean of the ratio of the frame's time to that of the job's control in the same round; empty, as the next
+    /// two columns, for jobs without a control.
+    pub time_ratio: Option<f64>,
+    /// Lower end of the ratio's 95 % confidence interval; empty, as the upper end, for a single frame.
+    pub time_ratio_low: Option<f64>,
+    /// Upper end of the interval.
+    pub time_ratio_high: Option<f64>,
+    /// Day of the measurement in UTC.
+    pub day: String,
 }
 
 impl Row {
     /// Point for the Pareto front of PSNR against time.
     pub fn time_point(&self) -> Point {
         Point { cost: self.median_ms, psnr_db: self.psnr_db.unwrap_or(f64::NAN) }
+    }
+
+    /// The interval of the ratio to the control, scaled to the median time in milliseconds.
+    pub fn interval_ms(&self) -> Option<[f64; 2]> {
+        let scale = self.median_ms / self.time_ratio?;
+        Some([scale * self.time_ratio_low?, scale * self.time_ratio_high?])
     }
 
     /// Point for the Pareto front of PSNR against rays per pixel.
@@ -127,6 +145,8 @@ fn row(scene: &str, measured: &Measured, index: usize) -> Row {
     };
     let (error, missing) = (record.error.as_ref(), record.missing.as_ref());
     let time = record.time();
+    let ratio = job.control.map(|_| Estimate::of_logarithms(&record.log_times()));
+    let interval = ratio.and_then(|ratio| ratio.interval);
     Row {
         scene: scene.to_owned(),
         part: if job.is_ladder() { "ladder" } else { "tables" }.to_owned(),
@@ -164,6 +184,11 @@ fn row(scene: &str, measured: &Measured, index: usize) -> Row {
         efficiency: record.efficiency(),
         front_time: false,
         front_rays: false,
+        code: rung.code.clone(),
+        time_ratio: ratio.map(|ratio| ratio.mean),
+        time_ratio_low: interval.map(|[low, _]| low),
+        time_ratio_high: interval.map(|[_, high]| high),
+        day: record.day.clone(),
     }
 }
 
@@ -181,7 +206,7 @@ pub fn csv(rows: &[&Row]) -> anyhow::Result<Vec<u8>> {
 pub fn verdict(rows: &[Row]) -> String {
     let ladder = || rows.iter().filter(|row| row.part == "ladder");
     let named = |rows: Vec<&Row>| -> String {
-        rows.iter().map(|row| row.setting.as_str()).collect::<Vec<_>>().join(", ")
+        rows.iter().map(|row| row.code.as_str()).collect::<Vec<_>>().join(", ")
     };
     let baselines: Vec<_> = ladder().filter(|row| row.front_time && row.baseline).collect();
     let beaten =
@@ -205,12 +230,13 @@ pub mod tests {
     use glimpse::{Missing, Settings};
 
     use super::*;
-    use crate::ladder;
     use crate::record::tests::example;
+    use crate::{key, ladder};
 
     /// A ladder whose settings take 10, 20, ... ms at 30, 31, ... dB; the last has infinite PSNR.
     pub fn ladder() -> Measured {
-        let job = ladder::job(&Settings::default(), [10, 10]);
+        let mut job = ladder::job(&Settings::default(), [10, 10]);
+        key::assign([&mut job]);
         let rungs = &job.rungs;
         let psnr = |i: usize| if i + 1 == rungs.len() { f64::INFINITY } else { 30.0 + i as f64 };
         let records = (0..rungs.len())
@@ -257,18 +283,16 @@ pub mod tests {
     #[test]
     fn the_verdict_names_who_is_beaten_by_whom() {
         let rows = of("s", &[ladder()]);
-        assert!(verdict(&rows).contains("fixed 16; no adaptive setting is beaten"), "{}", verdict(&rows));
+        assert!(verdict(&rows).contains("F4; no adaptive setting is beaten"), "{}", verdict(&rows));
         let mut rows = rows;
         for row in rows.iter_mut().filter(|row| row.baseline) {
             row.psnr_db = Some(1.0);
         }
         mark_fronts(&mut rows);
         // The cheapest of all is on the front, however bad.
-        assert!(
-            verdict(&rows).starts_with("baselines on the Pareto front of PSNR against time: full 0.35x; no")
-        );
+        assert!(verdict(&rows).starts_with("baselines on the Pareto front of PSNR against time: R1; no"));
         rows[0].psnr_db = Some(99.0);
         mark_fronts(&mut rows);
-        assert!(verdict(&rows).contains("beats: tolerance x4, "), "{}", verdict(&rows));
+        assert!(verdict(&rows).contains("beats: A1, "), "{}", verdict(&rows));
     }
 }

@@ -6,7 +6,7 @@ use glimpse::{Gpu, Settings};
 use glimpse_measure::output::Verbosity;
 use glimpse_measure::progress::Progress;
 use glimpse_measure::statistics::AdapterStatistics;
-use glimpse_measure::{files, output, scene_file};
+use glimpse_measure::{files, machine, output, scene_file};
 
 use crate::bench::{Bench, Measured};
 use crate::ladder::{self, Axis};
@@ -16,7 +16,7 @@ use crate::store::Store;
 use crate::subject::{Prepared, Subjects};
 use crate::table::{Request, Table, plot_of, square_sides};
 use crate::tables;
-use crate::{identity, rows};
+use crate::{identity, key, rows};
 
 /// Options of a report.
 pub struct Options {
@@ -76,10 +76,10 @@ pub fn run(options: &Options, adapter: Option<&str>) -> anyhow::Result<()> {
         outputs(&stems, &options.tables).into_iter().map(|name| options.output.join(name)).collect();
     files::check(&outputs.iter().map(AsRef::as_ref).collect::<Vec<_>>(), &[])?;
     let gpu = Gpu::headless(adapter)?;
-    let header = header(&options.program, &gpu);
+    let header = header(options, &gpu);
     let bench = Bench {
         gpu: &gpu,
-        adapter: header.adapter.clone(),
+        adapter: format!("{}, {}", header.adapter, header.cpu),
         program: identity::program()?.to_string(),
         store: &store,
         frames: options.frames,
@@ -89,10 +89,7 @@ pub fn run(options: &Options, adapter: Option<&str>) -> anyhow::Result<()> {
         .into_iter()
         .zip(stems)
         .zip(measured)
-        .map(|((prepared, stem), measured)| {
-            let rows = rows::of(&prepared.name, &measured);
-            SceneReport { prepared, stem, measured, rows }
-        })
+        .map(|((prepared, stem), measured)| SceneReport::new(prepared, stem, measured))
         .collect();
     write(options, &header, &store, &reports)
 }
@@ -101,10 +98,15 @@ fn measure(bench: &Bench<'_>, options: &Options, scenes: &[Prepared]) -> anyhow:
     let squares = square_sides(options.size);
     let [_, table3_side] = squares;
     let table5_sizes = options.table5_sizes.as_deref().unwrap_or(&squares);
-    let mut known = Vec::new();
-    for scene in scenes {
+    let of = |scene| {
         let request = Request { base: &options.base, size: options.size, table5_sizes, table3_side, scene };
-        let jobs = tables::jobs(&options.tables, &request).into_iter();
+        tables::jobs(&options.tables, &request)
+    };
+    let mut jobs: Vec<_> = scenes.iter().map(of).collect();
+    key::assign(jobs.iter_mut().flatten());
+    let mut known = Vec::new();
+    for (scene, jobs) in scenes.iter().zip(jobs) {
+        let jobs = jobs.into_iter();
         known.push(jobs.map(|job| bench.recall(scene, job)).collect::<anyhow::Result<Vec<_>>>()?);
     }
     let all = || known.iter().flatten();
@@ -148,18 +150,20 @@ fn write(options: &Options, header: &Header, store: &Store, scenes: &[SceneRepor
     if options.verbosity == Verbosity::Quiet {
         return Ok(());
     }
-    let mut text = String::new();
+    let mut text = page::sentence(scenes) + "\n";
     for scene in scenes {
         text += &format!("{}: {}\n", scene.prepared.name, rows::verdict(&scene.rows));
     }
     output::print(&format!("{text}wrote {}\n", options.output.join("report.html").display()))
 }
 
-fn header(program: &Program, gpu: &Gpu) -> Header {
-    let facts = gpu.facts();
+fn header(options: &Options, gpu: &Gpu) -> Header {
+    let (facts, program) = (gpu.facts(), &options.program);
     let adapter = AdapterStatistics::of(&facts.info);
     Header {
         adapter: format!("{} ({}, {})", adapter.name, adapter.backend, adapter.driver),
+        cpu: machine::cpu(),
+        frames: options.frames,
         clock: if facts.timestamps { "GPU timestamps" } else { "CPU clock" },
         version: program.version.clone(),
         commit: program.commit.clone(),

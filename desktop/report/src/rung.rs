@@ -7,6 +7,8 @@ use glimpse::{Method, Settings};
 pub struct Rung {
     /// Label of the setting.
     pub name: String,
+    /// Short name, unique in the report; empty until [`crate::key::assign`].
+    pub code: String,
     /// Family of the setting in the plots.
     pub family: Family,
     /// Settings of the renderer.
@@ -20,6 +22,8 @@ pub struct Rung {
 /// Settings that share a colour and an entry of the legend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Family {
+    /// Letters that the short names of its settings start with.
+    pub letters: &'static str,
     /// Name in the legend.
     pub name: &'static str,
     /// SVG colour, mostly from the palette of Okabe and Ito for colour-blind readers.
@@ -30,30 +34,30 @@ pub struct Family {
 
 impl Family {
     /// Full ray tracing with a fixed number of samples per pixel.
-    pub const FIXED: Self = Self::baseline("full, fixed samples", "#333333");
+    pub const FIXED: Self = Self::baseline("F", "full, fixed samples", "#333333");
     /// Checkerboard rendering: every second pixel is traced.
-    pub const CHECKERBOARD: Self = Self::baseline("checkerboard", "#a6761d");
+    pub const CHECKERBOARD: Self = Self::baseline("K", "checkerboard", "#a6761d");
     /// The adaptive method with scaled tolerances.
-    pub const TOLERANCES: Self = Self::contender("adaptive, tolerances", "#0072b2");
+    pub const TOLERANCES: Self = Self::contender("A", "adaptive, tolerances", "#0072b2");
     /// The adaptive method with larger base blocks.
-    pub const BLOCKS: Self = Self::contender("adaptive, larger blocks", "#009e73");
+    pub const BLOCKS: Self = Self::contender("B", "adaptive, larger blocks", "#009e73");
     /// The adaptive method with other base blocks and no postcorrection.
-    pub const UNCORRECTED: Self = Self::contender("adaptive, no postcorrection", "#e69f00");
+    pub const UNCORRECTED: Self = Self::contender("U", "adaptive, no postcorrection", "#e69f00");
     /// Supersampling where neighbours differ, by preset of thresholds.
-    pub const SUPERSAMPLE: Self = Self::contender("supersample, thresholds", "#56b4e9");
+    pub const SUPERSAMPLE: Self = Self::contender("S", "supersample, thresholds", "#56b4e9");
     /// Supersampling after the adaptive method.
-    pub const COMBINED: Self = Self::contender("adaptive, extra samples", "#d55e00");
+    pub const COMBINED: Self = Self::contender("C", "adaptive, extra samples", "#d55e00");
     /// Quincunx sampling, by threshold.
-    pub const QUINCUNX: Self = Self::contender("quincunx", "#882255");
+    pub const QUINCUNX: Self = Self::contender("Q", "quincunx", "#882255");
 
     /// A family of baselines.
-    pub const fn baseline(name: &'static str, color: &'static str) -> Self {
-        Self { name, color, is_baseline: true }
+    pub const fn baseline(letters: &'static str, name: &'static str, color: &'static str) -> Self {
+        Self { letters, name, color, is_baseline: true }
     }
 
     /// A family of methods that are compared with the baselines.
-    pub const fn contender(name: &'static str, color: &'static str) -> Self {
-        Self { name, color, is_baseline: false }
+    pub const fn contender(letters: &'static str, name: &'static str, color: &'static str) -> Self {
+        Self { letters, name, color, is_baseline: false }
     }
 }
 
@@ -72,7 +76,13 @@ impl Rung {
         settings: Settings,
         size: [u32; 2],
     ) -> Self {
-        Self { name: name.into(), family, settings, rendered: size, keeps_picture: false }
+        let (name, code) = (name.into(), String::new());
+        Self { name, code, family, settings, rendered: size, keeps_picture: false }
+    }
+
+    /// Short name and label: `A1 adaptive`.
+    pub fn label(&self) -> String {
+        format!("{} {}", self.code, self.name)
     }
 
     /// Number of frames until the picture has all its samples, or shows nothing older than the current view.

@@ -1,7 +1,9 @@
 //! A scene with all its measurements.
 
 use crate::bench::Measured;
-use crate::rows::Row;
+use crate::equal_error::EqualError;
+use crate::noise::Noise;
+use crate::rows::{self, Row};
 use crate::subject::Prepared;
 
 /// A scene with all its measurements.
@@ -14,9 +16,22 @@ pub struct SceneReport {
     pub measured: Vec<Measured>,
     /// Rows of report.csv: the ladder's, then those of the tables.
     pub rows: Vec<Row>,
+    /// Times of the ladder at equal error, or why there are none.
+    pub compared: Result<EqualError, String>,
+    /// Noise of the ladder's times.
+    pub noise: Option<Noise>,
 }
 
 impl SceneReport {
+    /// Evaluates the measurements of a scene.
+    pub fn new(prepared: Prepared, stem: String, measured: Vec<Measured>) -> Self {
+        let ladder = measured.iter().find(|measured| measured.job.is_ladder());
+        let compared = ladder.map_or_else(|| Err("no ladder".to_owned()), EqualError::of);
+        let noise = ladder.and_then(Noise::of);
+        let rows = rows::of(&prepared.name, &measured);
+        Self { prepared, stem, measured, rows, compared, noise }
+    }
+
     /// Measurements for the table of that name.
     pub fn of_table<'s>(&'s self, table: &'s str) -> impl Iterator<Item = &'s Measured> {
         self.measured.iter().filter(move |measured| measured.job.shows(table))

@@ -88,8 +88,6 @@ pub struct Rows {
 pub struct Plot {
     /// End of the file name, before `.svg`.
     pub file: &'static str,
-    /// Label of a setting's point.
-    pub label: fn(&Rung) -> String,
 }
 
 /// A CSV file.
@@ -149,12 +147,12 @@ impl Plot {
 
 /// Draws the plot of a scene, if the table has one and was measured.
 pub fn plot_of(table: &dyn Table, scene: &SceneReport) -> Option<String> {
-    let plot = table.plot()?;
+    table.plot()?;
     let measured = scene.of_table(table.name()).next()?;
-    Some(draw(&scene.stem, "milliseconds of a picture", &marks(measured, plot.label)))
+    Some(draw(&scene.stem, "time of a picture in ms", &marks(measured)))
 }
 
-fn marks(measured: &Measured, label: fn(&Rung) -> String) -> Vec<Mark> {
+fn marks(measured: &Measured) -> Vec<Mark> {
     let point =
         |record: &Record| Point { cost: record.time().median, psnr_db: record.psnr_db().unwrap_or(f64::NAN) };
     // A reference has no error and therefore no point.
@@ -163,7 +161,7 @@ fn marks(measured: &Measured, label: fn(&Rung) -> String) -> Vec<Mark> {
     let front = pareto::front(&points);
     let marks = rungs.into_iter().zip(points).zip(front);
     marks
-        .map(|((rung, point), front)| Mark { label: label(rung), family: rung.family, point, front })
+        .map(|((rung, point), front)| Mark { label: rung.code.clone(), family: rung.family, point, front })
         .collect()
 }
 

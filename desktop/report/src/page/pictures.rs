@@ -1,8 +1,9 @@
-//! Embeds the pictures of a scene and their error maps as data URIs.
+//! Embeds the pictures of a scene, their differences from the reference and their FLIP maps as data URIs.
 
 use anyhow::Context;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
+use glimpse::metrics::flip_picture;
 use glimpse::{DisplayImage, to_png};
 
 use crate::scene::SceneReport;
@@ -19,7 +20,7 @@ pub struct Figure {
     pub caption: String,
 }
 
-/// The converged frame, then each stored picture of the ladder with its error map.
+/// The converged frame, then each stored picture of the ladder with its difference and its FLIP map.
 pub fn of(store: &Store, scene: &SceneReport) -> anyhow::Result<Vec<Figure>> {
     let mut figures = Vec::new();
     for measured in scene.measured.iter().filter(|measured| measured.job.is_ladder()) {
@@ -35,9 +36,12 @@ pub fn of(store: &Store, scene: &SceneReport) -> anyhow::Result<Vec<Figure>> {
         for (rung, identity) in measured.job.rungs.iter().zip(&measured.identities) {
             if rung.keeps_picture {
                 let picture = kept(identity)?;
-                figures.push(figure(&picture, rung.name.clone())?);
-                let caption = format!("{}: difference from the reference x {GAIN}", rung.name);
+                let name = rung.label();
+                figures.push(figure(&picture, name.clone())?);
+                let caption = format!("{name}: difference from the reference x {GAIN}, by channel");
                 figures.push(figure(&error_map(&picture, &reference), caption)?);
+                let caption = format!("{name}: FLIP, from 0 (black) to 1 (yellow)");
+                figures.push(figure(&flip_picture(&picture, &reference)?, caption)?);
             }
         }
     }

@@ -57,7 +57,7 @@ impl Table for TwoEyes {
             let plain = measured.records.get(1);
             settings(measured).map(move |(rung, record)| {
                 let cells = [Some(record), plain].map(|record| record.map_or([f64::NAN; 5], numbers));
-                row(&scene.prepared.name, &rung.name, cells)
+                row(&scene.prepared.name, &rung.label(), cells)
             })
         });
         Content::Rows(Rows {
@@ -80,7 +80,7 @@ impl Table for TwoEyes {
     }
 
     fn plot(&self) -> Option<Plot> {
-        Some(Plot { file: "paths", label: |rung| rung.settings.paths.samples.to_string() })
+        Some(Plot { file: "paths" })
     }
 }
 
@@ -130,15 +130,15 @@ const OURS: Parts = (Foveation::Compensated, StereoReuse::Weighted, Denoise::Atr
 const PAPERS: Parts = (Foveation::Paper, StereoReuse::Paper, Denoise::Median);
 const NONE: Parts = (Foveation::Off, StereoReuse::Off, Denoise::Off);
 
-const PLAIN: Family = Family::baseline("plain", "#333333");
-const STOPPED: Family = Family::contender("stopped", "#e69f00");
-const CROSSED: Family = Family::contender("crossing", "#0072b2");
-const FILTERED: Family = Family::contender("filtered", "#009e73");
-const UNSTOPPED: Family = Family::contender("without stopping", "#a6761d");
-const UNCROSSED: Family = Family::contender("without crossing", "#56b4e9");
-const UNFILTERED: Family = Family::contender("without filter", "#882255");
-const TOGETHER: Family = Family::contender("together", "#d55e00");
-const AS_PUBLISHED: Family = Family::contender("as in the paper", "#cc79a7");
+const PLAIN: Family = Family::baseline("VN", "plain", "#333333");
+const STOPPED: Family = Family::contender("VS", "stopped", "#e69f00");
+const CROSSED: Family = Family::contender("VC", "crossing", "#0072b2");
+const FILTERED: Family = Family::contender("VF", "filtered", "#009e73");
+const UNSTOPPED: Family = Family::contender("VCF", "without stopping", "#a6761d");
+const UNCROSSED: Family = Family::contender("VSF", "without crossing", "#56b4e9");
+const UNFILTERED: Family = Family::contender("VSC", "without filter", "#882255");
+const TOGETHER: Family = Family::contender("VA", "together", "#d55e00");
+const AS_PUBLISHED: Family = Family::contender("VP", "as in the paper", "#cc79a7");
 
 /// No technique, each alone, all but each, all together, and as in the paper.
 const PARTS: [(Family, Parts); 9] = [

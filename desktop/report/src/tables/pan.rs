@@ -13,8 +13,8 @@ const DEGREES: f64 = 0.25;
 /// Shares of pixels traced anew in each frame.
 const SHARES: [f32; 4] = [0.05, 0.1, 0.25, 0.5];
 
-const FRAMELESS: Family = Family::contender("frameless", "#e69f00");
-const REPROJECTED: Family = Family::contender("reproject", "#d55e00");
+const FRAMELESS: Family = Family::contender("L", "frameless", "#e69f00");
+const REPROJECTED: Family = Family::contender("P", "reproject", "#d55e00");
 
 /// Methods that reuse the previous frame against those that do not, while the camera pans.
 pub struct Pan;
@@ -43,7 +43,7 @@ impl Table for Pan {
                 let ssim = record.error.as_ref().map_or(f64::NAN, |error| error.ssim);
                 vec![
                     scene.sized(measured.job.shown),
-                    rung.name.clone(),
+                    rung.label(),
                     format!("{:.1}", record.time().median),
                     format!("{:.2}", record.time().median / full),
                     format!("{:.3}", record.rt_ratio),
@@ -68,7 +68,7 @@ impl Table for Pan {
     }
 
     fn plot(&self) -> Option<Plot> {
-        Some(Plot { file: "pan", label: |rung| rung.name.clone() })
+        Some(Plot { file: "pan" })
     }
 }
 

@@ -35,7 +35,7 @@ impl Table for SingleAndMultiple {
             let name = scene.sized(measured.job.shown);
             settings(measured).map(move |(rung, record)| {
                 let share = samples_a_pixel(rung, record) / 16.0;
-                row(&name, &rung.name, share, record.psnr_db().unwrap_or(f64::NAN))
+                row(&name, &rung.label(), share, record.psnr_db().unwrap_or(f64::NAN))
             })
         });
         Content::Rows(Rows {

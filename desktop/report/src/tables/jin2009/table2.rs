@@ -79,6 +79,8 @@ const HEAD: [&str; 8] = [
 
 /// Cost and quality of one setting.
 struct Line<'l> {
+    /// Short name of a measured setting; empty for a printed one.
+    code: &'l str,
     name: &'l str,
     psnr_db: f64,
     samples: f64,
@@ -90,6 +92,7 @@ struct Line<'l> {
 impl<'l> From<&'l PrintedLine> for Line<'l> {
     fn from(line: &'l PrintedLine) -> Self {
         Self {
+            code: "",
             name: line.sampling,
             psnr_db: line.psnr_db,
             samples: line.samples,
@@ -102,6 +105,7 @@ impl<'l> From<&'l PrintedLine> for Line<'l> {
 fn lines<'m>(measured: &'m Measured) -> Vec<Line<'m>> {
     let single = measured.records.first().map_or(f64::NAN, |record| record.time().median);
     let line = |(rung, record): (&'m Rung, &'m Record)| Line {
+        code: &rung.code,
         name: &rung.name,
         psnr_db: record.psnr_db().unwrap_or(f64::NAN),
         samples: samples_a_pixel(rung, record),
@@ -116,7 +120,7 @@ fn rows(scene: &str, lines: &[Line<'_>]) -> Vec<Vec<String>> {
     let row = |line: &Line<'_>| {
         vec![
             scene.to_owned(),
-            line.name.to_owned(),
+            format!("{} {}", line.code, line.name).trim_start().to_owned(),
             format!("{:.2}", line.psnr_db),
             format!("{:.2}", line.samples),
             format!("{:.1} %", 100.0 * line.samples / 9.0),
@@ -227,7 +231,8 @@ mod tests {
 
     #[test]
     fn shares_and_rates_are_against_fixed_densities() {
-        let line = |name, samples, ms| Line { name, psnr_db: 40.0, samples, ms, overhead: ms / 10.0 };
+        let line =
+            |name, samples, ms| Line { code: "", name, psnr_db: 40.0, samples, ms, overhead: ms / 10.0 };
         let rows = rows("s", &[line("fixed 1", 1.0, 10.0), line("fixed 9", 9.0, 80.0), line("a", 1.8, 20.0)]);
         assert_eq!(rows[2], ["s", "a", "40.00", "1.80", "20.0 %", "20.0", "2.00", "4.00"]);
         assert_eq!(rows[1][3..], ["9.00", "100.0 %", "80.0", "8.00", "1.00"]);
