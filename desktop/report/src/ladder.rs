@@ -143,18 +143,19 @@ impl Axis {
 
 /// Draws the plot of a scene's ladder as SVG.
 pub fn svg(scene: &SceneReport, axis: Axis) -> String {
-    let families = scene.measured.iter().flat_map(|m| m.job.rungs.iter().map(|rung| rung.family));
+    let measured = scene.measured.iter().flat_map(|m| m.job.rungs.iter().zip(&m.records));
     let marks: Vec<Mark> = scene
         .rows
         .iter()
-        .zip(families)
+        .zip(measured)
         .filter(|(row, _)| row.part == "ladder")
-        .map(|(row, family)| {
-            let (point, front) = match axis {
-                Axis::Time => (row.time_point(), row.front_time),
-                Axis::Rays => (row.rays_point(), row.front_rays),
+        .map(|(row, (rung, record))| {
+            let (point, interval, front) = match axis {
+                Axis::Time => (row.time_point(), record.interval_ms(), row.front_time),
+                // Counts of rays are exact.
+                Axis::Rays => (row.rays_point(), None, row.front_rays),
             };
-            Mark { label: row.setting.clone(), family, point, front }
+            Mark { label: row.code.clone(), family: rung.family, point, interval, front }
         })
         .collect();
     draw(&scene.stem, axis.title(), &marks)

@@ -11,10 +11,18 @@ use crate::pareto::Point;
 use crate::rung::Family;
 use labels::{Label, Labels};
 
-const WIDTH: f64 = 900.0;
-const HEIGHT: f64 = 584.0;
+/// Width in SVG units, of which the page shows at least one a pixel.
+const WIDTH: f64 = 560.0;
 /// Left, top, right and bottom edge of the plot area, in SVG units.
-const AREA: [f64; 4] = [64.0, 40.0, 884.0, 470.0];
+const AREA: [f64; 4] = [60.0, 40.0, 548.0, 420.0];
+/// Top of the legend and height of its lines.
+const LEGEND: [f64; 2] = [474.0, 19.0];
+/// Number of columns of the legend.
+const COLUMNS: usize = 2;
+/// Colours where the reader prefers dark pages; elsewhere those of the attributes hold.
+const DARK: &str = "<style>@media screen and (prefers-color-scheme: dark) { .plot { fill: #ddd } \
+    .plot .ground { fill: #1a1a1a } .plot .grid { stroke: #3d3d3d } .plot .axis { stroke: #ddd } \
+    .plot .symbol:not([stroke]) { stroke: #ddd } }</style>\n";
 
 /// A point of the plot with its label.
 #[derive(Clone, Debug)]
@@ -25,6 +33,8 @@ pub struct Mark {
     pub family: Family,
     /// Cost and PSNR.
     pub point: Point,
+    /// 95 % confidence interval of the cost, if there is one.
+    pub interval: Option<[f64; 2]>,
     /// Whether the point is on the Pareto front.
     pub front: bool,
 }
@@ -35,11 +45,13 @@ pub fn draw(title: &str, x_title: &str, marks: &[Mark]) -> String {
     let scales = Scales::of(marks);
     // Writing to a String cannot fail.
     let mut svg = String::new();
+    let families = families(marks);
+    let height = LEGEND[0] + families.len().div_ceil(COLUMNS) as f64 * LEGEND[1];
     let _ = write!(
         svg,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" \
-         font-family=\"system-ui, sans-serif\" font-size=\"12\" fill=\"#222\">\n\
-         <rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"#fff\"/>\n\
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" class=\"plot\" \
+         font-family=\"system-ui, sans-serif\" font-size=\"12\" fill=\"#222\">\n{DARK}\
+         <rect width=\"{WIDTH}\" height=\"{height}\" class=\"ground\" fill=\"#fff\"/>\n\
          <text x=\"{}\" y=\"24\" font-size=\"15\" font-weight=\"600\">{}: PSNR against {}</text>\n",
         AREA[0],
         escaped(title),
@@ -48,6 +60,9 @@ pub fn draw(title: &str, x_title: &str, marks: &[Mark]) -> String {
     svg += &axes(&scales, x_title);
     svg += &front(&scales, marks);
     let places: Vec<_> = marks.iter().map(|mark| scales.place(mark.point)).collect();
+    for (mark, [_, y]) in marks.iter().zip(&places) {
+        svg += &mark.interval.map_or_else(String::new, |interval| bar(&scales, mark.family, interval, *y));
+    }
     for (mark, [x, y]) in marks.iter().zip(&places) {
         svg += &symbol(mark.family, *x, *y, mark.front);
     }
@@ -64,11 +79,11 @@ pub fn draw(title: &str, x_title: &str, marks: &[Mark]) -> String {
         let weight = if mark.front { " font-weight=\"600\"" } else { "" };
         let _ = writeln!(
             svg,
-            "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"11\"{weight}>{}</text>",
+            "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"12\"{weight}>{}</text>",
             escaped(&text)
         );
     }
-    svg += &legend(marks);
+    svg += &legend(&families);
     svg + "</svg>\n"
 }
 
@@ -120,7 +135,7 @@ fn axes(scales: &Scales, x_title: &str) -> String {
         let x = scales.x(cost);
         let _ = write!(
             svg,
-            "<path d=\"M{x:.1} {top}V{bottom}\" stroke=\"#e4e4e4\"/>\n\
+            "<path d=\"M{x:.1} {top}V{bottom}\" class=\"grid\" stroke=\"#e4e4e4\"/>\n\
              <text x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{cost}</text>\n",
             bottom + 18.0
         );
@@ -129,7 +144,7 @@ fn axes(scales: &Scales, x_title: &str) -> String {
         let y = scales.y(psnr_db);
         let _ = write!(
             svg,
-            "<path d=\"M{left} {y:.1}H{right}\" stroke=\"#e4e4e4\"/>\n\
+            "<path d=\"M{left} {y:.1}H{right}\" class=\"grid\" stroke=\"#e4e4e4\"/>\n\
              <text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{psnr_db}</text>\n",
             left - 8.0,
             y + 4.0
@@ -137,7 +152,7 @@ fn axes(scales: &Scales, x_title: &str) -> String {
     }
     let _ = write!(
         svg,
-        "<path d=\"M{left} {top}V{bottom}H{right}\" stroke=\"#222\" fill=\"none\"/>\n\
+        "<path d=\"M{left} {top}V{bottom}H{right}\" class=\"axis\" stroke=\"#222\" fill=\"none\"/>\n\
          <text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{} (logarithmic)</text>\n\
          <text transform=\"translate(18 {:.1}) rotate(-90)\" text-anchor=\"middle\">PSNR in dB</text>\n",
         0.5 * (left + right),
@@ -185,25 +200,45 @@ fn symbol(family: Family, x: f64, y: f64, front: bool) -> String {
     let color = family.color;
     if family.is_baseline {
         let [left, top] = [x - 4.5, y - 4.5];
-        format!("<rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"9\" height=\"9\" fill=\"{color}\"{ring}/>\n")
+        format!(
+            "<rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"9\" height=\"9\" class=\"symbol\" fill=\"{color}\"{ring}/>\n"
+        )
     } else {
-        format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\" fill=\"{color}\"{ring}/>\n")
+        format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\" class=\"symbol\" fill=\"{color}\"{ring}/>\n")
     }
 }
 
-fn legend(marks: &[Mark]) -> String {
-    let mut svg = String::new();
+/// Draws a confidence interval of the cost as a horizontal line with ends, as far as it is within the plot area.
+fn bar(scales: &Scales, family: Family, interval: [f64; 2], y: f64) -> String {
+    let [low, high] = interval.map(|cost| scales.x(cost).clamp(AREA[0], AREA[2]));
+    let [top, bottom] = [y - 3.5, y + 3.5];
+    format!(
+        "<path d=\"M{low:.1} {top:.1}V{bottom:.1}M{low:.1} {y:.1}H{high:.1}M{high:.1} {top:.1}V{bottom:.1}\" \
+         stroke=\"{}\" stroke-width=\"1.5\"/>\n",
+        family.color
+    )
+}
+
+/// Families of the marks, in the order of their first marks.
+fn families(marks: &[Mark]) -> Vec<Family> {
     let mut families: Vec<Family> = Vec::new();
     for mark in marks {
         if !families.contains(&mark.family) {
             families.push(mark.family);
         }
     }
-    for (index, family) in families.into_iter().enumerate() {
-        let x = AREA[0] + 8.0 + (index % 4) as f64 * 208.0;
-        let y = AREA[3] + 62.0 + (index / 4) as f64 * 20.0;
-        svg += &symbol(family, x, y, false);
-        let _ = writeln!(svg, "<text x=\"{:.1}\" y=\"{:.1}\">{}</text>", x + 10.0, y + 4.0, family.name);
+    families
+}
+
+fn legend(families: &[Family]) -> String {
+    let mut svg = String::new();
+    let width = (AREA[2] - AREA[0]) / COLUMNS as f64;
+    for (index, family) in families.iter().enumerate() {
+        let x = AREA[0] + 8.0 + (index % COLUMNS) as f64 * width;
+        let y = LEGEND[0] + (index / COLUMNS) as f64 * LEGEND[1];
+        svg += &symbol(*family, x, y, false);
+        let Family { letters, name, .. } = family;
+        let _ = writeln!(svg, "<text x=\"{:.1}\" y=\"{:.1}\">{letters}: {name}</text>", x + 10.0, y + 4.0);
     }
     svg
 }

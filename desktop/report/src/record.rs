@@ -6,6 +6,7 @@ use glimpse_measure::machine;
 use glimpse_measure::statistics::Spread;
 use serde::{Deserialize, Serialize};
 
+use crate::interval::Estimate;
 use crate::work::Work;
 
 /// Measurement of one setting, as it is stored.
@@ -101,6 +102,14 @@ impl Record {
         self.frames.iter().map(|frame| (frame.ms / frame.control_ms.unwrap_or(1.0)).ln()).collect()
     }
 
+    /// The 95 % confidence interval of the times, scaled so that their geometric mean is at the median in milliseconds;
+    /// `None` for fewer than two frames.
+    pub fn interval_ms(&self) -> Option<[f64; 2]> {
+        let estimate = Estimate::of_logarithms(&self.log_times());
+        let scale = self.time().median / estimate.mean;
+        estimate.interval.map(|interval| interval.map(|end| scale * end))
+    }
+
     /// Median milliseconds of each pass, in the order of the first frame.
     pub fn passes(&self) -> Vec<(&str, f64)> {
         let Some(first) = self.frames.first() else { return Vec::new() };
@@ -181,6 +190,12 @@ pub mod tests {
         let mut record = example("r", 1.0, None);
         record.frames.extend([5.0, 3.0].map(|ms| example("r", ms, None).frames.remove(0)));
         assert_eq!(record.time(), Spread { median: 3.0, p95: 5.0 });
+        let [low, high] = record.interval_ms().unwrap();
+        let half = Estimate::of_logarithms(&record.log_times()).interval.unwrap()[1];
+        assert!(
+            (low * high - 9.0).abs() < 1e-9 && high > half && low < 3.0,
+            "around the median: {low} {high}"
+        );
         assert_eq!(record.passes(), [("base", 2.25), ("trace_a1", 0.75)]);
         assert!((record.rays_per_pixel() - 3.4).abs() < 1e-12);
     }

@@ -97,12 +97,6 @@ impl Row {
         Point { cost: self.median_ms, psnr_db: self.psnr_db.unwrap_or(f64::NAN) }
     }
 
-    /// The interval of the ratio to the control, scaled to the median time in milliseconds.
-    pub fn interval_ms(&self) -> Option<[f64; 2]> {
-        let scale = self.median_ms / self.time_ratio?;
-        Some([scale * self.time_ratio_low?, scale * self.time_ratio_high?])
-    }
-
     /// Point for the Pareto front of PSNR against rays per pixel.
     pub fn rays_point(&self) -> Point {
         Point { cost: self.rays_per_pixel, ..self.time_point() }

@@ -156,12 +156,15 @@ fn marks(measured: &Measured) -> Vec<Mark> {
     let point =
         |record: &Record| Point { cost: record.time().median, psnr_db: record.psnr_db().unwrap_or(f64::NAN) };
     // A reference has no error and therefore no point.
-    let judged = settings(measured).filter(|(_, record)| record.error.is_some());
-    let (rungs, points): (Vec<_>, Vec<_>) = judged.map(|(rung, record)| (rung, point(record))).unzip();
+    let judged: Vec<_> = settings(measured).filter(|(_, record)| record.error.is_some()).collect();
+    let points: Vec<_> = judged.iter().map(|(_, record)| point(record)).collect();
     let front = pareto::front(&points);
-    let marks = rungs.into_iter().zip(points).zip(front);
+    let marks = judged.into_iter().zip(points).zip(front);
     marks
-        .map(|((rung, point), front)| Mark { label: rung.code.clone(), family: rung.family, point, front })
+        .map(|(((rung, record), point), front)| {
+            let interval = record.interval_ms();
+            Mark { label: rung.code.clone(), family: rung.family, point, interval, front }
+        })
         .collect()
 }
 

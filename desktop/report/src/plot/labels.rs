@@ -1,9 +1,9 @@
 //! Places labels beside their points, where they cover the least.
 
-/// Width of a character in SVG units: that of bold text of size 11, whose digits and small letters are no
+/// Width of a character in SVG units: that of bold text of size 12, whose digits and small letters are no
 /// wider in common fonts.
-const CHARACTER: f64 = 6.7;
-const ASCENT: f64 = 9.0;
+const CHARACTER: f64 = 7.3;
+const ASCENT: f64 = 10.0;
 const DESCENT: f64 = 3.0;
 /// Half the side of a symbol.
 const SYMBOL: f64 = 6.0;

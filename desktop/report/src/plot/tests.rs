@@ -3,7 +3,7 @@
 use super::*;
 
 fn mark(label: &str, cost: f64, psnr_db: f64, front: bool) -> Mark {
-    Mark { label: label.into(), family: Family::FIXED, point: Point { cost, psnr_db }, front }
+    Mark { label: label.into(), family: Family::FIXED, point: Point { cost, psnr_db }, interval: None, front }
 }
 
 #[test]
@@ -33,6 +33,22 @@ fn every_mark_has_its_label_and_the_front_its_line() {
     let line = svg.lines().find(|line| line.starts_with("<polyline")).unwrap();
     assert_eq!(line.matches(',').count(), 2, "two points: {line}");
     assert!(!svg.contains("NaN"));
+}
+
+#[test]
+fn intervals_are_drawn_around_their_marks_within_the_area() {
+    let mut marks = [mark("a", 10.0, 30.0, true), mark("b", 100.0, 40.0, true)];
+    let bars = |svg: &str| svg.lines().filter(|line| line.contains("stroke-width=\"1.5\"")).count();
+    assert_eq!(bars(&draw("s", "ms", &marks)), 0);
+    marks[0].interval = Some([9.0, 12.0]);
+    // Wider than the plot.
+    marks[1].interval = Some([1e-3, 1e9]);
+    let svg = draw("s", "ms", &marks);
+    assert_eq!(bars(&svg), 2);
+    let scales = Scales::of(&marks);
+    let ends = [scales.x(9.0), scales.x(12.0)].map(|x| format!("{x:.1}"));
+    assert!(svg.contains(&format!("M{} ", ends[0])) && svg.contains(&format!("H{}M", ends[1])), "{svg}");
+    assert!(svg.contains(&format!("H{:.1}M", AREA[2])), "{svg}");
 }
 
 #[test]
