@@ -70,7 +70,13 @@ fn options(rung: &Rung) -> String {
     let told = differing.map(|(option, value)| (option.name, value.to_string()));
     let method = ("method", settings.method.name().to_owned());
     let all = std::iter::once(method).chain(told.filter(|(name, _)| *name != "method"));
-    all.map(|(name, value)| format!("--{name} {value}")).collect::<Vec<_>>().join(" ")
+    // Flags take their values after an equals sign.
+    let written = |(name, value): (&str, String)| match value.as_str() {
+        "true" => format!("--{name}"),
+        "false" => format!("--{name}=false"),
+        _ => format!("--{name} {value}"),
+    };
+    all.map(written).collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]
@@ -110,6 +116,7 @@ mod tests {
         };
         assert_eq!(of("fixed 1"), "--method full");
         assert_eq!(of("fixed 9"), "--method full --sampling 3");
+        assert_eq!(of("combined balanced"), "--method adaptive --postcorrect on --supersample");
         assert!(of("block 4").starts_with("--method adaptive") && of("block 4").contains("--block 4"));
     }
 }

@@ -14,7 +14,7 @@ pub const HEAD: [&str; 6] =
 
 /// The first sentence of the page.
 pub fn sentence(scenes: &[SceneReport]) -> String {
-    let compared = scenes.iter().map(|scene| (scene.prepared.name.as_str(), &scene.compared));
+    let compared = scenes.iter().map(|scene| (scene.stem.as_str(), &scene.compared));
     headline::sentence(&compared.collect::<Vec<_>>())
 }
 
@@ -29,7 +29,7 @@ pub fn section(header: &Header, scenes: &[SceneReport]) -> Markup {
         (method(header))
         ul class="contents" {
             @for scene in scenes {
-                li { a href={ "#" (scene.stem) } { (scene.prepared.name) } ": " (rows::verdict(&scene.rows)) "." }
+                li { a href={ "#" (scene.stem) } { (scene.stem) } ": " (rows::verdict(&scene.rows)) "." }
             }
         }
         (facts(header, scenes))
@@ -41,7 +41,7 @@ fn row(scene: &SceneReport) -> Markup {
         |share: f64| if share.is_nan() { "-".to_owned() } else { format!("{:.1} %", 100.0 * share) };
     html! {
         tr {
-            th { a href={ "#" (scene.stem) } { (scene.prepared.name) } }
+            th { a href={ "#" (scene.stem) } { (scene.stem) } }
             @match &scene.compared {
                 Ok(compared) => {
                     td { (format!("{:.3}", compared.ratio().mean)) }
@@ -105,7 +105,7 @@ fn facts(header: &Header, scenes: &[SceneReport]) -> Markup {
                 "Glimpse " (version) ", commit " (commit) ": error against run time of " (counted(scenes.len(), "scene")) " ("
                 @for (index, scene) in scenes.iter().enumerate() {
                     @if index > 0 { ", " }
-                    (scene.prepared.name) " " (short(scene))
+                    (scene.stem) " " (short(scene))
                 }
                 "), " (adapter) ", " (cpu) ", " (days) "."
             }
