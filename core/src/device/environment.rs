@@ -21,7 +21,7 @@ pub struct GpuEnvironment {
     map: wgpu::TextureView,
     levels: wgpu::TextureView,
     irradiance: wgpu::TextureView,
-    shares: wgpu::TextureView,
+    powers: wgpu::TextureView,
     uniform: wgpu::Buffer,
     bytes: u64,
 }
@@ -43,10 +43,14 @@ impl GpuEnvironment {
         let matte = rgba(&irradiance.texels);
         let matte = [(irradiance.side, bytemuck::cast_slice(&matte))];
         let distribution = EnvironmentDistribution::of(map);
-        let shares = [(distribution.side, bytemuck::cast_slice(&distribution.shares))];
+        let powers: Vec<_> = distribution
+            .levels
+            .iter()
+            .map(|(side, probabilities)| (*side, bytemuck::cast_slice(probabilities)))
+            .collect();
         let (sine, cosine) = map.rotation().sin_cos();
         let uniform = EnvironmentUniform { rotation: [cosine, sine], padding: [0.0; 2] };
-        let bytes = [&whole[..], &levels, &matte, &shares]
+        let bytes = [&whole[..], &levels, &matte, &powers]
             .concat()
             .iter()
             .map(|(_, texels)| texels.len() as u64)
@@ -55,7 +59,7 @@ impl GpuEnvironment {
             map: texture(gpu, "environment_map", TextureFormat::Rgba32Float, &whole)?,
             levels: texture(gpu, "environment_levels", TextureFormat::Rgba32Float, &levels)?,
             irradiance: texture(gpu, "environment_diffuse", TextureFormat::Rgba32Float, &matte)?,
-            shares: texture(gpu, "environment_shares", TextureFormat::Rg32Float, &shares)?,
+            powers: texture(gpu, "environment_powers", TextureFormat::R32Float, &powers)?,
             uniform: gpu.filled("environment", bytemuck::bytes_of(&uniform), wgpu::BufferUsages::UNIFORM)?,
             bytes,
         })
@@ -68,7 +72,7 @@ impl GpuEnvironment {
             ("environment_map", wgpu::BindingResource::TextureView(&self.map)),
             ("environment_levels", wgpu::BindingResource::TextureView(&self.levels)),
             ("environment_diffuse", wgpu::BindingResource::TextureView(&self.irradiance)),
-            ("environment_shares", wgpu::BindingResource::TextureView(&self.shares)),
+            ("environment_powers", wgpu::BindingResource::TextureView(&self.powers)),
         ]
     }
 

@@ -1,6 +1,6 @@
 //! The environment in f64: constant radiances or a map.
 
-use glam::DVec3;
+use glam::{DVec3, Vec2};
 
 use super::{Reference, Rounding, Surface, emission::Emitted};
 use crate::{
@@ -66,16 +66,15 @@ impl Reference {
         self.surroundings.as_ref().map_or(0.0, |s| s.distribution.density(s.map.turned(direction)))
     }
 
-    /// The light from the direction of the map that uniform numbers in [0, 1) select, where nothing hides it.
+    /// The light from the direction of the map that two uniform numbers in [0, 1) select, where nothing hides it.
     pub(super) fn environment_drawn(
         &self,
         s: &Surface,
-        number: f32,
-        place: [f64; 2],
+        number: Vec2,
         rounding: &mut Rounding,
     ) -> Option<Emitted> {
         let surroundings = self.surroundings.as_ref()?;
-        let d = surroundings.distribution.draw(number, place.into());
+        let d = surroundings.distribution.draw(number);
         let direction = surroundings.map.turned_back(d);
         if !self.reaches(s, direction) {
             return None;

@@ -5,7 +5,7 @@
 //! Converges to the rendering equation with the materials of `scene/material.rs`, up to the depth limit, with one
 //! exception: light that a bent shading normal would gather from below the face is lost.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::{
     Cause, GBufferPixel, Material, Ray, ReferenceFrame, Rng, Rounding, Surface,
@@ -271,8 +271,8 @@ impl Path<'_> {
         if !self.draws_environment() {
             return DVec3::ZERO;
         }
-        let ([number, _], place) = (self.pair(ENVIRONMENT), self.pair(ENVIRONMENT + 1));
-        let Some(light) = self.frame.reference.environment_drawn(s, number as f32, place, rounding) else {
+        let number = DVec2::from(self.pair(ENVIRONMENT)).as_vec2();
+        let Some(light) = self.frame.reference.environment_drawn(s, number, rounding) else {
             return DVec3::ZERO;
         };
         let (value, met) = self.response(s, lobes, light.direction);

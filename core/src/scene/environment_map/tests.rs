@@ -92,20 +92,45 @@ fn a_small_sun_lights_the_sides_that_face_it_alone() {
 fn directions_are_drawn_as_often_as_they_are_bright() {
     let map = EnvironmentMap::of(256, 1, |n| DVec3::splat(if n.y > 0.9 { 40.0 } else { 0.1 }));
     let distribution = EnvironmentDistribution::of(&map);
-    assert!((distribution.shares.iter().map(|[_, p]| f64::from(*p)).sum::<f64>() - 1.0).abs() < 1e-5);
+    for (side, level) in &distribution.levels {
+        let sum: f64 = level.iter().map(|probability| f64::from(*probability)).sum();
+        assert!((sum - 1.0).abs() < 1e-5 && level.len() == (side * side) as usize, "{side}: {sum}");
+    }
     // The integral of the radiance, estimated by directions drawn in proportion to it, has little variance.
     let count = 40_000;
     let mut sum = 0.0;
     for i in 0..count {
-        let number = (f64::from(i) + 0.5) / f64::from(count);
-        let place = DVec2::new((f64::from(i) * 0.618_034).fract(), (f64::from(i) * 0.754_878).fract());
-        let d = distribution.draw(number as f32, place);
+        let number = DVec2::new((f64::from(i) + 0.5) / f64::from(count), (f64::from(i) * 0.618_034).fract());
+        let d = distribution.draw(number.as_vec2());
         sum += map.radiance(d).x / distribution.density(d);
     }
     let expected = f64::from(map.mean().x) * 4.0 * std::f64::consts::PI;
     assert!((sum / f64::from(count) / expected - 1.0).abs() < 0.01, "{sum}, {expected}");
     let dark = EnvironmentDistribution::of(&EnvironmentMap::constant(Vec3::ZERO));
     assert!(dark.density(DVec3::Y) > 0.0);
+}
+
+/// Half of a sky's light may come from a sun of half a degree: drawn directions meet it as often, and one that does
+/// estimates its light within the share of its texels that it covers.
+#[test]
+fn a_sun_is_drawn_with_little_variance() {
+    let sun = DVec3::new(0.3, 0.8, -0.5).normalize();
+    let inside = |n: DVec3| n.dot(sun) > 0.25_f64.to_radians().cos();
+    let map = EnvironmentMap::of(1024, 2, |n| DVec3::splat(if inside(n) { 1e5 } else { 0.5 }));
+    let distribution = EnvironmentDistribution::of(&map);
+    let count = 20_000;
+    let (mut sum, mut squares) = (0.0, 0.0);
+    for i in 0..count {
+        let number = DVec2::new((f64::from(i) + 0.5) / f64::from(count), (f64::from(i) * 0.618_034).fract());
+        let d = distribution.draw(number.as_vec2());
+        // Of a surface that faces the sun.
+        let estimate = map.radiance(d).x * d.dot(sun).max(0.0) / distribution.density(d);
+        sum += estimate;
+        squares += estimate * estimate;
+    }
+    let (mean, squares) = (sum / f64::from(count), squares / f64::from(count));
+    let deviation = (squares / (mean * mean) - 1.0).sqrt();
+    assert!(deviation < 0.8, "{deviation}");
 }
 
 #[test]
