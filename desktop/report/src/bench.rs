@@ -222,7 +222,7 @@ impl Measure for OfJob<'_> {
         Ok(Frame { peak_gflops: peak.flatten(), ..frame })
     }
 
-    fn closed(&self) {
+    fn opened(&self) {
         self.bench.gpu.trim();
     }
 }

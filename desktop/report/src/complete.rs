@@ -17,8 +17,8 @@ pub trait Measure {
     fn look(&self, index: usize, setting: &mut Self::Open) -> anyhow::Result<Record>;
     /// Times a frame.
     fn time(&self, index: usize, setting: &mut Self::Open) -> anyhow::Result<Frame>;
-    /// Is told that a group of settings was closed.
-    fn closed(&self);
+    /// Is told that a group of settings is open, and no earlier one. Until then both have their kernels in common.
+    fn opened(&self);
 }
 
 /// Completes the record of each setting and times frames until it has `frames` of them. Up to [`OPEN`] settings take
@@ -55,6 +55,7 @@ pub fn complete<M: Measure>(
     for first in 0..groups {
         let group = lacking.iter().copied().skip(first).step_by(groups);
         let mut unfinished = group.map(&mut opened).collect::<anyhow::Result<Vec<_>>>()?;
+        measure.opened();
         while !unfinished.is_empty() {
             let control_ms =
                 control.as_mut().map(|control| control.take(store, measure, frames)).transpose()?;
@@ -68,7 +69,6 @@ pub fn complete<M: Measure>(
             let finished = unfinished.extract_if(.., |turn| turn.record.frames.len() >= frames);
             done.extend(finished.map(|turn| (turn.index, turn.record)));
         }
-        measure.closed();
     }
     if let Some(mut control) = control {
         while control.record.frames.len() < frames {
@@ -154,8 +154,8 @@ mod tests {
             Ok(example("", self.timed.get() as f64, None).frames.remove(0))
         }
 
-        fn closed(&self) {
-            self.calls.borrow_mut().push("closed".to_owned());
+        fn opened(&self) {
+            self.calls.borrow_mut().push("opened".to_owned());
         }
     }
 
@@ -180,13 +180,13 @@ mod tests {
         let (log, records) = done(&store, 2, 2, None, usize::MAX);
         assert_eq!(
             log,
-            ["open 0", "look 0", "open 1", "look 1", "time 0", "time 1", "time 0", "time 1", "closed"]
+            ["open 0", "look 0", "open 1", "look 1", "opened", "time 0", "time 1", "time 0", "time 1"]
         );
         let (again, same) = done(&store, 2, 2, None, 0);
         assert!(again.is_empty(), "{again:?}");
         assert_eq!(records, same);
         let (more, _) = done(&store, 2, 3, None, usize::MAX);
-        assert_eq!(more, ["open 0", "open 1", "time 0", "time 1", "closed"]);
+        assert_eq!(more, ["open 0", "open 1", "opened", "time 0", "time 1"]);
     }
 
     /// Every setting is completed once, in its place, however many there are, and few are open at a time.
@@ -198,10 +198,10 @@ mod tests {
         let (log, records) = done(&store, count, 2, None, usize::MAX);
         let identities: Vec<_> = records.unwrap().into_iter().map(|record| record.identity).collect();
         assert_eq!(identities, (0..count).map(|i| i.to_string()).collect::<Vec<_>>());
-        let opened = |calls: &[String]| -> Vec<String> {
+        let indices = |calls: &[String]| -> Vec<String> {
             calls.iter().filter_map(|call| call.strip_prefix("open ").map(str::to_owned)).collect()
         };
-        let groups: Vec<_> = log.split(|call| call == "closed").map(opened).collect();
+        let groups: Vec<_> = log.split(|call| call == "opened").map(indices).collect();
         assert_eq!(groups[0], ["0", "3", "6"]);
         assert!(groups.len() == 4 && groups.iter().all(|group| group.len() <= OPEN), "{groups:?}");
     }
@@ -232,7 +232,7 @@ mod tests {
         let (_, stopped) = done(&store, 2, 2, None, 3);
         assert!(stopped.is_none());
         let (log, records) = done(&store, 2, 2, None, usize::MAX);
-        assert_eq!(log, ["open 1", "time 1", "closed"], "three of four frames were kept");
+        assert_eq!(log, ["open 1", "opened", "time 1"], "three of four frames were kept");
         assert!(records.unwrap().iter().all(|r| r.frames.len() == 2));
     }
 
