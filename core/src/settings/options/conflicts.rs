@@ -6,6 +6,9 @@ pub(super) fn sampling(settings: &Settings) -> Option<String> {
     let method = settings.method;
     match settings.sampling {
         0 | 1 => None,
+        _ if method.is_path_traced() => {
+            Some(format!("1 with method {}, whose samples option `samples` counts", method.name()))
+        }
         _ if method.takes_one_sample() => Some(format!("1 with method {}", method.name())),
         _ => settings.supersample.then(|| "1 with supersample".to_owned()),
     }

@@ -141,6 +141,11 @@ fn another_method_leaves_behind_what_it_does_not_take() {
     adaptive.validate().unwrap();
     let error = tent.with_method(Method::Checkerboard).validate().unwrap_err().to_string();
     assert_eq!(error, "sampling: expected 1 with method checkerboard, found 2");
+    let error = tent.with_method(Method::Path).validate().unwrap_err().to_string();
+    assert!(
+        error.contains("sampling: expected 1 with method path") && error.contains("`samples`"),
+        "{error}"
+    );
 }
 
 #[test]
