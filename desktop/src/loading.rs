@@ -15,7 +15,7 @@ impl SceneOptions {
         let scene =
             scene_file::load_seen(name, &ImportOptions { variant: self.variant.as_deref(), memory }, seen)?;
         if self.strict {
-            scene_file::check_whole(name, &scene)?;
+            scene_file::check_whole(name, &scene.warnings, &scene.not_shown)?;
         }
         Ok(scene)
     }

@@ -16,6 +16,7 @@ use crate::cpu_tracer::{Sides, Unfinished};
 use crate::focus::FrameRequest;
 use crate::pan::{Pan, Panned};
 use crate::progress::Progress;
+use crate::scene_file;
 use crate::statistics::ErrorAgainst;
 
 /// A scene on the device with a camera and the methods to measure.
@@ -77,6 +78,9 @@ impl<'g> Workbench<'g> {
         let (mut warnings, mut not_shown) = (scene.warnings.clone(), scene.not_shown.clone());
         for request in requests {
             let of_method = scene.not_shown_by(request.settings.method);
+            if options.file.strict {
+                scene_file::check_whole(path, &[], &of_method)?;
+            }
             not_shown
                 .extend(of_method.into_iter().filter(|one| !not_shown.contains(one)).collect::<Vec<_>>());
         }

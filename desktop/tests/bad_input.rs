@@ -163,6 +163,16 @@ fn zero_area_triangles_are_no_error() {
 }
 
 #[test]
+fn what_a_method_does_not_show() {
+    let bench = Bench::new();
+    let (mut document, buffer) = triangle();
+    let transmission = json!({"KHR_materials_transmission": {"transmissionFactor": 1}});
+    document["materials"] = json!([{"extensions": transmission}]);
+    document["meshes"][0]["primitives"][0]["material"] = json!(0);
+    bench.scene_lacks(&bench.file("frosted.glb", glb(&document, &buffer)), &["rough refraction", "once"]);
+}
+
+#[test]
 fn missing_file() {
     Bench::new().scene_refused("nowhere/absent.glb", &["absent.glb"]);
 }

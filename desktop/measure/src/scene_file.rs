@@ -6,7 +6,7 @@ use std::path::{Component, Path, PathBuf};
 use anyhow::Context;
 use glimpse::Scene;
 use glimpse::options::{similar, suggestion};
-use glimpse::scene::{BUILTIN_NAMES, ImportOptions, builtin};
+use glimpse::scene::{BUILTIN_NAMES, ImportOptions, NotShown, builtin};
 
 use crate::files;
 
@@ -72,9 +72,9 @@ fn builtin_name(path: &Path) -> Option<&str> {
 }
 
 /// Fails where the import of a scene left something out, replaced it or cannot show it.
-pub fn check_whole(name: &Path, scene: &Scene) -> anyhow::Result<()> {
-    let not_shown = scene.not_shown.iter().map(|not_shown| format!("not shown: {not_shown}"));
-    let told: Vec<_> = scene.warnings.iter().cloned().chain(not_shown).collect();
+pub fn check_whole(name: &Path, warnings: &[String], not_shown: &[NotShown]) -> anyhow::Result<()> {
+    let not_shown = not_shown.iter().map(|not_shown| format!("not shown: {not_shown}"));
+    let told: Vec<_> = warnings.iter().cloned().chain(not_shown).collect();
     if told.is_empty() {
         return Ok(());
     }
