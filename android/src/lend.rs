@@ -1,6 +1,7 @@
 //! The setup of the session on Android.
 
 use android_activity::AndroidApp;
+use glimpse_app::{AtRest, Choices};
 use glimpse_shell::{Setup, free_name};
 
 use crate::{
@@ -21,7 +22,8 @@ pub fn setup(android: &AndroidApp, names: &Names, intent: &Intent, view: [u32; 2
         scene,
         recent: files::assets(android),
         cached_kernels: Vec::new(),
-        choices: glimpse_app::Choices::default(),
+        // What refinement costs has been measured on no phone.
+        choices: Choices { at_rest: AtRest::Chosen, ..Choices::default() },
         adapter: None,
         limits: None,
         screen: None,

@@ -326,9 +326,26 @@ impl App {
         self.control.as_ref().is_some_and(CameraControl::is_moving)
     }
 
-    /// Job of the frame at rest, at the chosen quality.
+    /// Job of the last frame of a view at rest.
     pub(crate) fn still_job(&self) -> Option<Job> {
-        self.job(&self.pacing.quality_at_rest(&self.choices))
+        let chosen = self.job(&self.pacing.quality_at_rest(&self.choices))?;
+        Some(match self.choices.refined() {
+            Some(settings) => Job { settings, is_refined: true, ..chosen },
+            None => chosen,
+        })
+    }
+
+    /// Job of the next frame of that quality: at rest that of the chosen frame until it is shown and counted, then that of
+    /// the refined one.
+    pub(crate) fn next_job(&self, quality: &Quality) -> Option<Job> {
+        let chosen = self.job(quality)?;
+        if !chosen.is_still() {
+            return Some(chosen);
+        }
+        let last = self.still_job()?;
+        let has_begun = self.delivery.is_complete(Some(&last)) || self.delivery.is_requested(&last);
+        let is_chosen_done = self.delivery.is_complete(Some(&chosen)) && !self.delivery.is_counting();
+        Some(if has_begun || is_chosen_done { last } else { chosen })
     }
 
     pub(crate) fn job(&self, quality: &Quality) -> Option<Job> {
@@ -342,6 +359,7 @@ impl App {
             show: self.choices.show,
             split: self.choices.split.is_some(),
             level: quality.level,
+            is_refined: false,
         })
     }
 }

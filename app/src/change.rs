@@ -5,7 +5,7 @@ use std::str::FromStr;
 use glimpse::Show;
 use glimpse::options::{self, OptionSpec};
 
-use crate::{Choices, FrameRate, Lenses, Overlay, SCALES};
+use crate::{AtRest, Choices, FrameRate, Lenses, Overlay, SCALES};
 
 /// A change of one of the [`Choices`].
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +22,8 @@ pub enum Change {
     Scale(f32),
     /// Sets the frame rate that the governor holds; `None` turns it off.
     Governor(Option<FrameRate>),
+    /// Sets the quality of the frame of a view at rest.
+    AtRest(AtRest),
     /// Sets how much of the overlay is shown.
     Overlay(Overlay),
 }
@@ -44,6 +46,7 @@ impl Change {
             Self::Lenses(lenses) => choices.lenses = *lenses,
             Self::Scale(scale) => choices.scale = *scale,
             Self::Governor(governor) => choices.governor = *governor,
+            Self::AtRest(at_rest) => choices.at_rest = *at_rest,
             Self::Overlay(overlay) => choices.overlay = *overlay,
         }
         Ok(())
@@ -61,15 +64,10 @@ impl FromStr for Change {
             "split" => Self::Split(Some(number_within(value, [0.0, 1.0])?)),
             "lenses" => Self::Lenses(one_of(value, &Lenses::ALL.map(|lenses| (lenses.name(), lenses)))?),
             "scale" => Self::Scale(number_within(value, SCALES)?),
-            "governor" => Self::Governor(one_of(
-                value,
-                &[
-                    ("off", None),
-                    ("15", Some(FrameRate::Fifteen)),
-                    ("30", Some(FrameRate::Thirty)),
-                    ("60", Some(FrameRate::Sixty)),
-                ],
-            )?),
+            "governor" => {
+                Self::Governor(one_of(value, &FrameRate::GOVERNOR.map(|(rate, name)| (name, rate)))?)
+            }
+            "at-rest" => Self::AtRest(one_of(value, &AtRest::NAMED.map(|(at_rest, name)| (name, at_rest)))?),
             "overlay" => Self::Overlay(one_of(
                 value,
                 &[("hidden", Overlay::Hidden), ("brief", Overlay::Brief), ("full", Overlay::Full)],

@@ -21,6 +21,8 @@ pub struct Choices {
     /// Frame rate that the governor holds while the camera moves, by scale, block size and tolerances; `None`
     /// turns it off.
     pub governor: Option<FrameRate>,
+    /// Quality of the frame of a view at rest, while the governor is on.
+    pub at_rest: AtRest,
     /// Navigation mode: the meaning of a drag.
     pub navigation: Navigation,
     /// Presentation mode of the display.
@@ -54,6 +56,7 @@ impl Default for Choices {
             lenses: Lenses::None,
             scale: 1.0,
             governor: Some(FrameRate::Thirty),
+            at_rest: AtRest::Refined,
             navigation: Navigation::Orbit,
             vsync: Vsync::On,
             overlay: Overlay::Brief,
@@ -82,6 +85,10 @@ pub enum FrameRate {
 }
 
 impl FrameRate {
+    /// The governor's choices with their names in scripts; `None` is off. Overlay and scripts follow from this table.
+    pub const GOVERNOR: [(Option<Self>, &'static str); 4] =
+        [(None, "off"), (Some(Self::Fifteen), "15"), (Some(Self::Thirty), "30"), (Some(Self::Sixty), "60")];
+
     /// Time of a frame in milliseconds.
     #[must_use]
     pub fn budget_ms(self) -> f64 {
@@ -91,6 +98,21 @@ impl FrameRate {
             Self::Sixty => 1000.0 / 60.0,
         }
     }
+}
+
+/// Quality of the frame of a view at rest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AtRest {
+    /// As it was chosen.
+    Chosen,
+    /// First as it was chosen, then with extra samples where pixels differ from their neighbours: see
+    /// [`Choices::refined`].
+    Refined,
+}
+
+impl AtRest {
+    /// Both, with their names in the overlay and in scripts.
+    pub const NAMED: [(Self, &'static str); 2] = [(Self::Chosen, "chosen"), (Self::Refined, "refined")];
 }
 
 /// Navigation mode: the meaning of a drag.

@@ -72,7 +72,15 @@ mod tests {
     fn what_is_usual_is_not_said() {
         let camera = Camera::framing(Vec3::ZERO, Vec3::ONE);
         let settings = Settings::default();
-        let mut job = Job { camera, size: [64, 32], settings, show: Show::Final, split: false, level: None };
+        let mut job = Job {
+            camera,
+            size: [64, 32],
+            settings,
+            show: Show::Final,
+            split: false,
+            level: None,
+            is_refined: false,
+        };
         assert_eq!(
             command("builtin:room", "", &job),
             "glimpse render builtin:room -o glimpse.png --size 64x32"

@@ -51,6 +51,8 @@ pub struct HudState {
     pub legend: String,
     /// Description of what the governor does; empty while it is off.
     pub governor: String,
+    /// Share of the frame at rest that is rendered, from 0 to 1, while it is not complete.
+    pub rendered: Option<f32>,
     /// The long task in progress.
     pub busy: Option<Busy>,
     /// The folder in the list of files, while that is open.

@@ -32,7 +32,7 @@ mod worker_events;
 pub use app::{App, Capture, Request, Update};
 pub use camera_control::CameraControl;
 pub use change::Change;
-pub use choices::{Choices, FrameRate, Navigation, Overlay, SCALES, TEXT_SCALES, Vsync};
+pub use choices::{AtRest, Choices, FrameRate, Navigation, Overlay, SCALES, TEXT_SCALES, Vsync};
 pub use folder::{Folder, FolderEntry};
 pub use gestures::{Gestures, Motion};
 pub use glimpse::Show;

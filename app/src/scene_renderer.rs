@@ -36,6 +36,8 @@ pub struct Job {
     /// The governor's level while the camera moves; `None` for a frame at rest. Only frames at rest are
     /// counted, and only they can be cancelled.
     pub level: Option<usize>,
+    /// Whether this is the refined frame of a view at rest, which follows the chosen one and is not counted.
+    pub is_refined: bool,
 }
 
 impl Job {
@@ -43,6 +45,12 @@ impl Job {
     #[must_use]
     pub fn is_still(&self) -> bool {
         self.level.is_none()
+    }
+
+    /// Whether rays are counted once the frame is complete: those of the frame at rest as it was chosen.
+    #[must_use]
+    pub fn is_counted(&self) -> bool {
+        self.is_still() && !self.is_refined
     }
 }
 
@@ -62,6 +70,8 @@ pub struct RenderedFrame {
     pub is_stand_in: bool,
     /// Whether rendering the job again would give the same picture.
     pub settled: bool,
+    /// Samples of a pixel that are rendered, over those that the method accumulates, up to 1.
+    pub samples_share: f32,
     /// Whether kernels were compiled during the frame, so that its time is not representative.
     pub compiled: bool,
     /// Time of each pass.
@@ -158,7 +168,12 @@ impl<'a> SceneRenderer<'a> {
         }
         self.waiting.frame = None;
         let (gpu, scene, mailbox, event_sender) = (self.gpu, self.scene, self.mailbox, self.event_sender);
-        let cancelled = || job.is_still() && mailbox.is_urgent();
+        let cancelled = |share| {
+            if job.is_still() {
+                event_sender.send(WorkerEvent::Rendering(number, share));
+            }
+            job.is_still() && mailbox.is_urgent()
+        };
         let known = self.shown.as_ref().map_or(0, Renderer::kernels);
         let renderer = changed(&mut self.shown, gpu, scene, job.size, &job.settings)?;
         let Some(time) = renderer.render_until(&job.camera, &cancelled)? else {
@@ -167,6 +182,7 @@ impl<'a> SceneRenderer<'a> {
         };
         let compiled = renderer.kernels() > known;
         let (memory, settled) = (renderer.memory(), renderer.is_settled());
+        let samples_share = renderer.samples() as f32 / job.settings.paths.samples.max(1) as f32;
         let (picture, legend) = if job.show == Show::Final {
             let display = renderer.display().clone();
             (self.handed_out(&display), String::new())
@@ -186,7 +202,8 @@ impl<'a> SceneRenderer<'a> {
         } else {
             None
         };
-        let (camera, still, split) = (job.camera, job.is_still(), job.split);
+        let (camera, split) = (job.camera, job.split);
+        let is_counted = job.is_counted();
         let (ms, passes) = (time.ms, time.passes);
         event_sender.send(WorkerEvent::Frame(Box::new(RenderedFrame {
             number,
@@ -196,12 +213,13 @@ impl<'a> SceneRenderer<'a> {
             ms,
             is_stand_in: false,
             settled,
+            samples_share,
             compiled,
             passes,
             memory,
             legend,
         })));
-        if still && settled { self.count(number, camera, split) } else { Ok(()) }
+        if is_counted && settled { self.count(number, camera, split) } else { Ok(()) }
     }
 
     /// Sends the counters of the last frame once their kernels are compiled, unless another request waits.

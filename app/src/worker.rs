@@ -38,6 +38,8 @@ pub enum WorkerEvent {
     Opened(Box<SceneFacts>),
     /// The scene could not be loaded, with the reason; the previous scene stays.
     OpenFailed(String),
+    /// Share of the frame at rest of that number that is submitted, from 0 to 1.
+    Rendering(u64, f32),
     /// A rendered frame.
     Frame(Box<RenderedFrame>),
     /// The frame of that number, or its counters, will not arrive: a newer request replaced it, or the view

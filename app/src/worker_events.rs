@@ -32,8 +32,18 @@ impl App {
                     self.load(&other);
                 }
             }
+            WorkerEvent::Rendering(number, share) => {
+                if self.delivery.is_awaited(number) {
+                    self.hud_state.rendered = Some(share);
+                }
+            }
             WorkerEvent::Frame(frame) => self.framed(frame),
-            WorkerEvent::Cancelled(number) => self.delivery.given_up(number),
+            WorkerEvent::Cancelled(number) => {
+                if self.delivery.is_awaited(number) {
+                    self.hud_state.rendered = None;
+                }
+                self.delivery.given_up(number);
+            }
             WorkerEvent::Counted(number, counted) => {
                 self.requests.push(Request::KeepKernels);
                 if self.delivery.counts_arrived(number) {
@@ -59,7 +69,7 @@ impl App {
             }
             WorkerEvent::Failed(line) => {
                 self.delivery.request_failed();
-                self.hud_state.busy = None;
+                (self.hud_state.busy, self.hud_state.rendered) = (None, None);
                 self.report_problem(line);
             }
             WorkerEvent::Lost(reason) => self.lost(&reason),
@@ -110,6 +120,8 @@ impl App {
                 self.hud_state.push_frame(ms as f32);
             }
             self.hud_state.busy = None;
+            let is_accumulating = frame.job.is_still() && !frame.settled;
+            self.hud_state.rendered = is_accumulating.then_some(frame.samples_share.min(1.0));
         }
         let hud_state = &mut self.hud_state;
         hud_state.passes.clone_from(&frame.passes);
@@ -125,7 +137,7 @@ impl App {
         log::warn!("the graphics device was lost: {reason}");
         let losses = self.device.detach();
         self.delivery.clear_shown();
-        self.hud_state.busy = None;
+        (self.hud_state.busy, self.hud_state.rendered) = (None, None);
         if losses >= MAX_LOSSES {
             self.report_problem(format!(
                 "The graphics device was lost {MAX_LOSSES} times in a row: {reason}"
@@ -139,7 +151,7 @@ impl App {
         let moving = self.is_moving();
         let quality = self.pacing.advance(&self.choices, self.clock.now(), moving);
         self.hud_state.governor = self.pacing.description(&self.choices);
-        let Some(job) = self.job(&quality).filter(|job| self.delivery.needs(job)) else { return };
+        let Some(job) = self.next_job(&quality).filter(|job| self.delivery.needs(job)) else { return };
         if let Some(worker) = self.device.ready_worker() {
             let number = worker.order(job.clone());
             self.delivery.frame_requested(number, job);

@@ -9,7 +9,7 @@ use clap::{Args, FromArgMatches};
 use glimpse::metrics::Bounds;
 use glimpse::{DisplayImage, Scene, to_png};
 use glimpse_app::script::Script;
-use glimpse_app::{App, Choices, Files, Opened, Phone, StartCamera};
+use glimpse_app::{App, AtRest, Choices, Files, Opened, Phone, StartCamera};
 use glimpse_shell::{Screen, Setup, Wakeup, free_name};
 use winit::error::EventLoopError;
 use winit::event_loop::EventLoop;
@@ -127,7 +127,9 @@ fn choices(options: &ViewOptions, verbosity: Verbosity) -> anyhow::Result<Choice
     for warning in warnings.iter().filter(|_| verbosity > Verbosity::Quiet) {
         output::remark(&format!("warning: {warning}"));
     }
-    Ok(Choices { settings, show: options.show, ..usual })
+    // A script says what it shows: frames are those of `render` unless it sets another quality.
+    let at_rest = if options.script.is_some() { AtRest::Chosen } else { usual.at_rest };
+    Ok(Choices { settings, show: options.show, at_rest, ..usual })
 }
 
 fn first_camera(scene: &Scene, frame: &FrameOptions) -> glimpse::Result<StartCamera> {

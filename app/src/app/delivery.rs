@@ -52,8 +52,7 @@ impl Delivery {
 
     /// Whether the job's frame must be requested: it is neither shown nor requested, and has not failed.
     pub fn needs(&self, job: &Job) -> bool {
-        let requested = self.requested.as_ref().is_some_and(|(_, requested)| requested == job);
-        !self.is_shown(job) && !requested && self.failed.as_ref() != Some(job)
+        !self.is_shown(job) && !self.is_requested(job) && self.failed.as_ref() != Some(job)
     }
 
     /// Records a request for a frame, which replaces the previous one if that has not arrived.
@@ -65,7 +64,7 @@ impl Delivery {
     pub fn frame_arrived(&mut self, number: u64, job: &Job, settled: bool) {
         self.requested.take_if(|(requested, _)| *requested == number);
         // The worker counts rays only in frames at rest.
-        self.counting = (job.is_still() && settled).then_some(number);
+        self.counting = (job.is_counted() && settled).then_some(number);
     }
 
     /// Records that the worker cancelled a frame or its counters.
@@ -130,6 +129,21 @@ impl Delivery {
             || capture.is_some()
             || *picking
             || listing.is_some()
+    }
+
+    /// Whether the counters of a frame have not arrived.
+    pub fn is_counting(&self) -> bool {
+        self.counting.is_some()
+    }
+
+    /// Whether this frame is requested and has not arrived.
+    pub fn is_requested(&self, job: &Job) -> bool {
+        self.requested.as_ref().is_some_and(|(_, requested)| requested == job)
+    }
+
+    /// Whether the frame of that number is the one requested last, and has not arrived.
+    pub fn is_awaited(&self, number: u64) -> bool {
+        self.requested.as_ref().is_some_and(|(requested, _)| *requested == number)
     }
 
     /// Whether a requested frame has not arrived.
@@ -207,6 +221,7 @@ mod tests {
             show: Show::Final,
             split: false,
             level,
+            is_refined: false,
         }
     }
 

@@ -117,6 +117,9 @@ impl Pacing {
         let Quality { level, scale, block, relax } = self.quality;
         match (choices.governed(), level) {
             (None, _) => String::new(),
+            (Some(_), None) if choices.refined().is_some() => {
+                "at rest: as chosen, then refined where pixels differ".to_owned()
+            }
             (Some(_), None) => "at rest: everything as chosen".to_owned(),
             (Some(_), Some(level)) => format!(
                 "level {level}: {:.0} % a side, blocks from {block}, tolerances x {relax:.1}, at most {:.1} ms",
@@ -142,6 +145,7 @@ mod tests {
             show: Show::Final,
             split: false,
             level,
+            is_refined: false,
         }
     }
 

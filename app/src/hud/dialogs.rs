@@ -3,7 +3,10 @@
 
 use std::time::Duration;
 
-use egui::{Align2, Area, Context, Id, Label, LayerId, Modal, Order, ProgressBar, RichText, ScrollArea, Ui};
+use egui::{
+    Align2, Area, Color32, Context, Id, Label, LayerId, Modal, Order, ProgressBar, Rect, RichText, Role,
+    ScrollArea, Sense, Ui, WidgetInfo,
+};
 
 use super::{UserRequest, picture_room, style};
 use crate::{Busy, Choices, HudState};
@@ -55,10 +58,29 @@ pub fn messages(ctx: &Context, hud_state: &HudState, choices: &Choices) {
     });
 }
 
+/// Height in points of the line that shows the progress of a frame.
+const PROGRESS: f32 = 3.0;
+
+/// Shows how much of the frame at rest is rendered, as a line at the lower edge of the picture.
+pub fn rendered(ctx: &Context, hud_state: &HudState, picture: Rect) {
+    let Some(share) = hud_state.rendered.filter(|share| share.is_finite()) else { return };
+    let mut line = picture;
+    line.min.y = line.max.y - PROGRESS;
+    let area = Area::new(Id::unique("rendered")).order(Order::Middle).interactable(false).fixed_pos(line.min);
+    area.constrain(false).show(ctx, |ui| {
+        let (rect, response) = ui.allocate_exact_size(line.size(), Sense::hover());
+        ui.painter().rect_filled(rect, 0.0, Color32::from_black_alpha(110));
+        let done = rect.with_max_x(rect.left() + share.clamp(0.0, 1.0) * rect.width());
+        ui.painter().rect_filled(done, 0.0, style::ACCENT);
+        let name = format!("rendered {:.0} %", 100.0 * share);
+        response.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, name.clone()));
+    });
+}
+
 fn splash(ctx: &Context) {
     let rect = ctx.viewport_rect();
     let painter = ctx.layer_painter(LayerId::new(Order::Middle, Id::unique("splash")));
-    painter.rect_filled(rect, 0.0, egui::Color32::from_rgb(14, 16, 20));
+    painter.rect_filled(rect, 0.0, Color32::from_rgb(14, 16, 20));
     let font = egui::FontId::proportional((0.08 * rect.width()).clamp(8.0, 44.0));
     painter.text(rect.center(), Align2::CENTER_CENTER, "Glimpse", font, style::ACCENT);
 }

@@ -47,7 +47,7 @@ pub const SHORTCUTS: [Shortcut; 22] = [
     shortcut(&[key(Key::N)], Action::Navigation, "orbit or fly"),
     shortcut(&[key(Key::M)], Action::Method, "next method"),
     shortcut(&[key(Key::B)], Action::Block, "next block size"),
-    shortcut(&[key(Key::G)], Action::Governor, "governor: off, 30 fps, 60 fps"),
+    shortcut(&[key(Key::G)], Action::Governor, "governor: the next frame rate, or off"),
     shortcut(&[key(Key::V)], Action::Show, "show the next visualisation"),
     shortcut(&[key(Key::X)], Action::Split, "split screen against full tracing"),
     shortcut(&[key(Key::Plus), key(Key::Equals)], Action::ScaleUp, "finer resolution, without governor"),

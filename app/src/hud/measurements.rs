@@ -4,7 +4,7 @@ use egui::{Color32, ProgressBar, RichText, Ui};
 use glimpse::Method;
 
 use super::{amounts, style};
-use crate::HudState;
+use crate::{Choices, HudState};
 
 /// Shows the time of each pass of the last frame.
 pub fn passes(ui: &mut Ui, hud_state: &HudState) {
@@ -17,10 +17,11 @@ pub fn passes(ui: &mut Ui, hud_state: &HudState) {
 }
 
 /// Shows rays, samples and traversal work of the last counted frame.
-pub fn rays(ui: &mut Ui, hud_state: &HudState) {
+pub fn rays(ui: &mut Ui, hud_state: &HudState, choices: &Choices) {
     let Some(counts) = hud_state.counts else {
         return nothing(ui, true, "Frames are counted when the camera rests.");
     };
+    nothing(ui, choices.refined().is_some(), "Counted before the frame was refined.");
     style::reading(ui, "RT ratio", &amounts::percent(counts.rt_ratio()));
     bar(ui, counts.rt_ratio(), 1.0);
     for (kind, count) in counts.rays.labelled() {

@@ -112,6 +112,9 @@ impl Hud<'_> {
             Overlay::Hidden if self.touch => status::faint_menu(ctx, self.choices),
             Overlay::Hidden => {}
         }
+        if self.choices.overlay != Overlay::Hidden {
+            dialogs::rendered(ctx, self.hud_state, self.picture);
+        }
         dialogs::messages(ctx, self.hud_state, self.choices);
         help::show(ctx, self.choices);
         files::show(ctx, self.hud_state, self.choices.text_scale, user_requests);

@@ -4,7 +4,7 @@ use egui::{Button, Response, Ui, vec2};
 
 use super::actions::Action;
 use super::{keys, style};
-use crate::{Choices, FrameRate, Lenses, Navigation, Show, Vsync};
+use crate::{AtRest, Choices, FrameRate, Lenses, Navigation, Show, Vsync};
 
 /// A choice between a few values.
 pub struct Options<T: 'static> {
@@ -99,16 +99,23 @@ fn named<T: Copy>(values: &[(T, &str)]) -> Vec<(T, String)> {
 pub const GOVERNOR: Options<Option<FrameRate>> = Options {
     name: "governor",
     values: || {
-        named(&[
-            (None, "off"),
-            (Some(FrameRate::Fifteen), "15 fps"),
-            (Some(FrameRate::Thirty), "30 fps"),
-            (Some(FrameRate::Sixty), "60 fps"),
-        ])
+        let fps = |(rate, name): (Option<FrameRate>, &str)| match rate {
+            Some(_) => (rate, format!("{name} fps")),
+            None => (rate, name.to_owned()),
+        };
+        FrameRate::GOVERNOR.map(fps).to_vec()
     },
     action: Some(Action::Governor),
     get: |choices| choices.governor,
     set: |choices, governor| choices.governor = governor,
+};
+
+pub const AT_REST: Options<AtRest> = Options {
+    name: "at rest",
+    values: || named(&AtRest::NAMED),
+    action: None,
+    get: |choices| choices.at_rest,
+    set: |choices, at_rest| choices.at_rest = at_rest,
 };
 
 pub const NAVIGATION: Options<Navigation> = Options {

@@ -90,7 +90,7 @@ fn sections(ui: &mut Ui, hud: &mut Hud<'_>, user_requests: &mut Vec<UserRequest>
     section(ui, "What is shown", true, |ui| shown(ui, hud));
     section(ui, "Speed", true, |ui| speed(ui, hud));
     section(ui, "Passes", true, |ui| measurements::passes(ui, hud_state));
-    section(ui, "Rays", true, |ui| measurements::rays(ui, hud_state));
+    section(ui, "Rays", true, |ui| measurements::rays(ui, hud_state, hud.choices));
     section(ui, "Failed checks", false, |ui| measurements::failed_checks(ui, hud_state));
     section(ui, "This scene", true, |ui| measurements::scene(ui, hud_state, method));
     section(ui, "Memory and adapter", true, |ui| measurements::device(ui, hud_state));
@@ -152,6 +152,8 @@ fn speed(ui: &mut Ui, hud: &mut Hud<'_>) {
     if hud.choices.governed().is_some() {
         ui.label(RichText::new(hud.hud_state.governor.as_str()).small().weak());
     }
+    let rests = hud.choices.at_rest_inapplicable();
+    options::AT_REST.buttons(ui, hud.choices, rests);
     let rests = hud.choices.scale_inapplicable();
     knobs::SCALE.show_single(ui, &mut hud.choices.scale, rests);
     options::VSYNC.buttons(ui, hud.choices, None);

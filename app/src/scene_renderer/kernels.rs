@@ -104,6 +104,10 @@ impl SceneRenderer<'_> {
         }
         self.request(Needs::of(&job), missing);
         self.waiting.frame = Some((number, job.clone()));
+        if job.is_refined && has_last {
+            // The chosen frame of the same camera is on display.
+            return Ok(());
+        }
         let renderer = match &mut self.shown {
             Some(last) if has_last => {
                 let settings = *last.settings();
@@ -131,6 +135,7 @@ impl SceneRenderer<'_> {
             ms: time.ms,
             is_stand_in: true,
             settled: false,
+            samples_share: 0.0,
             compiled: true,
             passes: time.passes,
             memory,

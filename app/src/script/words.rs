@@ -59,7 +59,7 @@ pub const WORDS: &[Word] = &[
     word("hold", "KEY", "presses a key", |rest| parse::key(rest, Stroke::Hold)),
     word("let", "KEY", "releases a key", |rest| parse::key(rest, Stroke::Let)),
     word("set", "NAME VALUE", "sets an option, or show, split (off or a share), scale, lenses (none, cardboard), governor \
-        (off, 15, 30, 60) or overlay (hidden, brief, full)", |rest| Ok(Step::Set(rest.parse::<Change>()?))),
+        (off, 15, 30, 60), at-rest (chosen, refined; chosen in scripts unless set) or overlay (hidden, brief, full)", |rest| Ok(Step::Set(rest.parse::<Change>()?))),
     word("size", "WxH", "resizes the window, in pixels", |rest| Ok(Step::Shell(ShellEvent::Size(parse::size(rest)?)))),
     bare!("minimise", "minimises the window", Step::Shell(ShellEvent::Minimise)),
     bare!("restore", "restores the window", Step::Shell(ShellEvent::Restore)),

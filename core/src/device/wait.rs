@@ -48,12 +48,13 @@ impl Gpu {
     pub(crate) fn submit_until(
         &self,
         mut commands: impl ExactSizeIterator<Item = wgpu::CommandBuffer>,
-        cancelled: &dyn Fn() -> bool,
+        cancelled: &dyn Fn(f32) -> bool,
     ) -> Result<bool> {
         let _submit_lock = self.submit_lock();
         let mut last = None;
+        let all = commands.len() as f32;
         while commands.len() > 0 {
-            if cancelled() {
+            if cancelled(1.0 - commands.len() as f32 / all) {
                 self.wait_for(last)?;
                 return Ok(false);
             }

@@ -208,15 +208,15 @@ impl Renderer {
         self.frame_time()
     }
 
-    /// Like [`Renderer::render`], but calls `cancelled` between submissions and gives the frame up when it
-    /// returns true. Then the result is `None`, and [`Renderer::display`] holds parts of two frames.
+    /// Like [`Renderer::render`], but calls `cancelled` before each submission, with the share of the submissions that are
+    /// made (from 0, below 1), and gives the frame up when it returns true. Then the result is `None`, and [`Renderer::display`] holds parts of two frames.
     ///
     /// # Errors
     /// The errors of [`Renderer::frame`].
     pub fn render_until(
         &mut self,
         camera: &Camera,
-        cancelled: &dyn Fn() -> bool,
+        cancelled: &dyn Fn(f32) -> bool,
     ) -> Result<Option<FrameTime>> {
         let gpu = self.gpu.clone();
         let done = gpu.submit_until(self.frame(camera)?, cancelled)?;

@@ -74,3 +74,24 @@ fn frames_that_are_kept() {
         );
     }
 }
+
+#[test]
+fn a_view_at_rest_is_refined_after_its_frame_was_counted() {
+    let harness = ScriptHarness::headless();
+    harness.plays(
+        "builtin:cornell --size 64x36",
+        "settle
+         screenshot chosen.png
+         expect rt_ratio < 1
+         set at-rest refined
+         settle
+         expect command contains --supersample=true --preset=refined
+         expect rt_ratio < 1
+         screenshot refined.png",
+    );
+    let mut render = harness.glimpse();
+    render.args("render builtin:cornell --size 64x36 --supersample --preset refined -o r.png".split(' '));
+    assert!(render.output().unwrap().status.success());
+    assert!(harness.picture("refined.png") == harness.picture("r.png"));
+    assert!(harness.picture("refined.png") != harness.picture("chosen.png"));
+}

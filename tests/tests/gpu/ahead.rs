@@ -123,6 +123,7 @@ fn the_last_method_stands_in_while_kernels_are_compiled() {
         settings: Settings { method, ..Settings::default() },
         show: Show::Final,
         split: false,
+        is_refined: false,
         level: None,
     };
     let first = worker.order(job(Method::Full));

@@ -77,8 +77,10 @@ fn a_frame_that_is_given_up_leaves_the_next_one_whole() {
     renderer.render(&test_scene.camera).expect("a frame");
     let whole = renderer.display_image().expect("a picture");
     let asked = Cell::new(0);
-    let time = renderer.render_until(&test_scene.camera, &|| {
+    let share = Cell::new(-1.0);
+    let time = renderer.render_until(&test_scene.camera, &|submitted| {
         asked.set(asked.get() + 1);
+        assert!(submitted > share.replace(submitted) && submitted < 1.0, "{submitted} after {}", share.get());
         false
     });
     assert!(time.expect("a frame").is_some());
@@ -86,13 +88,13 @@ fn a_frame_that_is_given_up_leaves_the_next_one_whole() {
     assert!(submissions > 2, "a frame of {submissions} submissions cannot be given up between them");
     for last in 0..submissions {
         let asked = Cell::new(0);
-        let given_up = renderer.render_until(&test_scene.camera, &|| {
+        let given_up = renderer.render_until(&test_scene.camera, &|_| {
             asked.set(asked.get() + 1);
             asked.get() > last
         });
         assert!(given_up.expect("no failure").is_none(), "after {last} submissions");
         assert_eq!(asked.get(), last + 1, "nothing is submitted after the frame was given up");
-        assert!(renderer.render_until(&test_scene.camera, &|| false).expect("a frame").is_some());
+        assert!(renderer.render_until(&test_scene.camera, &|_| false).expect("a frame").is_some());
         assert!(renderer.display_image().expect("a picture") == whole, "after {last} submissions");
     }
 }

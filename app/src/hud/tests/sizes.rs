@@ -180,3 +180,22 @@ fn the_line_stands_still_while_its_numbers_change() {
     };
     assert_eq!([width(1.0), width(16.7), width(130.0)], [width(8000.0); 3]);
 }
+
+#[test]
+fn the_progress_of_a_frame_is_a_line_along_the_picture() {
+    let rendered = |overlay, share| {
+        let mut fixture = fixture(overlay);
+        fixture.hud_state.rendered = share;
+        shown(fixture, [1280.0, 720.0])
+    };
+    let harness = rendered(Overlay::Full, Some(0.25));
+    let line = harness.get_by_label("rendered 25 %").rect();
+    let room = picture_room(&harness.ctx, &harness.state().choices);
+    assert!((line.width() - room.width()).abs() < 1.0 && line.bottom() <= 720.0, "{line:?} {room:?}");
+    for (overlay, share) in
+        [(Overlay::Hidden, Some(0.25)), (Overlay::Brief, None), (Overlay::Brief, Some(f32::NAN))]
+    {
+        let harness = rendered(overlay, share);
+        assert!(harness.query_by_label_contains("rendered").is_none(), "{overlay:?} {share:?}");
+    }
+}
