@@ -7,7 +7,7 @@ use glimpse::{Demands, DisplayImage, Gpu, Missing, PixelRecord, Renderer, metric
 use glimpse_measure::progress::Progress;
 use glimpse_measure::statistics::timed;
 
-use crate::complete::{Measure, complete};
+use crate::complete::{Measure, complete, groups};
 use crate::job::Job;
 use crate::record::{Frame, Record};
 use crate::rung::Rung;
@@ -249,6 +249,18 @@ impl Known {
         rungs.map(|(rung, recalled)| rung.samples() * lacking(recalled.as_ref(), frames)).sum::<u64>()
             + converged.map_or(0, |(rung, _)| rung.samples())
             + objects.map_or(0, |rung| (1 + LOOK) * rung.samples())
+            + self.controls(frames)
+    }
+
+    /// Number of samples of the control's frames that go into no record of its own.
+    fn controls(&self, frames: usize) -> u64 {
+        let Some(control) = self.job.control else { return 0 };
+        let has_lacking = |record: &Option<Record>| lacking(record.as_ref(), frames) > 0;
+        let own = self.recalled.get(control).and_then(Option::as_ref).map_or(0, |record| record.frames.len());
+        let others = self.recalled.iter().enumerate();
+        let others = others.filter(|(index, record)| *index != control && has_lacking(record)).count();
+        let rounds = groups(others, true) * frames;
+        self.job.rungs[control].samples() * rounds.saturating_sub(frames.saturating_sub(own)) as u64
     }
 }
 
@@ -266,4 +278,26 @@ fn lacking(record: Option<&Record>, frames: usize) -> u64 {
 /// Upscales a picture of reduced resolution to the frame's size.
 fn shown(picture: DisplayImage, size: [u32; 2]) -> DisplayImage {
     if <[u32; 2]>::from(picture.dimensions()) == size { picture } else { bilinear(&picture, size) }
+}
+
+#[cfg(test)]
+mod tests {
+    use glimpse::Settings;
+
+    use super::*;
+    use crate::ladder;
+
+    #[test]
+    fn the_controls_frames_beside_every_group_are_work() {
+        let known = |control| {
+            let job = Job { control, ..ladder::job(&Settings::default(), [10, 10]) };
+            let recalled = vec![None; job.rungs.len()];
+            Known { job, identities: vec![], converged: None, recalled, has_converged: true }
+        };
+        let control = known(None).job.rungs.iter().position(|rung| rung.samples() == 100).unwrap();
+        let others = known(None).recalled.len() - 1;
+        // Two others are open beside the control, and 3 of the control's frames are those of its record.
+        let rounds = others.div_ceil(2) as u64 * 3;
+        assert_eq!(known(Some(control)).work(3), known(None).work(3) + 100 * (rounds - 3));
+    }
 }

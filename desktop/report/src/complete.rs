@@ -6,6 +6,11 @@ use crate::store::Store;
 /// The most settings that are open at a time: each holds its targets and its kernels in memory.
 const OPEN: usize = 3;
 
+/// Number of groups in which `lacking` settings are measured, beside a control or without one.
+pub fn groups(lacking: usize, has_control: bool) -> usize {
+    lacking.div_ceil(OPEN - usize::from(has_control))
+}
+
 /// How [`complete`] measures the setting of an index.
 pub trait Measure {
     /// A setting that is ready to be measured.
@@ -51,7 +56,7 @@ pub fn complete<M: Measure>(
     };
     lacking.retain(|index| control.as_ref().is_none_or(|control| control.index != *index));
     let mut done = Vec::new();
-    let groups = lacking.len().div_ceil(OPEN - usize::from(control.is_some()));
+    let groups = groups(lacking.len(), control.is_some());
     for first in 0..groups {
         let group = lacking.iter().copied().skip(first).step_by(groups);
         let mut unfinished = group.map(&mut opened).collect::<anyhow::Result<Vec<_>>>()?;
