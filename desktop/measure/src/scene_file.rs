@@ -98,8 +98,8 @@ fn check_builtin(name: &str) -> anyhow::Result<()> {
 }
 
 /// Reads the file of a relative URI (RFC 3986), whose percent codes are decoded once; not every exporter encodes names,
-/// so that a file of the very name counts too. Files outside the scene's folder and other machines are refused, as
-/// scenes may come from untrusted sources.
+/// so that a file of the very name counts too. Files outside the scene's folder, also where a link leads there, and other
+/// machines are refused, as scenes may come from untrusted sources.
 fn read_beside(folder: &Path, uri: &str) -> Result<(PathBuf, Vec<u8>), String> {
     let decoded = percent_decoded(uri);
     let paths = [decoded.as_os_str(), uri.as_ref()].map(|name| below(name).map(|path| folder.join(path)));
@@ -107,8 +107,23 @@ fn read_beside(folder: &Path, uri: &str) -> Result<(PathBuf, Vec<u8>), String> {
     let path = there.or(paths[0].as_ref()).ok_or_else(|| {
         format!("expected a file in the scene's folder or below it, found `{}`", decoded.display())
     })?;
+    if leads_outside(folder, path) {
+        let expected =
+            "expected a file in the scene's folder or below it, found a link that leads elsewhere:";
+        return Err(format!("{expected} `{}`", decoded.display()));
+    }
     let bytes = files::read(path).map_err(|error| format!("{error:#}"))?;
     Ok((path.clone(), bytes))
+}
+
+/// Whether links lead from a path below a folder to a file that is not below it.
+fn leads_outside(folder: &Path, path: &Path) -> bool {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    match (folder.canonicalize(), path.canonicalize()) {
+        (Ok(folder), Ok(target)) => !target.starts_with(folder),
+        // There is no such file, which reading it says.
+        _ => false,
+    }
 }
 
 /// The path below a folder that a name leads to, without its dot segments (RFC 3986, section 5.2.4); `None` where it
@@ -178,6 +193,31 @@ mod tests {
         assert!(message.contains("model.stl") && message.contains(".glb"), "{message}");
         let message = format!("{:#}", load("nowhere/model.glb").unwrap_err());
         assert!(message.contains("cannot read nowhere/model.glb"), "{message}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_judged_by_where_they_lead() {
+        use std::os::unix::fs::symlink;
+        let all = tempfile::tempdir().unwrap();
+        let scene = all.path().join("scene");
+        fs::create_dir_all(scene.join("textures")).unwrap();
+        fs::write(all.path().join("secret.png"), b"secret").unwrap();
+        fs::write(scene.join("textures/a.png"), b"inside").unwrap();
+        symlink("textures/a.png", scene.join("inside.png")).unwrap();
+        symlink("../secret.png", scene.join("outside.png")).unwrap();
+        symlink(all.path(), scene.join("folder")).unwrap();
+        symlink("gone", scene.join("dangling.png")).unwrap();
+        // The folder's own name may be a link.
+        symlink(&scene, all.path().join("alias")).unwrap();
+        for folder in [&scene, &all.path().join("alias")] {
+            assert_eq!(read_beside(folder, "inside.png").unwrap().1, b"inside");
+            for uri in ["outside.png", "folder/secret.png"] {
+                let error = read_beside(folder, uri).unwrap_err();
+                assert!(error.contains("a link that leads elsewhere") && error.contains(uri), "{error}");
+            }
+            assert!(read_beside(folder, "dangling.png").unwrap_err().contains("cannot read"));
+        }
     }
 
     #[test]
