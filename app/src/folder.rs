@@ -9,7 +9,7 @@ use std::{
 /// What of a folder can be opened.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Folder {
-    /// Absolute path.
+    /// Absolute path of the folder.
     pub path: PathBuf,
     /// Folders, then scenes (`.glb`, `.gltf`), each in the order of their names, without hidden ones (`.name`).
     pub entries: Vec<FolderEntry>,
@@ -22,7 +22,7 @@ pub struct Folder {
 pub struct FolderEntry {
     /// Name for display, with U+FFFD for what is not UTF-8.
     pub name: String,
-    /// Absolute path.
+    /// Absolute path of the folder or of the scene's file.
     pub path: PathBuf,
     /// Whether it is a folder.
     pub is_folder: bool,

@@ -17,15 +17,16 @@ pub type LinearImage = Rgb32FImage;
 /// Linear radiance clamped to [0, 1] and encoded as sRGB (IEC 61966-2-1), opaque.
 #[must_use]
 pub fn encode_display(linear: &LinearImage) -> DisplayImage {
-    let encode = |v: f32| {
-        let v = v.clamp(0.0, 1.0);
-        let encoded = if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * v.powf(1.0 / 2.4) - 0.055 };
-        (255.0 * encoded).round() as u8
-    };
+    let encode = |v: f32| (255.0 * linear_to_srgb(v.clamp(0.0, 1.0))).round() as u8;
     DisplayImage::from_fn(linear.width(), linear.height(), |x, y| {
         let [r, g, b] = linear.get_pixel(x, y).0.map(encode);
         image::Rgba([r, g, b, 255])
     })
+}
+
+/// Encodes a linear value in [0, 1] as sRGB (IEC 61966-2-1).
+pub(crate) fn linear_to_srgb(v: f32) -> f32 {
+    if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * v.powf(1.0 / 2.4) - 0.055 }
 }
 
 /// The linear values of all 256 sRGB bytes (IEC 61966-2-1).

@@ -21,9 +21,9 @@ use crate::{
 /// How a file dialog ended.
 #[derive(Debug)]
 pub enum DialogEnd {
-    /// With a file.
+    /// The user chose this file.
     File(PathBuf),
-    /// Without one.
+    /// The user closed the dialog without choosing a file.
     Cancelled,
     /// The system has no file dialog.
     Missing,

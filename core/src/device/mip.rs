@@ -3,7 +3,7 @@
 
 use glam::{Vec4, Vec4Swizzles as _};
 
-use crate::image::srgb_to_linear;
+use crate::image::{linear_to_srgb, srgb_to_linear};
 use crate::scene::{Image8, Scene, TextureSlot};
 
 /// The encoding of an image's bytes, which determines how texels are averaged.
@@ -65,14 +65,9 @@ impl Content {
         };
         let byte = |x: f32| (255.0 * x).round() as u8;
         let linear = matches!(self, Self::Data | Self::Normal);
-        let [r, g, b, _] = color.to_array().map(|c| byte(if linear { c } else { encoded(c) }));
+        let [r, g, b, _] = color.to_array().map(|c| byte(if linear { c } else { linear_to_srgb(c) }));
         [r, g, b, byte(average.w)]
     }
-}
-
-/// Encodes a linear value as sRGB (IEC 61966-2-1).
-fn encoded(c: f32) -> f32 {
-    if c <= 0.003_130_8 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 }
 }
 
 /// Width and height of a level in texels; level 0 is the image.

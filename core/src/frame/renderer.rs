@@ -209,7 +209,8 @@ impl Renderer {
     }
 
     /// Like [`Renderer::render`], but calls `cancelled` before each submission, with the share of the submissions that are
-    /// made (from 0, below 1), and gives the frame up when it returns true. Then the result is `None`, and [`Renderer::display`] holds parts of two frames.
+    /// made (from 0, below 1), and gives the frame up when it returns true. Then the result is `None`, and
+    /// [`Renderer::display`] holds parts of two frames.
     ///
     /// # Errors
     /// The errors of [`Renderer::frame`].

@@ -7,9 +7,6 @@ use serde::Serialize;
 use super::{LEAST_ROUGHNESS, Material, Scene};
 use crate::settings::Method;
 
-/// The most objects that are named for a feature.
-const PLACES: usize = 4;
-
 /// A feature of a file's format that the picture does not show as the format's specification has it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct NotShown {
@@ -20,6 +17,11 @@ pub struct NotShown {
     /// The first few elements of the file that have it.
     #[serde(rename = "where")]
     pub places: Vec<String>,
+}
+
+impl NotShown {
+    /// The most places that are named.
+    pub(crate) const PLACES: usize = 4;
 }
 
 /// One line: the feature, how many times it occurs, and where.
@@ -54,8 +56,13 @@ impl Scene {
             let concerned: Vec<_> = self.materials.iter().map(concerns).collect();
             let has = |object: &&super::Object| concerned.get(object.material as usize) == Some(&true);
             let count = self.objects.iter().filter(has).count();
-            let places =
-                self.objects.iter().filter(has).take(PLACES).map(|object| object.name.clone()).collect();
+            let places = self
+                .objects
+                .iter()
+                .filter(has)
+                .take(NotShown::PLACES)
+                .map(|object| object.name.clone())
+                .collect();
             (count > 0).then(|| NotShown { feature: feature.to_owned(), count, places })
         };
         BY_WHITTED.into_iter().filter_map(of).collect()

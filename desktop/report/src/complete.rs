@@ -20,7 +20,7 @@ pub trait Measure {
     fn open(&self, index: usize) -> anyhow::Result<Self::Open>;
     /// Makes its record, without timed frames.
     fn look(&self, index: usize, setting: &mut Self::Open) -> anyhow::Result<Record>;
-    /// Times a frame.
+    /// Renders a frame of an open setting and measures its time.
     fn time(&self, index: usize, setting: &mut Self::Open) -> anyhow::Result<Frame>;
     /// Is told that a group of settings is open, and no earlier one. Until then both have their kernels in common.
     fn opened(&self);

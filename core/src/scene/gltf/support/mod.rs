@@ -20,9 +20,6 @@ use crate::{Error, Result};
 use extensions::EXTENSIONS;
 use table::{LISTS, ROOT, SCENES};
 
-/// The most places that are named for a feature.
-const PLACES: usize = 4;
-
 /// Whether a value is there that changes what is shown. The value is null where the property is absent.
 type Effect = fn(&Value, &Site<'_>) -> bool;
 
@@ -418,7 +415,7 @@ impl<'v> Survey<'v> {
             places: Vec::new(),
         });
         told.count += 1;
-        if told.places.len() < PLACES && told.places.last() != Some(&place) {
+        if told.places.len() < NotShown::PLACES && told.places.last() != Some(&place) {
             told.places.push(place);
         }
     }
